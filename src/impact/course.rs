@@ -1,0 +1,183 @@
+//! The course of one impact: piece after piece up the loading curve, the turning point, and back down the unloading branch.
+
+use super::outcome::Outcome;
+use super::scales::ACCELERATION;
+use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State};
+use crate::law::curve::{Piece, Shape};
+use crate::law::{Law, Peak, Unloading};
+
+/// What happens on the way; the kinds in their order of time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    /// First touch.
+    Touch,
+    /// The half-space begins to yield (x = 1).
+    Yield,
+    /// The loading curve passes from one piece to the next.
+    Knot,
+    /// Maximum compression.
+    Peak,
+    /// Force zero at the residual indentation.
+    Separation,
+}
+
+/// A point of a trace, dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// τ.
+    pub time: f64,
+    /// x.
+    pub indentation: f64,
+    /// u.
+    pub speed: f64,
+    /// f.
+    pub force: f64,
+    /// ε: the part of x recovered if unloaded from here.
+    pub elastic_approach: f64,
+    /// Whether compression is over.
+    pub is_unloading: bool,
+    /// The event, if it is one.
+    pub event: Option<Event>,
+}
+
+/// Collects a trace: even samples in time and every event.
+#[derive(Debug, Clone, Default)]
+pub struct Recorder {
+    sampler: Sampler,
+    /// The points in order of time.
+    pub points: Vec<Point>,
+}
+
+impl Recorder {
+    /// A recorder of `samples` points evenly spaced over `contact_time`, both ends included (they are events).
+    #[must_use]
+    pub fn new(samples: usize, contact_time: f64) -> Self {
+        let inner = samples.saturating_sub(2);
+        #[allow(clippy::cast_precision_loss)]
+        let interval = contact_time / (inner + 1) as f64;
+        Self { sampler: Sampler::every(interval, inner), points: Vec::with_capacity(samples + 16) }
+    }
+
+    fn loading(&mut self, law: &Law, piece: &Piece) {
+        for state in self.sampler.states.drain(..) {
+            self.points.push(loading_point(law, piece, state, None));
+        }
+    }
+
+    fn unloading(&mut self, unloading: &Unloading) {
+        for state in self.sampler.states.drain(..) {
+            self.points.push(unloading_point(unloading, state, None));
+        }
+    }
+}
+
+fn loading_point(law: &Law, piece: &Piece, state: State, event: Option<Event>) -> Point {
+    let indentation = piece.start + state.distance;
+    let force = piece.force_at(indentation);
+    let elastic_approach = law.elastic_approach(indentation, force);
+    Point { time: state.time, indentation, speed: state.speed, force, elastic_approach, is_unloading: false, event }
+}
+
+fn unloading_point(unloading: &Unloading, state: State, event: Option<Event>) -> Point {
+    let residual = unloading.peak.residual();
+    let force = unloading.stiffness() * crate::power::power(state.distance.max(0.0), unloading.exponent);
+    let (time, speed) = (state.time, state.speed);
+    Point {
+        time,
+        indentation: residual + state.distance,
+        speed,
+        force,
+        elastic_approach: state.distance,
+        is_unloading: true,
+        event,
+    }
+}
+
+/// The deceleration of the sphere on a piece of the loading curve.
+fn restoring(piece: &Piece) -> Restoring {
+    match piece.shape {
+        Shape::Power { stiffness, exponent } => Restoring::Power { coefficient: ACCELERATION * stiffness, exponent },
+        Shape::Straight { slope } => {
+            Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
+        }
+    }
+}
+
+/// Integrates an impact at q = v/V from first touch to separation.
+///
+/// # Errors
+/// What the integrator reports.
+pub fn integrate<I: Integrator>(
+    law: &Law,
+    speed: f64,
+    integrator: &mut I,
+    mut recorder: Option<&mut Recorder>,
+) -> Result<Outcome, IntegrationError> {
+    // the size of x only scales the error; its estimate costs one inverse of the work
+    let pieces = law.loading.pieces();
+    let kinetic = 0.4 * speed * speed;
+    let deepest = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
+    let sizes = Sizes { distance: pieces[deepest].indentation_at_work(kinetic), speed };
+
+    let mut state = State { time: 0.0, distance: 0.0, speed };
+    let mut index = 0;
+    if let Some(recorder) = recorder.as_deref_mut() {
+        recorder.points.push(loading_point(law, &pieces[0], state, Some(Event::Touch)));
+    }
+    let piece = loop {
+        let piece = &pieces[index];
+        // first yield is no kink of the curve, but an event of the trace: there the leg stops too
+        let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - piece.start;
+        let passes_yield = recorder.is_some() && !matches!(law.elastic, crate::law::ElasticApproach::All);
+        let landing =
+            if passes_yield && piece.start < 1.0 && state.distance < 1.0 - piece.start && end > 1.0 - piece.start {
+                let path = Path { restoring: restoring(piece), leg: Leg::Outward(1.0 - piece.start), sizes };
+                let landing =
+                    integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
+                if landing == Landing::End {
+                    if let Some(recorder) = recorder.as_deref_mut() {
+                        recorder.loading(law, piece);
+                        recorder.points.push(loading_point(law, piece, state, Some(Event::Yield)));
+                    }
+                    continue;
+                }
+                landing
+            } else {
+                let path = Path { restoring: restoring(piece), leg: Leg::Outward(end), sizes };
+                integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?
+            };
+        if let Some(recorder) = recorder.as_deref_mut() {
+            recorder.loading(law, piece);
+        }
+        if landing == Landing::Turning {
+            break piece;
+        }
+        index += 1;
+        state.distance = 0.0;
+        if let Some(recorder) = recorder.as_deref_mut() {
+            recorder.points.push(loading_point(law, &pieces[index], state, Some(Event::Knot)));
+        }
+    };
+    let loading_time = state.time;
+    let indentation = piece.start + state.distance;
+    let force = piece.force_at(indentation);
+    let peak = Peak { indentation, force, elastic_approach: law.elastic_approach(indentation, force) };
+    let unloading = law.unloading(peak);
+    if let Some(recorder) = recorder.as_deref_mut() {
+        recorder.points.push(loading_point(law, piece, state, Some(Event::Peak)));
+    }
+
+    let stored = force * peak.elastic_approach / (unloading.exponent + 1.0);
+    let path = Path {
+        restoring: Restoring::Power { coefficient: ACCELERATION * unloading.stiffness(), exponent: unloading.exponent },
+        leg: Leg::Back,
+        sizes: Sizes { distance: peak.elastic_approach, speed: (2.0 * ACCELERATION * stored).sqrt() },
+    };
+    state = State { time: loading_time, distance: peak.elastic_approach, speed: 0.0 };
+    integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
+    if let Some(recorder) = recorder {
+        recorder.unloading(&unloading);
+        recorder.points.push(unloading_point(&unloading, state, Some(Event::Separation)));
+    }
+    Ok(Outcome { unloading, restitution: -state.speed / speed, loading_time, contact_time: state.time })
+}

@@ -1,0 +1,259 @@
+//! What an impact comes to: dimensionless, and in SI units as every report and plot reads it.
+
+use super::course::{Event, Point};
+use super::scales::Scales;
+use super::validity::{self, Warning};
+use super::{Contact, ImpactError};
+use crate::integrate::Work;
+use crate::law::{Law, Unloading};
+use crate::material::normal;
+
+/// The outcome of an impact in dimensionless form, however it was obtained.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// The unloading branch: peak state and exponent.
+    pub unloading: Unloading,
+    /// e: rebound speed over impact speed.
+    pub restitution: f64,
+    /// Time of compression.
+    pub loading_time: f64,
+    /// Time from first touch to separation.
+    pub contact_time: f64,
+}
+
+/// Where the kinetic energy went \[J\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energy {
+    /// ½ m v².
+    pub kinetic_in: f64,
+    /// ½ m (e v)².
+    pub recovered: f64,
+    /// Spent on the dent, W(δ_m) − F_m δ_e/(n + 1); `None` for a half-space without a yield strength.
+    pub plastic: Option<f64>,
+    /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the
+    /// error of the run as the run itself can see it.
+    pub drift: f64,
+}
+
+/// The error of the integration against the closed form (both relative).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    /// e of the closed form.
+    pub closed_form_restitution: f64,
+    /// |e − e_exact| / e_exact.
+    pub restitution_error: f64,
+    /// |T − T_exact| / T_exact.
+    pub contact_time_error: f64,
+}
+
+/// Which branch of the law a trace row is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// Loading without a dent so far.
+    Elastic,
+    /// Loading, dent growing.
+    Plastic,
+    /// Unloading.
+    Unloading,
+}
+
+impl Branch {
+    /// `elastic`, `plastic` or `unloading`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic",
+            Self::Plastic => "plastic",
+            Self::Unloading => "unloading",
+        }
+    }
+}
+
+/// One row of a trace.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceRow {
+    /// Since first touch \[s\].
+    pub time: f64,
+    /// δ \[m\].
+    pub indentation: f64,
+    /// δ_s \[m\], the sphere's share; 0 for a rigid sphere.
+    pub sphere_indentation: f64,
+    /// δ_h = δ − δ_s \[m\], the half-space's share.
+    pub half_space_indentation: f64,
+    /// δ' \[m/s\]: positive into the half-space, negative on the way out.
+    pub speed: f64,
+    /// F \[N\].
+    pub force: f64,
+    /// Where on the law.
+    pub branch: Branch,
+    /// The event, if the row is one.
+    pub event: Option<Event>,
+    /// (kinetic + stored + lost)/(½ m v²) − 1.
+    pub energy_drift: f64,
+}
+
+/// One impact: every report and every picture reads this. SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// Impact speed v \[m/s\].
+    pub speed: f64,
+    /// e \[1\].
+    pub restitution: f64,
+    /// e v \[m/s\].
+    pub rebound_speed: f64,
+    /// First touch to separation \[s\].
+    pub contact_time: f64,
+    /// First touch to maximum compression \[s\].
+    pub loading_time: f64,
+    /// F_m \[N\].
+    pub peak_force: f64,
+    /// δ_m \[m\].
+    pub peak_indentation: f64,
+    /// δ_sm \[m\].
+    pub peak_sphere_indentation: f64,
+    /// δ_e = δ_m − δ_r \[m\].
+    pub elastic_approach: f64,
+    /// n of the unloading branch.
+    pub unloading_exponent: f64,
+    /// δ_r \[m\]: depth of the dent; 0 without one.
+    pub residual_indentation: f64,
+    /// R_e \[m\] (Eq. 24).
+    pub unloading_radius: f64,
+    /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
+    pub residual_radius: Option<f64>,
+    /// a_m \[m\] (± 3 %).
+    pub peak_contact_radius: f64,
+    /// F_m/(π a_m²) \[Pa\].
+    pub peak_mean_pressure: f64,
+    /// Radius of the dent's rim \[m\]: the contact radius at the peak; `None` without a dent.
+    pub dent_radius: Option<f64>,
+    /// Where the energy went.
+    pub energy: Energy,
+    /// What it cost.
+    pub work: Work,
+    /// Error against the closed form.
+    pub accuracy: Accuracy,
+    /// Where the model or the run is doubtful.
+    pub warnings: Vec<Warning>,
+    /// The trace, empty if none was asked for; rows rise in time.
+    pub trace: Vec<TraceRow>,
+}
+
+impl Impact {
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn new(
+        contact: &Contact,
+        speed: f64,
+        scales: &Scales,
+        law: &Law,
+        outcome: &Outcome,
+        exact: &Outcome,
+        work: Work,
+        points: &[Point],
+    ) -> Result<Self, ImpactError> {
+        let pair = contact.pair();
+        let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
+        let peak = unloading.peak;
+        let residual = peak.residual();
+        let has_dent = residual > 0.0;
+        let kinetic_in = normal("kinetic energy (J)", 0.5 * pair.mass * speed * speed)?;
+        // kinetic energy in units of Φ L
+        let kinetic = kinetic_in / scales.energy();
+        let lost = law.loading.work(peak.indentation) - unloading.stored(peak.indentation);
+        let ledger = Ledger { law, unloading: &unloading, kinetic, unit_of_speed: scales.speed / speed, lost };
+        let trace: Vec<TraceRow> =
+            points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
+        let at_peak = law.loading.work(peak.indentation) / kinetic - 1.0;
+        let at_separation = restitution * restitution + lost / kinetic - 1.0;
+        let drift = trace
+            .iter()
+            .map(|row| row.energy_drift)
+            .chain([at_peak, at_separation])
+            .fold(0.0, |worst: f64, d| worst.max(d.abs()));
+
+        let peak_contact_radius = scales.contact_radius * law.contact_radius(&peak);
+        let peak_force = normal("peak force (N)", peak.force * scales.force)?;
+        let radius_ratio = peak.unloading_radius_ratio();
+        let residual_radius =
+            (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
+        let mut impact = Self {
+            speed,
+            restitution,
+            rebound_speed: restitution * speed,
+            contact_time: normal("contact time (s)", contact_time * scales.time())?,
+            loading_time: loading_time * scales.time(),
+            peak_force,
+            peak_indentation: peak.indentation * scales.length,
+            peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
+            elastic_approach: peak.elastic_approach * scales.length,
+            unloading_exponent: unloading.exponent,
+            residual_indentation: residual * scales.length,
+            unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
+            residual_radius,
+            peak_contact_radius,
+            peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
+            dent_radius: has_dent.then_some(peak_contact_radius),
+            energy: Energy {
+                kinetic_in,
+                recovered: kinetic_in * restitution * restitution,
+                plastic: pair.yield_point.map(|_| if has_dent { lost * scales.energy() } else { 0.0 }),
+                drift,
+            },
+            work,
+            accuracy: Accuracy {
+                closed_form_restitution: exact.restitution,
+                restitution_error: (restitution / exact.restitution - 1.0).abs(),
+                contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
+            },
+            warnings: Vec::new(),
+            trace,
+        };
+        impact.warnings = validity::warnings(contact, &impact);
+        Ok(impact)
+    }
+
+    /// Whether the impact left a dent.
+    #[must_use]
+    pub fn has_dent(&self) -> bool {
+        self.dent_radius.is_some()
+    }
+}
+
+/// The energy ledger of one impact, in units of Φ L.
+struct Ledger<'a> {
+    law: &'a Law,
+    unloading: &'a Unloading,
+    kinetic: f64,
+    unit_of_speed: f64,
+    lost: f64,
+}
+
+impl Ledger<'_> {
+    /// While loading: kinetic + W; while unloading: kinetic + stored + what the dent has cost.
+    fn row(&self, point: &Point, scales: &Scales, sphere_compliance: f64) -> TraceRow {
+        let speed_ratio = point.speed * self.unit_of_speed;
+        let potential = if point.is_unloading {
+            point.force * point.elastic_approach / (self.unloading.exponent + 1.0) + self.lost
+        } else {
+            self.law.loading.work(point.indentation)
+        };
+        let branch = match point {
+            Point { is_unloading: true, .. } => Branch::Unloading,
+            Point { indentation, elastic_approach, .. } if elastic_approach < indentation => Branch::Plastic,
+            _ => Branch::Elastic,
+        };
+        let indentation = point.indentation * scales.length;
+        let sphere_indentation = sphere_compliance * point.elastic_approach * scales.length;
+        TraceRow {
+            time: point.time * scales.time(),
+            indentation,
+            sphere_indentation,
+            half_space_indentation: indentation - sphere_indentation,
+            speed: point.speed * scales.speed,
+            force: point.force * scales.force,
+            branch,
+            event: point.event,
+            energy_drift: speed_ratio * speed_ratio + potential / self.kinetic - 1.0,
+        }
+    }
+}

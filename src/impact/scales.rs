@@ -1,0 +1,54 @@
+//! Dimensionless variables and the way back.
+//!
+//! x = δ/L, f = F/Φ, u = δ'/V, τ = t V/L with ½ m V² = (2/5) Φ L, so that the equation of motion is x'' = −(5/4) f for
+//! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
+//! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
+
+use crate::material::{OutOfFloatRange, Pair, YieldPoint, normal};
+
+/// c of x'' = −c f.
+pub const ACCELERATION: f64 = 1.25;
+
+/// The units of length, force and speed of one impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    /// L \[m\].
+    pub length: f64,
+    /// Φ \[N\].
+    pub force: f64,
+    /// V \[m/s\].
+    pub speed: f64,
+    /// Hertz contact radius at L \[m\].
+    pub contact_radius: f64,
+}
+
+impl Scales {
+    /// Yield scales.
+    #[must_use]
+    pub fn of_yield(point: &YieldPoint) -> Self {
+        Self { length: point.indentation, force: point.force, speed: point.speed, contact_radius: point.contact_radius }
+    }
+
+    /// Hertz scales of an elastic impact at `speed`: L = (5 m v²/(4 K))^(2/5), Φ = K L^1.5, V = v.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
+    pub fn of_hertz(pair: &Pair, speed: f64) -> Result<Self, OutOfFloatRange> {
+        let stiffness = pair.hertz_stiffness();
+        let length = normal("peak indentation (m)", (1.25 * pair.mass / stiffness).powf(0.4) * speed.powf(0.8))?;
+        let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
+        Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
+    }
+
+    /// L/V \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.length / self.speed
+    }
+
+    /// Φ L \[J\].
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.force * self.length
+    }
+}

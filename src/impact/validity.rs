@@ -1,0 +1,91 @@
+//! Where the model, or the run, is to be doubted: values in the result, errors only under `--strict`.
+
+use thiserror::Error;
+
+use super::{Contact, Impact};
+
+/// A doubt about a result. The text says what is doubtful and what to do.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Warning {
+    /// a/R beyond the finite-element data.
+    #[error(
+        "contact radius / sphere radius = {ratio:.3} is beyond 0.45, the range of the data behind the law: take forces and dent as estimates, or lower the speed"
+    )]
+    DeepDent {
+        /// a_m/R.
+        ratio: f64,
+    },
+    /// The sphere would yield as well.
+    #[error(
+        "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and e be lower"
+    )]
+    SphereYields {
+        /// Peak mean pressure \[Pa\].
+        pressure: f64,
+        /// The sphere's yield strength \[Pa\].
+        strength: f64,
+    },
+    /// Too short for a quasi-static sphere.
+    #[error(
+        "contact lasts {transits:.2} wave transits of the sphere (2 R / c); below 5 it is no longer quasi-static and part of the energy goes into waves"
+    )]
+    ShortContact {
+        /// Contact time over 2 R/√(E_s/ρ_s).
+        transits: f64,
+    },
+    /// The unloading exponent gives back more than was spent.
+    #[error(
+        "restitution {restitution:.6} is above 1: an unloading exponent of {exponent} below 3/2 gives back more than the small plastic work here; use \"pressure-shape\" or 1.5"
+    )]
+    EnergyGain {
+        /// e.
+        restitution: f64,
+        /// n.
+        exponent: f64,
+    },
+    /// Integration and closed form disagree.
+    #[error(
+        "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: tighten the tolerance or use another method"
+    )]
+    Inaccurate {
+        /// The larger of the two relative errors.
+        error: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
+}
+
+/// Validity of the model for this impact.
+pub(super) fn warnings(contact: &Contact, impact: &Impact) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let sphere = contact.sphere();
+    let ratio = impact.peak_contact_radius / sphere.radius;
+    if ratio > 0.45 {
+        warnings.push(Warning::DeepDent { ratio });
+    }
+    if let Some(strength) = sphere.yield_strength
+        && impact.peak_mean_pressure > 1.1 * strength
+    {
+        warnings.push(Warning::SphereYields { pressure: impact.peak_mean_pressure, strength });
+    }
+    let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
+    let transits = impact.contact_time / transit;
+    if transits < 5.0 {
+        warnings.push(Warning::ShortContact { transits });
+    }
+    if impact.restitution > 1.0
+        && impact.unloading_exponent < 1.5
+        && impact.restitution > 1.0 + 10.0 * impact.accuracy.restitution_error
+    {
+        warnings.push(Warning::EnergyGain { restitution: impact.restitution, exponent: impact.unloading_exponent });
+    }
+    warnings
+}
+
+/// Adds a warning if the run is further from the closed form than its tolerance allows.
+pub(super) fn check_accuracy(impact: &mut Impact, tolerance: f64) {
+    let error = impact.accuracy.restitution_error.max(impact.accuracy.contact_time_error);
+    if error > 100.0 * tolerance || error.is_nan() {
+        impact.warnings.push(Warning::Inaccurate { error, tolerance });
+    }
+}

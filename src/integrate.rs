@@ -1,0 +1,176 @@
+//! Integrators for one smooth piece of motion, d'' = −g(d), landed on its end.
+//!
+//! Nothing here knows contact mechanics. A piece is a power law g = k d^n measured from its zero, or a straight line; a
+//! [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
+//! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
+
+pub mod ode_solvers;
+
+use thiserror::Error;
+
+/// The deceleration g(d) along one piece, d measured from the start of the piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Restoring {
+    /// g = k d^n.
+    Power {
+        /// k > 0.
+        coefficient: f64,
+        /// n > 1.
+        exponent: f64,
+    },
+    /// g = g_0 + s d.
+    Straight {
+        /// g_0 ≥ 0.
+        at_start: f64,
+        /// s > 0.
+        slope: f64,
+    },
+}
+
+impl Restoring {
+    /// g(d), continued smoothly a little beyond both ends of the piece.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, distance: f64) -> f64 {
+        match *self {
+            Self::Power { coefficient, exponent } => coefficient * crate::power::power(distance, exponent),
+            Self::Straight { at_start, slope } => at_start + slope * distance,
+        }
+    }
+}
+
+/// Time, distance along the piece, and speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Since first touch.
+    pub time: f64,
+    /// d, from the start of the piece.
+    pub distance: f64,
+    /// d'; negative on the way back.
+    pub speed: f64,
+}
+
+/// The way along one piece: outward until `end` or the turning point, whichever comes first; or back from rest to 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Leg {
+    /// Outward from d = 0 with positive speed; the piece ends at this distance (infinite for the last one).
+    Outward(f64),
+    /// Back from rest to d = 0.
+    Back,
+}
+
+/// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Largest distance.
+    pub distance: f64,
+    /// Largest speed.
+    pub speed: f64,
+}
+
+/// One smooth piece and the way along it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Path {
+    /// The deceleration.
+    pub restoring: Restoring,
+    /// From where to where.
+    pub leg: Leg,
+    /// What errors are measured against.
+    pub sizes: Sizes,
+}
+
+/// Where a leg ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Landing {
+    /// At the end of the piece, exactly.
+    End,
+    /// At speed zero, exactly.
+    Turning,
+}
+
+/// What the integration cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Work {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the deceleration.
+    pub force_evaluations: u64,
+}
+
+/// Why an integration stopped.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum IntegrationError {
+    /// The step became too small to advance.
+    #[error(
+        "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use method = \"closed_form\""
+    )]
+    StepUnderflow {
+        /// Where.
+        time: f64,
+        /// The step.
+        step: f64,
+    },
+    /// More steps than any impact needs.
+    #[error("no landing within {steps} steps; loosen the tolerance or use method = \"closed_form\"")]
+    TooManySteps {
+        /// The limit.
+        steps: u64,
+    },
+    /// A state that is no number.
+    #[error("the state became infinite or not a number at dimensionless time {time:e}")]
+    NotFinite {
+        /// Where.
+        time: f64,
+    },
+}
+
+/// Evenly spaced sampling of a motion, filled while it is integrated. Times are absolute, distances those of the leg.
+#[derive(Debug, Clone, Default)]
+pub struct Sampler {
+    interval: f64,
+    count: usize,
+    next: usize,
+    /// The samples of the current leg.
+    pub states: Vec<State>,
+}
+
+impl Sampler {
+    /// Samples at i × `interval`, i = 1 … `count`; the first touch at time 0 is not among them.
+    #[must_use]
+    pub fn every(interval: f64, count: usize) -> Self {
+        Self { interval, count, next: 1, states: Vec::new() }
+    }
+
+    /// The next sample time before `end`, if there is one left.
+    #[must_use]
+    pub fn due_before(&self, end: f64) -> Option<f64> {
+        #[allow(clippy::cast_precision_loss)] // counts below 2^53
+        let time = self.interval * self.next as f64;
+        (self.next <= self.count && time < end).then_some(time)
+    }
+
+    /// Takes the sample that was due.
+    pub fn take(&mut self, state: State) {
+        self.states.push(state);
+        self.next += 1;
+    }
+}
+
+/// Carries a state along smooth pieces.
+pub trait Integrator {
+    /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
+    ///
+    /// # Errors
+    /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.
+    fn traverse(
+        &mut self,
+        path: &Path,
+        state: &mut State,
+        samples: Option<&mut Sampler>,
+    ) -> Result<Landing, IntegrationError>;
+
+    /// Cost so far.
+    fn work(&self) -> Work;
+}
