@@ -1,5 +1,7 @@
 //! Every row of `tests/reference/oracle.csv`: 30-digit energy balance and quadrature of the law, no time stepping.
 
+#![allow(clippy::unwrap_used)]
+
 use approx::assert_relative_eq;
 use plm_impact::impact::{Contact, Impact, Method, Solver};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
