@@ -32,6 +32,23 @@ pub enum Method {
     Dop853,
 }
 
+impl Method {
+    /// Every method under the name it has in scenarios and reports.
+    pub const ALL: &[(&str, Self)] = &[("dopri5", Self::Dopri5), ("dop853", Self::Dop853)];
+
+    /// The method of that name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, method)| *method == self).map_or("unnamed", |(name, _)| name)
+    }
+}
+
 /// Method and tolerance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {

@@ -1,0 +1,51 @@
+//! All that can go wrong, and the exit code it means.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::impact::ImpactError;
+use crate::scenario::ScenarioError;
+
+/// Why a command did not do its job. The texts say what, where, the value, and the way out.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The scenario is refused.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// The scenario is well-formed, but its impact has no result.
+    #[error("{scenario}: {source}")]
+    Impact {
+        /// The scenario file.
+        scenario: String,
+        /// Why.
+        source: ImpactError,
+    },
+    /// Outputs cannot be written where they were asked for.
+    #[error("{}: cannot be written: {source}; name another directory with --out", .path.display())]
+    Unwritable {
+        /// File or directory.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// Warnings under `--strict`.
+    #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
+    Strict {
+        /// The scenario file.
+        scenario: String,
+        /// How many.
+        count: usize,
+    },
+}
+
+impl Error {
+    /// 2 where the input has to change, 1 where a run failed.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { source: ImpactError::Range(_), .. } => 2,
+            Self::Impact { source: ImpactError::Integration(_), .. } | Self::Strict { .. } => 1,
+        }
+    }
+}
