@@ -5,6 +5,7 @@
 
 pub mod closed_form;
 pub mod course;
+pub mod essentials;
 pub mod outcome;
 pub mod scales;
 pub mod validity;
@@ -19,6 +20,7 @@ use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere};
 use course::Recorder;
 pub use course::{Event, Point};
+pub use essentials::Essentials;
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use validity::Warning;
@@ -142,6 +144,15 @@ impl Contact {
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
         Impact::new(self, speed, &scales, law, &exact, &exact, Work::default(), &[])
+    }
+
+    /// What a table holds of the closed form, without the rest of an [`Impact`].
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`], see [`Contact::scaled`].
+    pub fn essentials(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+        let (scales, law, q) = self.scaled(speed)?;
+        Essentials::new(&self.pair, speed, &scales, law, &closed_form::solve(law, q))
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first
