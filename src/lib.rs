@@ -8,4 +8,5 @@ pub mod material;
 pub mod nearest;
 pub mod power;
 pub mod scenario;
+pub mod sweep;
 pub mod units;

@@ -1,6 +1,6 @@
 //! The numbers of an impact that a table holds, without the rest of an [`Impact`](super::Impact).
 
-use super::outcome::Outcome;
+use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use crate::law::Law;
 use crate::material::{OutOfFloatRange, Pair, normal};
@@ -64,5 +64,21 @@ impl Essentials {
     #[must_use]
     pub fn recovered_fraction(&self) -> f64 {
         self.restitution * self.restitution
+    }
+}
+
+impl From<&Impact> for Essentials {
+    fn from(impact: &Impact) -> Self {
+        let kinetic_in = impact.energy.kinetic_in;
+        Self {
+            restitution: impact.restitution,
+            contact_time: impact.contact_time,
+            peak_force: impact.peak_force,
+            peak_indentation: impact.peak_indentation,
+            residual_indentation: impact.residual_indentation,
+            peak_contact_radius: impact.peak_contact_radius,
+            kinetic_in,
+            plastic_fraction: impact.energy.plastic.unwrap_or(0.0) / kinetic_in,
+        }
     }
 }
