@@ -41,7 +41,7 @@ pub fn throughput(plan: &Plan, directory: &Path, rounds: u32) -> Result<Throughp
 }
 
 #[allow(clippy::cast_precision_loss)]
-fn compute_rate(plan: &Plan) -> f64 {
+pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count().unwrap_or(0);
     let started = Instant::now();
     let layout = Layout::new(total, Shard::WHOLE);
@@ -58,7 +58,7 @@ fn compute_rate(plan: &Plan) -> f64 {
 }
 
 #[allow(clippy::cast_precision_loss)]
-fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, SweepError> {
+pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, SweepError> {
     let started = Instant::now();
     let job = Job {
         plan,
