@@ -190,7 +190,7 @@ pub fn run(
     q: f64,
     exact: &Outcome,
     solver: &Solver,
-    mut recorder: Option<&mut Recorder>,
+    recorder: Option<&mut Recorder>,
 ) -> Result<(Outcome, Work), IntegrationError> {
     fn with<I: Integrator>(
         mut integrator: I,
@@ -213,7 +213,7 @@ pub fn run(
             let step = exact.contact_time / f64::from(solver.steps_per_contact.max(1));
             // no contact lasts longer than a few times the exact one, however coarse the step
             let most = 10 * u64::from(solver.steps_per_contact.max(1)) + 10;
-            let outcome = course::march_verlet(law, q, step, most, &mut work, recorder.as_deref_mut())?;
+            let outcome = course::march_verlet(law, q, step, most, &mut work, recorder)?;
             Ok((outcome, work))
         }
     }

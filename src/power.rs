@@ -73,9 +73,9 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
         let (distance, speed) = at(phi);
         let miss = power_time(exponent, distance, entry, speed) - time;
         if miss > 0.0 {
-            high = phi
+            high = phi;
         } else {
-            low = phi
+            low = phi;
         }
         let slope = 2.0 * a * farthest / entry * phi.sin().powf(2.0 * a - 1.0);
         let newton = phi - miss / slope;

@@ -93,6 +93,6 @@ pub(super) fn sample<F: Field>(field: F, samples: &mut Sampler, from: &Node, to:
             }
         }
         let (y, slope) = position.at(theta);
-        samples.take(State { time, distance: field.to_distance(y), speed: slope / length });
+        samples.take(State { time, distance: field.distance_at(y), speed: slope / length });
     }
 }

@@ -5,9 +5,9 @@ pub(super) trait Field: Copy {
     /// Whether σ is the time.
     const IS_TIME: bool;
     /// y for a distance d.
-    fn from_distance(self, distance: f64) -> f64;
+    fn y_at(self, distance: f64) -> f64;
     /// d for y.
-    fn to_distance(self, y: f64) -> f64;
+    fn distance_at(self, y: f64) -> f64;
     /// The field of factor × g.
     fn scaled(self, factor: f64) -> Self;
     /// g(y).
@@ -30,11 +30,11 @@ pub(super) struct Straight {
 impl Field for Straight {
     const IS_TIME: bool = true;
     #[inline(always)]
-    fn from_distance(self, distance: f64) -> f64 {
+    fn y_at(self, distance: f64) -> f64 {
         distance
     }
     #[inline(always)]
-    fn to_distance(self, y: f64) -> f64 {
+    fn distance_at(self, y: f64) -> f64 {
         y
     }
     #[inline(always)]
@@ -76,11 +76,11 @@ macro_rules! square_root_variable {
     () => {
         const IS_TIME: bool = false;
         #[inline(always)]
-        fn from_distance(self, distance: f64) -> f64 {
+        fn y_at(self, distance: f64) -> f64 {
             distance.sqrt()
         }
         #[inline(always)]
-        fn to_distance(self, y: f64) -> f64 {
+        fn distance_at(self, y: f64) -> f64 {
             y * y
         }
     };

@@ -23,7 +23,7 @@ impl Target {
     pub(super) fn predict<F: Field>(field: F, leg: Leg, start: &Node) -> Self {
         let energy = 0.5 * start.u * start.u + field.potential(start.y);
         let (end, direction) = match leg {
-            Leg::Outward(end) => (field.from_distance(end), 1.0),
+            Leg::Outward(end) => (field.y_at(end), 1.0),
             Leg::Back => (0.0, -1.0),
         };
         let left = if end.is_finite() { energy - field.potential(end) } else { -1.0 };

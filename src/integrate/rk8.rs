@@ -68,11 +68,11 @@ impl Rk8 {
         mut samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
         const MOST_STEPS: u64 = 100_000;
-        let y = field.from_distance(state.distance);
+        let y = field.y_at(state.distance);
         let mut now = Node { y, u: state.speed, g: field.g(y), t: state.time };
         self.work.force_evaluations += 1;
         let target = Target::predict(field, path.leg, &now);
-        let size = field.from_distance(path.sizes.distance);
+        let size = field.y_at(path.sizes.distance);
         let inverse_y = 1.0 / (self.estimate_limit * size);
         let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
         // −g' is largest at the far end outward, at the start on the way back
@@ -114,7 +114,7 @@ impl Rk8 {
                 let distance = match (landing, path.leg) {
                     (Landing::End, Leg::Outward(end)) => end,
                     (Landing::End, Leg::Back) => 0.0,
-                    (Landing::Turning, _) => field.to_distance(now.y),
+                    (Landing::Turning, _) => field.distance_at(now.y),
                 };
                 *state = State { time: now.t, distance, speed: now.u };
                 return Ok(landing);
@@ -146,7 +146,7 @@ impl Integrator for Rk8 {
             Restoring::Straight { at_start: a, slope: b } => {
                 self.traverse_field(Straight { a, b }, path, state, samples)
             }
-            Restoring::Power { coefficient, exponent } if exponent == 1.5 => {
+            Restoring::Power { coefficient, exponent: 1.5 } => {
                 self.traverse_field(Hertz { c: 2.0 * coefficient }, path, state, samples)
             }
             Restoring::Power { coefficient, exponent } => {
