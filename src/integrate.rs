@@ -8,6 +8,7 @@ mod dense;
 pub mod exact;
 mod field;
 mod landing;
+mod lanes;
 mod nystrom;
 pub mod ode_solvers;
 pub mod rk8;

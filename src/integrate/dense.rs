@@ -3,8 +3,8 @@
 //! On a smooth piece these derivatives are known from g, so the interpolant costs no evaluation, and its error, of order
 //! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself.
 
-use super::field::Field;
-use super::rk8::Node;
+use super::field::Variables;
+use super::landing::Node;
 use super::{Sampler, State};
 
 const TERMS: usize = 5;
@@ -56,11 +56,11 @@ impl Hermite {
 }
 
 /// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`.
-pub(super) fn sample<F: Field>(field: F, samples: &mut Sampler, from: &Node, to: &Node, length: f64) {
+pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node<f64>, to: &Node<f64>, length: f64) {
     if samples.due_before(to.t).is_none() {
         return;
     }
-    let derivatives = |node: &Node| {
+    let derivatives = |node: &Node<f64>| {
         let (slope, curvature) = field.derivatives(node.y);
         [node.y, node.u, node.g, slope * node.u, curvature * node.u * node.u + slope * node.g]
     };
@@ -72,7 +72,7 @@ pub(super) fn sample<F: Field>(field: F, samples: &mut Sampler, from: &Node, to:
     let position = Hermite::new(taylor(start), taylor(end));
     // t' = 2 y on a regularised piece
     let times =
-        |node: &Node, [y, u, g, j, _]: [f64; TERMS]| taylor([node.t - from.t, 2.0 * y, 2.0 * u, 2.0 * g, 2.0 * j]);
+        |node: &Node<f64>, [y, u, g, j, _]: [f64; TERMS]| taylor([node.t - from.t, 2.0 * y, 2.0 * u, 2.0 * g, 2.0 * j]);
     let clock = Hermite::new(times(from, start), times(to, end));
     while let Some(time) = samples.due_before(to.t) {
         let wanted = time - from.t;

@@ -1,19 +1,27 @@
 //! The pieces as rk8 sees them: y'' = g(y) in variables in which g is smooth (see [`super::rk8`]).
 
-/// g(y) of one smooth piece in its own variables, with what landing and dense output need.
-pub(super) trait Field: Copy {
+use super::lanes::Lane;
+
+/// g(y) of one smooth piece in its own variables, with what stepping, landing and dense output need.
+pub(super) trait Field<T: Lane>: Copy {
+    /// The field of factor × g.
+    fn scaled(self, factor: T) -> Self;
+    /// g(y).
+    fn g(self, y: T) -> T;
+    /// (g', g'') at y; g' ≤ 0.
+    fn derivatives(self, y: T) -> (T, T);
+    /// The time that a stretch h of σ with this mean of y takes.
+    fn duration(self, h: T, mean: T) -> T;
+}
+
+/// The variables of a piece, needed where a leg begins and ends.
+pub(super) trait Variables: Field<f64> {
     /// Whether σ is the time.
     const IS_TIME: bool;
     /// y for a distance d.
     fn y_at(self, distance: f64) -> f64;
     /// d for y.
     fn distance_at(self, y: f64) -> f64;
-    /// The field of factor × g.
-    fn scaled(self, factor: f64) -> Self;
-    /// g(y).
-    fn g(self, y: f64) -> f64;
-    /// (g', g'') at y; g' ≤ 0.
-    fn derivatives(self, y: f64) -> (f64, f64);
     /// Potential −∫ g.
     fn potential(self, y: f64) -> f64;
     /// The y > 0 of a given potential.
@@ -27,16 +35,7 @@ pub(super) struct Straight {
     pub(super) b: f64,
 }
 
-impl Field for Straight {
-    const IS_TIME: bool = true;
-    #[inline(always)]
-    fn y_at(self, distance: f64) -> f64 {
-        distance
-    }
-    #[inline(always)]
-    fn distance_at(self, y: f64) -> f64 {
-        y
-    }
+impl Field<f64> for Straight {
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { a: self.a * factor, b: self.b * factor }
@@ -48,6 +47,22 @@ impl Field for Straight {
     #[inline(always)]
     fn derivatives(self, _: f64) -> (f64, f64) {
         (-self.b, 0.0)
+    }
+    #[inline(always)]
+    fn duration(self, h: f64, _: f64) -> f64 {
+        h
+    }
+}
+
+impl Variables for Straight {
+    const IS_TIME: bool = true;
+    #[inline(always)]
+    fn y_at(self, distance: f64) -> f64 {
+        distance
+    }
+    #[inline(always)]
+    fn distance_at(self, y: f64) -> f64 {
+        y
     }
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
@@ -86,8 +101,7 @@ macro_rules! square_root_variable {
     };
 }
 
-impl Field for Hertz {
-    square_root_variable!();
+impl Field<f64> for Hertz {
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor }
@@ -95,13 +109,21 @@ impl Field for Hertz {
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
         let square = y * y;
-        -self.c * (square * square)
+        -(self.c * (square * square))
     }
     #[inline(always)]
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let square = y * y;
-        (-4.0 * self.c * square * y, -12.0 * self.c * square)
+        let second = self.c * (y * y) * -12.0;
+        (second * y * (1.0 / 3.0), second)
     }
+    #[inline(always)]
+    fn duration(self, h: f64, mean: f64) -> f64 {
+        2.0 * mean * h
+    }
+}
+
+impl Variables for Hertz {
+    square_root_variable!();
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
         let square = y * y;
@@ -113,8 +135,7 @@ impl Field for Hertz {
     }
 }
 
-impl Field for Power {
-    square_root_variable!();
+impl Field<f64> for Power {
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
@@ -129,11 +150,52 @@ impl Field for Power {
         (second * y / (self.p - 1.0), second)
     }
     #[inline(always)]
+    fn duration(self, h: f64, mean: f64) -> f64 {
+        2.0 * mean * h
+    }
+}
+
+impl Variables for Power {
+    square_root_variable!();
+    #[inline(always)]
     fn potential(self, y: f64) -> f64 {
         self.c / (self.p + 1.0) * y.abs().powf(self.p + 1.0)
     }
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         ((self.p + 1.0) * potential / self.c).powf(1.0 / (self.p + 1.0))
+    }
+}
+
+/// Straight and Hertz pieces side by side in lock step: g = −(a + b y + c y⁴); where a piece has no
+/// such term its coefficient is zero, which leaves every bit of the others as [`Straight`] and [`Hertz`] have it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mixed<T> {
+    pub(super) a: T,
+    pub(super) b: T,
+    pub(super) c: T,
+    /// 1 on a straight piece, 0 on a Hertz piece.
+    pub(super) is_time: T,
+}
+
+impl<T: Lane> Field<T> for Mixed<T> {
+    #[inline(always)]
+    fn scaled(self, factor: T) -> Self {
+        Self { a: self.a * factor, b: self.b * factor, c: self.c * factor, is_time: self.is_time }
+    }
+    #[inline(always)]
+    fn g(self, y: T) -> T {
+        let square = y * y;
+        -((self.a + self.b * y) + self.c * (square * square))
+    }
+    #[inline(always)]
+    fn derivatives(self, y: T) -> (T, T) {
+        let second = self.c * (y * y) * -12.0;
+        (second * y * (1.0 / 3.0) - self.b, second)
+    }
+    #[inline(always)]
+    fn duration(self, h: T, mean: T) -> T {
+        let zero = h.all(0.0);
+        zero.if_less(self.is_time, h, mean * 2.0 * h)
     }
 }

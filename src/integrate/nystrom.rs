@@ -5,12 +5,7 @@
 //! conservative impact is a Nyström problem on every piece, so one stage sum serves position and velocity: eight
 //! evaluations a step against twelve for Dormand-Prince 8(5,3), and a third of its arithmetic.
 
-use std::ops::{Add, Mul, Sub};
-
-/// A number, or several in lock step.
-pub trait Lane: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self> {}
-
-impl Lane for f64 {}
+use super::lanes::Lane;
 
 /// c_2 … c_8 (c_1 = 0, c_9 = 1).
 const C: [f64; 7] = [0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];

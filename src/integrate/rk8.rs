@@ -19,8 +19,9 @@
 //! error of the propagated order 8 falls in proportion to the tolerance.
 
 use super::dense::sample;
-use super::field::{Field, Hertz, Power, Straight};
-use super::landing::Target;
+use super::field::{Field, Hertz, Power, Straight, Variables};
+use super::landing::{AT_END, Node, Target};
+use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
 
@@ -33,16 +34,6 @@ pub struct Rk8 {
     /// First step in units of 1/ω.
     first_step: f64,
     work: Work,
-}
-
-/// A state on a piece in its own variables.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Node {
-    pub(super) y: f64,
-    pub(super) u: f64,
-    /// g(y).
-    pub(super) g: f64,
-    pub(super) t: f64,
 }
 
 /// FIRST_STEP × tolerance^(1/8) / ω is about the step that the error control settles on for an oscillator of frequency ω.
@@ -60,79 +51,131 @@ impl Rk8 {
         }
     }
 
-    fn traverse_field<F: Field>(
+    fn traverse_field<F: Variables>(
         &mut self,
         field: F,
         path: &Path,
         state: &mut State,
         mut samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
-        const MOST_STEPS: u64 = 100_000;
-        let y = field.y_at(state.distance);
-        let mut now = Node { y, u: state.speed, g: field.g(y), t: state.time };
+        let (leg, mut now, mut h) = self.begin(field, path, state);
         self.work.force_evaluations += 1;
-        let target = Target::predict(field, path.leg, &now);
-        let size = field.y_at(path.sizes.distance);
-        let inverse_y = 1.0 / (self.estimate_limit * size);
-        let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
-        // −g' is largest at the far end outward, at the start on the way back
-        let fastest = if path.leg == Leg::Back { now.y } else { target.node.y };
-        let mut h = self.first_step / (-field.derivatives(fastest).0).sqrt();
         for _ in 0..MOST_STEPS {
-            let (this, is_last) = target.limit(field, &now, h);
-            let square = this * this;
-            let scaled = field.scaled(square);
-            let step = nystrom::step(now.y, this * now.u, square * now.g, |y| scaled.g(y));
-            let inverse_step = 1.0 / this;
+            let is_far = leg.target.reach(&now, h) < (leg.target.y - now.y).abs();
+            let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(field, &now, h) };
+            let Stepped { node: mut next, error } = leg.step(field, &now, this);
             self.work.force_evaluations += EVALUATIONS;
-            let error =
-                (step.position_error.abs() * inverse_y).max((step.velocity_error * inverse_step).abs() * inverse_u);
             if error > 1.0 {
                 self.work.rejected += 1;
-                h = this * growth(error).max(0.2);
+                h = shrunk(this, error);
                 continue;
             }
             if error.is_nan() {
                 return Err(IntegrationError::NotFinite { time: now.t });
             }
             self.work.steps += 1;
-            let duration = if F::IS_TIME { this } else { 2.0 * this * step.mean };
-            let mut next = Node {
-                y: step.position,
-                u: step.velocity * inverse_step,
-                g: step.acceleration * (inverse_step * inverse_step),
-                t: now.t + duration,
-            };
             let mut length = this;
-            let landing =
-                if is_last { target.land(field, &mut next, &mut length, self.tolerance * size) } else { None };
+            let mut landing = None;
+            if last <= h {
+                let landed = leg.target.land(field, &next);
+                if landed.left_out <= leg.left_out {
+                    length += landed.correction;
+                    next = Node { g: field.g(landed.node.y), ..landed.node };
+                    landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });
+                }
+            }
             if let Some(samples) = samples.as_deref_mut() {
                 sample(field, samples, &now, &next, length);
             }
             now = next;
             if let Some(landing) = landing {
-                let distance = match (landing, path.leg) {
-                    (Landing::End, Leg::Outward(end)) => end,
-                    (Landing::End, Leg::Back) => 0.0,
-                    (Landing::Turning, _) => field.distance_at(now.y),
-                };
-                *state = State { time: now.t, distance, speed: now.u };
+                *state = landed_state(field, path.leg, landing, &now);
                 return Ok(landing);
             }
-            h = this.abs() * growth(error).min(5.0);
+            h = grown(this, error);
         }
         Err(IntegrationError::TooManySteps { steps: MOST_STEPS })
     }
+
+    /// The constants of a leg, its first node and its first step.
+    #[inline(always)]
+    pub(super) fn begin<F: Variables>(&self, field: F, path: &Path, state: &State) -> (Constants<f64>, Node<f64>, f64) {
+        let y = field.y_at(state.distance);
+        let node = Node { y, u: state.speed, g: field.g(y), t: state.time };
+        let target = Target::predict(field, path.leg, y, state.speed);
+        let size = field.y_at(path.sizes.distance);
+        let inverse_y = 1.0 / (self.estimate_limit * size);
+        let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
+        // −g' is largest at the far end outward, at the start on the way back
+        let fastest = if path.leg == Leg::Back { y } else { target.y };
+        let h = self.first_step / (-field.derivatives(fastest).0).sqrt();
+        (Constants { target, inverse_y, inverse_u, left_out: 0.1 * self.tolerance * size }, node, h)
+    }
 }
 
-/// Step-size factor for an error relative to its limit: 0.9 error^(−1/8), to 4 %. The exponent bits of a double are its
-/// logarithm to base 2 and the rest of the bits interpolates it, so the power is a shift and a subtraction; the next step
-/// waits for it, and `powf` takes as long as three stages.
+/// More steps than a leg needs at any tolerance.
+pub(super) const MOST_STEPS: u64 = 100_000;
+
+/// What stays the same along a leg.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Constants<T> {
+    pub(super) target: Target<T>,
+    /// 1/(estimate limit × size of y).
+    pub(super) inverse_y: T,
+    /// The same for u.
+    pub(super) inverse_u: T,
+    /// How much a landing may leave out.
+    pub(super) left_out: T,
+}
+
+/// The end of a step and its error relative to the limit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stepped<T> {
+    pub(super) node: Node<T>,
+    pub(super) error: T,
+}
+
+impl<T: Lane> Constants<T> {
+    /// One step of length h.
+    #[inline(always)]
+    pub(super) fn step<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> Stepped<T> {
+        let square = h * h;
+        let scaled = field.scaled(square);
+        let step = nystrom::step(now.y, h * now.u, square * now.g, |y| scaled.g(y));
+        let inverse = h.all(1.0) / h;
+        let node = Node {
+            y: step.position,
+            u: step.velocity * inverse,
+            g: step.acceleration * (inverse * inverse),
+            t: now.t + field.duration(h, step.mean),
+        };
+        let of_y = step.position_error.abs() * self.inverse_y;
+        let of_u = (step.velocity_error * inverse).abs() * self.inverse_u;
+        Stepped { node, error: of_y.max(of_u) }
+    }
+}
+
+/// The next step after one that was accepted: × 0.9 error^(−1/8), at most × 5.
 #[inline(always)]
-pub(super) fn growth(error: f64) -> f64 {
-    /// (1 + 1/8) (1023 − 0.04) 2⁵²; 0.04 centres the interpolation error.
-    const OFFSET: u64 = 0x47ed_47ae_147a_e000;
-    0.9 * f64::from_bits(OFFSET - (error.to_bits() >> 3))
+pub(super) fn grown<T: Lane>(h: T, error: T) -> T {
+    h.abs() * (error.inverse_eighth_root() * 0.9).min(error.all(5.0))
+}
+
+/// The next step after one that was rejected: × 0.9 error^(−1/8), at least × 0.2.
+#[inline(always)]
+pub(super) fn shrunk<T: Lane>(h: T, error: T) -> T {
+    h.abs() * (error.inverse_eighth_root() * 0.9).max(error.all(0.2))
+}
+
+/// The state at a landing, with the distance exactly the end's.
+#[inline(always)]
+pub(super) fn landed_state<F: Variables>(field: F, leg: Leg, landing: Landing, node: &Node<f64>) -> State {
+    let distance = match (landing, leg) {
+        (Landing::End, Leg::Outward(end)) => end,
+        (Landing::End, Leg::Back) => 0.0,
+        (Landing::Turning, _) => field.distance_at(node.y),
+    };
+    State { time: node.t, distance, speed: node.u }
 }
 
 impl Integrator for Rk8 {
