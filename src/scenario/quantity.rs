@@ -316,7 +316,7 @@ pub struct MethodName(pub Method);
 impl<'de> Deserialize<'de> for MethodName {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Method::from_name(&name).map(Self).ok_or_else(|| {
+        Method::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| Self(*method)).ok_or_else(|| {
             let names = || Method::ALL.iter().map(|(name, _)| *name);
             let guess = nearest(&name, names()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
             let known: Vec<_> = names().map(|name| format!("\"{name}\"")).collect();
