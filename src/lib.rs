@@ -4,4 +4,6 @@ pub mod impact;
 pub mod integrate;
 pub mod law;
 pub mod material;
+pub mod plot;
 pub mod power;
+pub mod report;
