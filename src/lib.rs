@@ -6,6 +6,8 @@ pub mod integrate;
 pub mod law;
 pub mod material;
 pub mod nearest;
+pub mod plot;
 pub mod power;
+pub mod report;
 pub mod scenario;
 pub mod units;
