@@ -5,7 +5,10 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::impact::ImpactError;
-use crate::scenario::ScenarioError;
+use crate::material::OutOfFloatRange;
+use crate::plot::PlotError;
+use crate::report::ReportError;
+use crate::scenario::{Scenario, ScenarioError};
 
 /// Why a command did not do its job. The texts say what, where, the value, and the way out.
 #[derive(Debug, Error)]
@@ -21,6 +24,12 @@ pub enum Error {
         /// Why.
         source: ImpactError,
     },
+    /// A report could not be made.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     /// Outputs cannot be written where they were asked for.
     #[error("{}: cannot be written: {source}; name another directory with --out", .path.display())]
     Unwritable {
@@ -40,12 +49,21 @@ pub enum Error {
 }
 
 impl Error {
+    /// A quantity of this scenario beyond double precision.
+    #[must_use]
+    pub fn range(scenario: &Scenario, range: OutOfFloatRange) -> Self {
+        Self::Impact { scenario: scenario.document.name().to_owned(), source: range.into() }
+    }
+
     /// 2 where the input has to change, 1 where a run failed.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { source: ImpactError::Range(_), .. } => 2,
-            Self::Impact { source: ImpactError::Integration(_), .. } | Self::Strict { .. } => 1,
+            Self::Impact { source: ImpactError::Integration(_), .. }
+            | Self::Report(_)
+            | Self::Plot(_)
+            | Self::Strict { .. } => 1,
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::human::{number, percent, quantity};
 use crate::impact::{Contact, Impact};
 
-/// A few aligned lines: what came of the impact, how exact it is, and what is doubtful.
+/// A few aligned lines: what came of the impact and how exact it is.
 #[must_use]
 pub fn table(contact: &Contact, impact: &Impact) -> String {
     let mut rows: Vec<(&str, String, String)> = Vec::new();
@@ -67,13 +67,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         format!("{} steps", work.steps),
         format!("{} rejected, {} force evaluations", work.rejected, work.force_evaluations),
     );
-    let mut text = aligned(&rows);
-    for warning in &impact.warnings {
-        text.push_str("warning: ");
-        text.push_str(&warning.to_string());
-        text.push('\n');
-    }
-    text
+    aligned(&rows)
 }
 
 fn aligned(rows: &[(&str, String, String)]) -> String {

@@ -89,6 +89,12 @@ impl Document {
         Ok(document)
     }
 
+    /// What the scenario is called in messages: its file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The text of the file.
     #[must_use]
     pub fn text(&self) -> &str {

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use serde::Deserialize;
 
 use super::quantity::{
-    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Strength, Tolerance,
+    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
+    Tolerance,
 };
 
 /// The whole file.
@@ -92,6 +93,8 @@ pub struct SolverTable {
     pub method: Option<MethodName>,
     /// Relative tolerance.
     pub tolerance: Option<Tolerance>,
+    /// Steps over the contact time, for `verlet`.
+    pub steps_per_contact: Option<Steps>,
 }
 
 /// `[output]`

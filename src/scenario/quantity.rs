@@ -92,6 +92,15 @@ pub const SAMPLES: Quantity = Quantity {
     example: "400",
     hint: "",
 };
+/// Steps of the fixed-step method: at least one, and no more than seconds of computing.
+pub const STEPS: Quantity = Quantity {
+    name: "a number of steps",
+    dimension: Dimension::Ratio,
+    low: Bound::Closed(1.0),
+    high: Bound::Closed(1e8),
+    example: "50",
+    hint: "",
+};
 
 /// A value outside its range.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -299,14 +308,28 @@ pub struct Samples(pub usize);
 
 impl<'de> Deserialize<'de> for Samples {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = deserializer.deserialize_any(Reader(&SAMPLES))?;
-        if value.fract() == 0.0 {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
-            Ok(Self(value as usize))
-        } else {
-            Err(D::Error::custom(format!("{value} is not allowed: {} must be a whole number", SAMPLES.name)))
-        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
+        whole(deserializer, &SAMPLES).map(|samples| Self(samples as usize))
     }
+}
+
+/// Steps of the fixed-step method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Steps(pub u32);
+
+impl<'de> Deserialize<'de> for Steps {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within STEPS
+        whole(deserializer, &STEPS).map(|steps| Self(steps as u32))
+    }
+}
+
+fn whole<'de, D: Deserializer<'de>>(deserializer: D, quantity: &Quantity) -> Result<f64, D::Error> {
+    let value = deserializer.deserialize_any(Reader(quantity))?;
+    if value.fract() == 0.0 {
+        return Ok(value);
+    }
+    Err(D::Error::custom(format!("{value} is not allowed: {} must be a whole number", quantity.name)))
 }
 
 /// A method by its name.
