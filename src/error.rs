@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::impact::ImpactError;
-use crate::material::OutOfFloatRange;
 use crate::plot::PlotError;
 use crate::report::ReportError;
 use crate::scenario::{Scenario, ScenarioError};
@@ -17,12 +16,12 @@ pub enum Error {
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// The scenario is well-formed, but its impact has no result.
-    #[error("{scenario}: {source}")]
+    #[error("{scenario}: {reason}")]
     Impact {
         /// The scenario file.
         scenario: String,
         /// Why.
-        source: ImpactError,
+        reason: ImpactError,
     },
     /// A report could not be made.
     #[error(transparent)]
@@ -31,12 +30,12 @@ pub enum Error {
     #[error(transparent)]
     Plot(#[from] PlotError),
     /// Outputs cannot be written where they were asked for.
-    #[error("{}: cannot be written: {source}; name another directory with --out", .path.display())]
+    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
     Unwritable {
         /// File or directory.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        reason: std::io::Error,
     },
     /// Warnings under `--strict`.
     #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
@@ -49,18 +48,18 @@ pub enum Error {
 }
 
 impl Error {
-    /// A quantity of this scenario beyond double precision.
+    /// No result for this scenario.
     #[must_use]
-    pub fn range(scenario: &Scenario, range: OutOfFloatRange) -> Self {
-        Self::Impact { scenario: scenario.document.name().to_owned(), source: range.into() }
+    pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
+        Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }
 
     /// 2 where the input has to change, 1 where a run failed.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { source: ImpactError::Range(_), .. } => 2,
-            Self::Impact { source: ImpactError::Integration(_), .. }
+            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)
             | Self::Strict { .. } => 1,

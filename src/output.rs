@@ -29,7 +29,7 @@ impl OutputDirectory {
     /// # Errors
     /// [`Error::Unwritable`] if it cannot be made, is a file, or takes no files.
     pub fn prepare(path: &Path) -> Result<Self, Error> {
-        let refuse = |source| Error::Unwritable { path: path.to_owned(), source };
+        let refuse = |reason| Error::Unwritable { path: path.to_owned(), reason };
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
         let directory = Self { path: path.to_owned(), made };
@@ -70,14 +70,14 @@ impl OutputDirectory {
                 // on the disk before it takes the place of an older one
                 output.sync_all()
             };
-            write().map_err(|source| Error::Unwritable { path: place.clone(), source })
+            write().map_err(|reason| Error::Unwritable { path: place.clone(), reason })
         })
     }
 
     fn rename(&self, files: &[OutputFile]) -> Result<(), Error> {
         files.iter().try_for_each(|file| {
             let place = self.path.join(&file.name);
-            fs::rename(self.temporary(&file.name), &place).map_err(|source| Error::Unwritable { path: place, source })
+            fs::rename(self.temporary(&file.name), &place).map_err(|reason| Error::Unwritable { path: place, reason })
         })
     }
 

@@ -20,14 +20,15 @@ pub struct Run {
     pub files: Vec<OutputFile>,
 }
 
-/// The scene of a scenario and its contact, which no double overflows.
+/// The scene of a scenario and its contact, neither of which leaves double precision.
 ///
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let scene = scenario.resolve()?;
-    let contact = scene.contact().map_err(|range| Error::range(scenario, range))?;
-    contact.scaled(scene.speed).map_err(|range| Error::range(scenario, range))?;
+    let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    // what the closed form cannot hold no integration can
+    contact.closed_form(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
     Ok((scene, contact))
 }
 
@@ -39,7 +40,7 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
     let (scene, contact) = prepare(scenario)?;
     let mut impact = contact
         .impact(scene.speed, &scene.solver, Some(scene.samples))
-        .map_err(|source| Error::Impact { scenario: scenario.document.name().to_owned(), source })?;
+        .map_err(|reason| Error::impact(scenario, reason))?;
     impact.warnings.extend(&scene.warnings);
     let provenance = provenance(scenario, &scene, &impact, command);
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };

@@ -49,12 +49,12 @@ pub const DEFAULT_SAMPLES: usize = 400;
 #[derive(Debug, Error)]
 pub enum ScenarioError {
     /// The file system says no.
-    #[error("{}: cannot be read: {source}", .path.display())]
+    #[error("{}: cannot be read: {reason}", .path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        reason: std::io::Error,
     },
     /// Larger than any scenario.
     #[error("{}: is larger than {largest} MiB, which no scenario is", .path.display())]
