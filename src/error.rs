@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::impact::ImpactError;
-use crate::scenario::ScenarioError;
+use crate::plot::PlotError;
+use crate::report::ReportError;
+use crate::scenario::{Scenario, ScenarioError};
 
 /// Why a command did not do its job. The texts say what, where, the value, and the way out.
 #[derive(Debug, Error)]
@@ -14,20 +16,26 @@ pub enum Error {
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// The scenario is well-formed, but its impact has no result.
-    #[error("{scenario}: {source}")]
+    #[error("{scenario}: {reason}")]
     Impact {
         /// The scenario file.
         scenario: String,
         /// Why.
-        source: ImpactError,
+        reason: ImpactError,
     },
+    /// A report could not be made.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     /// Outputs cannot be written where they were asked for.
-    #[error("{}: cannot be written: {source}; name another directory with --out", .path.display())]
+    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
     Unwritable {
         /// File or directory.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        reason: std::io::Error,
     },
     /// Warnings under `--strict`.
     #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
@@ -40,12 +48,21 @@ pub enum Error {
 }
 
 impl Error {
+    /// No result for this scenario.
+    #[must_use]
+    pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
+        Self::Impact { scenario: scenario.document.name().to_owned(), reason }
+    }
+
     /// 2 where the input has to change, 1 where a run failed.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { source: ImpactError::Range(_), .. } => 2,
-            Self::Impact { source: ImpactError::Integration(_), .. } | Self::Strict { .. } => 1,
+            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            Self::Impact { reason: ImpactError::Integration(_), .. }
+            | Self::Report(_)
+            | Self::Plot(_)
+            | Self::Strict { .. } => 1,
         }
     }
 }

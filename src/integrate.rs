@@ -4,7 +4,15 @@
 //! [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
 //! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
 
+mod dense;
+pub mod exact;
+mod field;
+mod landing;
+mod lanes;
+mod nystrom;
 pub mod ode_solvers;
+pub mod rk8;
+pub mod verlet;
 
 use thiserror::Error;
 

@@ -104,3 +104,36 @@ pub fn quarter_period(exponent: f64) -> f64 {
     // √π Γ(1 + a)/Γ(½ + a)
     1.772_453_850_905_516 * libm::tgamma(1.0 + a) / libm::tgamma(0.5 + a)
 }
+
+/// Distance and speed at `time` after leaving the zero of a power law at speed `entry`, on the way to `farthest`: the
+/// inverse of [`power_time`].
+///
+/// Solved for φ in u = entry cos φ, (d/d_max)^(n+1) = sin² φ, by Newton's method kept inside a bracket.
+#[must_use]
+pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64, f64) {
+    let a = 1.0 / (exponent + 1.0);
+    let at = |phi: f64| {
+        let (sin, cos) = phi.sin_cos();
+        (farthest * sin.powf(2.0 * a), entry * cos)
+    };
+    let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
+    // d = entry t is exact at first
+    let mut phi = (entry * time / farthest).clamp(0.0, 1.0).powf(0.5 / a).asin();
+    for _ in 0..100 {
+        let (distance, speed) = at(phi);
+        let miss = power_time(exponent, distance, entry, speed) - time;
+        if miss > 0.0 {
+            high = phi;
+        } else {
+            low = phi;
+        }
+        let slope = 2.0 * a * farthest / entry * phi.sin().powf(2.0 * a - 1.0);
+        let newton = phi - miss / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - phi).abs() <= 1e-16 || miss == 0.0 {
+            break;
+        }
+        phi = next;
+    }
+    at(phi)
+}

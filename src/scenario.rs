@@ -25,15 +25,17 @@ mod document;
 mod explain;
 pub mod file;
 pub mod keys;
+pub mod overview;
 mod place;
 pub mod quantity;
+pub mod sweep;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::impact::{Contact, Solver};
+use crate::impact::{Contact, Solver, Warning};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
@@ -48,12 +50,12 @@ pub const DEFAULT_SAMPLES: usize = 400;
 #[derive(Debug, Error)]
 pub enum ScenarioError {
     /// The file system says no.
-    #[error("{}: cannot be read: {source}", .path.display())]
+    #[error("{}: cannot be read: {reason}", .path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        reason: std::io::Error,
     },
     /// Larger than any scenario.
     #[error("{}: is larger than {largest} MiB, which no scenario is", .path.display())]
@@ -84,19 +86,6 @@ pub enum ScenarioError {
     Refused(Box<Refusal>),
 }
 
-/// What of a scenario has no effect.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-pub enum SceneWarning {
-    /// A key of the law that an elastic half-space does not need.
-    #[error(
-        "law.plm.{key} is not used: half_space.yield_strength is not given, so the contact stays elastic; give it, or leave the key out"
-    )]
-    UnusedLawKey {
-        /// The key in `[law.plm]`.
-        key: &'static str,
-    },
-}
-
 /// What a scenario comes to: bodies, speed, law, solver. Plain numbers in SI, all of them checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -115,7 +104,7 @@ pub struct Scene {
     /// Evenly spaced rows of the trace.
     pub samples: usize,
     /// What of the scenario has no effect.
-    pub warnings: Vec<SceneWarning>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Scene {
@@ -169,7 +158,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, impact, law, solver, output } = &self.file;
+        let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
         let defaults = Solver::default();
         let sphere = Sphere {
@@ -194,6 +183,7 @@ impl Scenario {
             solver: Solver {
                 method: solver.method.map_or(defaults.method, |method| method.0),
                 tolerance: solver.tolerance.map_or(defaults.tolerance, |tolerance| tolerance.0),
+                steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
             },
             samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
             warnings: unused(&plm, &half_space),
@@ -229,12 +219,14 @@ impl Scenario {
 }
 
 /// Keys of the law that an elastic half-space does not need.
-fn unused(plm: &PlmTable, half_space: &HalfSpace) -> Vec<SceneWarning> {
-    let given =
-        [("unloading_exponent", plm.unloading_exponent.is_some()), ("coefficients", plm.coefficients.is_some())];
+fn unused(plm: &PlmTable, half_space: &HalfSpace) -> Vec<Warning> {
+    let given = [
+        ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
+        ("law.plm.coefficients", plm.coefficients.is_some()),
+    ];
     given
         .into_iter()
         .filter(|(_, is_given)| *is_given && half_space.yield_strength.is_none())
-        .map(|(key, _)| SceneWarning::UnusedLawKey { key })
+        .map(|(key, _)| Warning::UnusedKey { key })
         .collect()
 }

@@ -85,6 +85,7 @@ fn values_are_shown_in_si_and_in_a_unit_that_fits() {
     let table = [
         (0.005, Length, "0.005 m (5 mm)"),
         (1.0, Length, "1 m"),
+        (0.0, Length, "0 m"),
         (2.870_168_549_901_595e-7, Length, "2.870168549901595e-7 m (287.017 nm)"),
         (1e-12, Length, "1e-12 m (0.001 nm)"),
         (210e9, Pressure, "2.1e11 Pa (210 GPa)"),

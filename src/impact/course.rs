@@ -2,7 +2,8 @@
 
 use super::outcome::Outcome;
 use super::scales::ACCELERATION;
-use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State};
+use crate::integrate::verlet::{self, Deceleration};
+use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State, Work};
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 
@@ -60,7 +61,7 @@ impl Recorder {
 
     fn loading(&mut self, law: &Law, piece: &Piece) {
         for state in self.sampler.states.drain(..) {
-            self.points.push(loading_point(law, piece, state, None));
+            self.points.push(loading_point(law, piece, on_curve(piece, state), None));
         }
     }
 
@@ -71,8 +72,14 @@ impl Recorder {
     }
 }
 
+/// From the distance along a piece to x.
+fn on_curve(piece: &Piece, state: State) -> State {
+    State { distance: piece.start + state.distance, ..state }
+}
+
+/// `state.distance` is x itself.
 fn loading_point(law: &Law, piece: &Piece, state: State, event: Option<Event>) -> Point {
-    let indentation = piece.start + state.distance;
+    let indentation = state.distance;
     let force = piece.force_at(indentation);
     let elastic_approach = law.elastic_approach(indentation, force);
     Point { time: state.time, indentation, speed: state.speed, force, elastic_approach, is_unloading: false, event }
@@ -122,7 +129,7 @@ pub fn integrate<I: Integrator>(
     let mut state = State { time: 0.0, distance: 0.0, speed };
     let mut index = 0;
     if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, &pieces[0], state, Some(Event::Touch)));
+        recorder.points.push(loading_point(law, &pieces[0], on_curve(&pieces[0], state), Some(Event::Touch)));
     }
     let piece = loop {
         let piece = &pieces[index];
@@ -137,7 +144,7 @@ pub fn integrate<I: Integrator>(
                 if landing == Landing::End {
                     if let Some(recorder) = recorder.as_deref_mut() {
                         recorder.loading(law, piece);
-                        recorder.points.push(loading_point(law, piece, state, Some(Event::Yield)));
+                        recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(Event::Yield)));
                     }
                     continue;
                 }
@@ -155,7 +162,12 @@ pub fn integrate<I: Integrator>(
         index += 1;
         state.distance = 0.0;
         if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.points.push(loading_point(law, &pieces[index], state, Some(Event::Knot)));
+            recorder.points.push(loading_point(
+                law,
+                &pieces[index],
+                on_curve(&pieces[index], state),
+                Some(Event::Knot),
+            ));
         }
     };
     let loading_time = state.time;
@@ -164,7 +176,7 @@ pub fn integrate<I: Integrator>(
     let peak = Peak { indentation, force, elastic_approach: law.elastic_approach(indentation, force) };
     let unloading = law.unloading(peak);
     if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, piece, state, Some(Event::Peak)));
+        recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(Event::Peak)));
     }
 
     let stored = force * peak.elastic_approach / (unloading.exponent + 1.0);
@@ -180,4 +192,59 @@ pub fn integrate<I: Integrator>(
         recorder.points.push(unloading_point(&unloading, state, Some(Event::Separation)));
     }
     Ok(Outcome { unloading, restitution: -state.speed / speed, loading_time, contact_time: state.time })
+}
+
+/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory.
+struct Remembering<'a> {
+    law: &'a Law,
+    deepest: f64,
+    unloading: Option<Unloading>,
+}
+
+impl Deceleration for Remembering<'_> {
+    fn at(&mut self, x: f64) -> f64 {
+        if x >= self.deepest {
+            self.deepest = x;
+            return ACCELERATION * self.law.loading.force(x);
+        }
+        let unloading = self.unloading.get_or_insert_with(|| self.law.unloading(self.law.loaded_to(self.deepest)));
+        ACCELERATION * unloading.force(x)
+    }
+}
+
+/// The same impact by velocity Verlet in steps of `step`, without landing on anything (see [`verlet`]). The peak is the
+/// deepest step, separation the first step without force.
+///
+/// # Errors
+/// [`IntegrationError::TooManySteps`] if the sphere does not separate.
+pub fn march_verlet(
+    law: &Law,
+    speed: f64,
+    step: f64,
+    most_steps: u64,
+    work: &mut Work,
+    mut recorder: Option<&mut Recorder>,
+) -> Result<Outcome, IntegrationError> {
+    let mut force = Remembering { law, deepest: 0.0, unloading: None };
+    let run =
+        verlet::march(&mut force, speed, step, most_steps, work, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
+    let unloading = law.unloading(law.loaded_to(run.peak_distance));
+    if let Some(recorder) = recorder {
+        let touch = State { time: 0.0, distance: 0.0, speed };
+        let peak = State { time: run.peak_time, distance: run.peak_distance, speed: 0.0 };
+        let events = [(touch, Event::Touch), (peak, Event::Peak), (run.end, Event::Separation)];
+        let samples = recorder.sampler.states.drain(..).map(|state| (state, None));
+        let mut rows: Vec<_> = samples.chain(events.map(|(state, event)| (state, Some(event)))).collect();
+        rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
+        recorder.points.extend(rows.into_iter().map(|(state, event)| {
+            if state.time <= run.peak_time {
+                loading_point(law, &law.loading.pieces()[law.loading.index_at(state.distance)], state, event)
+            } else {
+                let distance = state.distance - unloading.peak.residual();
+                unloading_point(&unloading, State { distance, ..state }, event)
+            }
+        }));
+    }
+    let restitution = -run.end.speed / speed;
+    Ok(Outcome { unloading, restitution, loading_time: run.peak_time, contact_time: run.end.time })
 }

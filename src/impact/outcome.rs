@@ -4,7 +4,7 @@ use super::course::{Event, Point};
 use super::essentials::Essentials;
 use super::scales::Scales;
 use super::validity::{self, Warning};
-use super::{Contact, ImpactError};
+use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
 use crate::law::{Law, Unloading};
 
@@ -97,6 +97,8 @@ pub struct TraceRow {
 pub struct Impact {
     /// Impact speed v \[m/s\].
     pub speed: f64,
+    /// How it was computed: never `Auto`, but what that chose.
+    pub method: Method,
     /// e \[1\].
     pub restitution: f64,
     /// e v \[m/s\].
@@ -144,6 +146,7 @@ impl Impact {
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
+        method: Method,
         scales: &Scales,
         law: &Law,
         outcome: &Outcome,
@@ -176,6 +179,7 @@ impl Impact {
             (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
         let mut impact = Self {
             speed,
+            method,
             restitution,
             rebound_speed: restitution * speed,
             contact_time: essentials.contact_time,

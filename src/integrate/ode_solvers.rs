@@ -31,7 +31,7 @@ pub enum Method {
 }
 
 /// `ode_solvers` with landing.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct OdeSolvers {
     method: Method,
     tolerance: f64,

@@ -22,7 +22,7 @@ const LARGEST_FILE: u64 = 64 << 20;
 /// # Errors
 /// [`ScenarioError`] if it cannot be read, is too large, or is no text.
 pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
-    let unreadable = |source| ScenarioError::Unreadable { path: path.to_owned(), source };
+    let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
     let mut bytes = Vec::new();
     File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST_FILE {
@@ -89,6 +89,12 @@ impl Document {
         Ok(document)
     }
 
+    /// What the scenario is called in messages: its file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The text of the file.
     #[must_use]
     pub fn text(&self) -> &str {
@@ -121,8 +127,8 @@ impl Document {
         T::deserialize(Deserializer::from(spanned)).map_err(|error| {
             // an error about the whole file has no place in it
             let span = error.span().filter(|span| *span != (0..self.text.len()));
-            let key = span.as_ref().and_then(|span| key_at(&root, span)).unwrap_or_default();
-            let message = explain(error.message(), &key, &root);
+            let mut key = span.as_ref().and_then(|span| key_at(&root, span)).unwrap_or_default();
+            let message = explain(error.message(), &mut key, &root);
             self.refusal(span, key, message)
         })
     }

@@ -32,8 +32,10 @@ pub(super) fn span_of(table: &DeTable<'_>, path: &str) -> Option<Range<usize>> {
     }
 }
 
-/// The message of serde or toml in the words of a scenario.
-pub(super) fn explain(message: &str, key: &str, root: &DeTable<'_>) -> String {
+const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
+
+/// The message of serde or toml in the words of a scenario; `key` is what it is about.
+pub(super) fn explain(message: &str, key: &mut String, root: &DeTable<'_>) -> String {
     let mut quoted = message.split('`').skip(1).step_by(2);
     let known: Vec<&str> = quoted.clone().skip(1).collect();
     let first = quoted.next().unwrap_or_default();
@@ -51,14 +53,17 @@ pub(super) fn explain(message: &str, key: &str, root: &DeTable<'_>) -> String {
         return format!("unknown {thing} `{first}`{guess}; {things} are {}", known.join(", "));
     }
     if message.starts_with("wanted exactly 1 element") {
-        let found: Vec<&str> = match root.get(key).map(toml::Spanned::get_ref) {
+        // the tables under [law] are where [law] itself is
+        key.truncate(key.find('.').unwrap_or(key.len()));
+        let found: Vec<&str> = match root.get(key.as_str()).map(toml::Spanned::get_ref) {
             Some(DeValue::Table(laws)) => laws.keys().map(|name| name.get_ref().as_ref()).collect(),
             _ => Vec::new(),
         };
-        let found = if found.is_empty() { "none".to_owned() } else { found.join(", ") };
-        return format!(
-            "a scenario has exactly one law, found {found}; write one table such as [law.plm], or leave [law] out"
-        );
+        let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
+        return format!("a scenario has exactly one law, found {found}; {ONE_LAW}");
+    }
+    if key == "law" {
+        return format!("not a table; {ONE_LAW}");
     }
     message.trim_end().to_owned()
 }

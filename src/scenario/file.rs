@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use serde::Deserialize;
 
 use super::quantity::{
-    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Strength, Tolerance,
+    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
+    Tolerance,
 };
+use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -26,6 +28,10 @@ pub struct ScenarioFile {
     /// What to write.
     #[serde(default)]
     pub output: OutputTable,
+    /// Many cases on axes, or
+    pub sweep: Option<SweepTable>,
+    /// many random ones.
+    pub monte_carlo: Option<MonteCarloTable>,
 }
 
 /// `[sphere]`
@@ -92,6 +98,8 @@ pub struct SolverTable {
     pub method: Option<MethodName>,
     /// Relative tolerance.
     pub tolerance: Option<Tolerance>,
+    /// Steps over the contact time, for `verlet`.
+    pub steps_per_contact: Option<Steps>,
 }
 
 /// `[output]`

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use serde::de::{Deserialize, Deserializer, Error, Visitor};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, Visitor};
 use thiserror::Error;
 
 use crate::impact::Method;
@@ -92,6 +92,15 @@ pub const SAMPLES: Quantity = Quantity {
     example: "400",
     hint: "",
 };
+/// Steps of the fixed-step method: at least one, and no more than seconds of computing.
+pub const STEPS: Quantity = Quantity {
+    name: "a number of steps",
+    dimension: Dimension::Ratio,
+    low: Bound::Closed(1.0),
+    high: Bound::Closed(1e8),
+    example: "50",
+    hint: "",
+};
 
 /// A value outside its range.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -135,6 +144,14 @@ impl Quantity {
         })
     }
 
+    /// The ends of the allowed range.
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        let (Bound::Open(low) | Bound::Closed(low)) = self.low;
+        let (Bound::Open(high) | Bound::Closed(high)) = self.high;
+        (low, high)
+    }
+
     /// The allowed range in words: "> 0 m and finite".
     #[must_use]
     pub fn allowed(&self) -> String {
@@ -157,7 +174,15 @@ impl Quantity {
 }
 
 /// Reads a number in SI or a text with a unit.
-struct Reader<'a>(&'a Quantity);
+pub(super) struct Reader<'a>(pub(super) &'a Quantity);
+
+impl<'de> DeserializeSeed<'de> for Reader<'_> {
+    type Value = f64;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f64, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
 
 impl Visitor<'_> for Reader<'_> {
     type Value = f64;
@@ -299,14 +324,28 @@ pub struct Samples(pub usize);
 
 impl<'de> Deserialize<'de> for Samples {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = deserializer.deserialize_any(Reader(&SAMPLES))?;
-        if value.fract() == 0.0 {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
-            Ok(Self(value as usize))
-        } else {
-            Err(D::Error::custom(format!("{value} is not allowed: {} must be a whole number", SAMPLES.name)))
-        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
+        whole(deserializer, &SAMPLES).map(|samples| Self(samples as usize))
     }
+}
+
+/// Steps of the fixed-step method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Steps(pub u32);
+
+impl<'de> Deserialize<'de> for Steps {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within STEPS
+        whole(deserializer, &STEPS).map(|steps| Self(steps as u32))
+    }
+}
+
+fn whole<'de, D: Deserializer<'de>>(deserializer: D, quantity: &Quantity) -> Result<f64, D::Error> {
+    let value = deserializer.deserialize_any(Reader(quantity))?;
+    if value.fract() == 0.0 {
+        return Ok(value);
+    }
+    Err(D::Error::custom(format!("{value} is not allowed: {} must be a whole number", quantity.name)))
 }
 
 /// A method by its name.
@@ -316,7 +355,7 @@ pub struct MethodName(pub Method);
 impl<'de> Deserialize<'de> for MethodName {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Method::from_name(&name).map(Self).ok_or_else(|| {
+        Method::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| Self(*method)).ok_or_else(|| {
             let names = || Method::ALL.iter().map(|(name, _)| *name);
             let guess = nearest(&name, names()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
             let known: Vec<_> = names().map(|name| format!("\"{name}\"")).collect();

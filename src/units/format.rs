@@ -29,6 +29,9 @@ pub fn human(value: f64, dimension: Dimension) -> String {
             Scale::Times(_) | Scale::Over(_) => None,
         })
     };
+    if value == 0.0 {
+        return si(value, dimension);
+    }
     let fits = |&(_, power): &(&str, i32)| value.abs() >= 10_f64.powi(power);
     let scientific = format!("{value:.5e}");
     let (Some((name, power)), Some((digits, exponent))) =

@@ -1,0 +1,109 @@
+//! The exact motion on a piece, behind the same seam as the steppers: harmonic on a straight line, an incomplete beta
+//! function on a power law. For traces without integration error, and as the reference of all others.
+
+use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use crate::power::{power_state, power_time, quarter_period};
+
+/// Energy and closed-form times instead of steps.
+#[derive(Debug, Clone, Default)]
+pub struct Exact;
+
+impl Integrator for Exact {
+    fn traverse(
+        &mut self,
+        path: &Path,
+        state: &mut State,
+        mut samples: Option<&mut Sampler>,
+    ) -> Result<Landing, IntegrationError> {
+        let (begun, start) = (state.time, *state);
+        let mut take = |end: f64, at: &dyn Fn(f64) -> (f64, f64)| {
+            if let Some(samples) = samples.as_deref_mut() {
+                while let Some(time) = samples.due_before(end) {
+                    let (distance, speed) = at(time - begun);
+                    samples.take(State { time, distance, speed });
+                }
+            }
+        };
+        let (landing, end) = match (path.restoring, path.leg) {
+            (Restoring::Straight { at_start, slope }, leg) => {
+                let omega = slope.sqrt();
+                let pull = at_start + slope * start.distance;
+                let at = |t: f64| {
+                    let half = (0.5 * omega * t).sin();
+                    let (sin, cos) = (omega * t).sin_cos();
+                    let moved = start.speed / omega * sin - 2.0 * pull / slope * half * half;
+                    (start.distance + moved, start.speed * cos - pull / omega * sin)
+                };
+                let to_end = match leg {
+                    Leg::Outward(end) => end - start.distance,
+                    Leg::Back => -start.distance,
+                };
+                let left = start.speed * start.speed - to_end * (2.0 * pull + slope * to_end);
+                let (landing, moved, exit) = if left > 0.0 && left.is_finite() {
+                    (Landing::End, to_end, to_end.signum() * left.sqrt())
+                } else {
+                    let square = start.speed * start.speed;
+                    (Landing::Turning, square / (pull + (pull * pull + slope * square).sqrt()), 0.0)
+                };
+                // x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω
+                let lasted = 2.0 / omega * (omega * moved / (start.speed + exit)).atan();
+                take(begun + lasted, &at);
+                (landing, State { time: begun + lasted, distance: start.distance + moved, speed: exit })
+            }
+            (Restoring::Power { coefficient, exponent }, Leg::Outward(end)) => {
+                let potential = |d: f64| coefficient * crate::power::power(d, exponent) * d * 2.0 / (exponent + 1.0);
+                // as if it had come from d = 0
+                let whole = start.speed * start.speed + potential(start.distance);
+                let entry = whole.sqrt();
+                let farthest = (0.5 * (exponent + 1.0) / coefficient * whole).powf(1.0 / (exponent + 1.0));
+                let before = power_time(exponent, start.distance, entry, start.speed);
+                take_power(
+                    &mut take,
+                    exponent,
+                    farthest,
+                    entry,
+                    before,
+                    end,
+                    begun,
+                    whole - potential(end.min(farthest)),
+                )
+            }
+            (Restoring::Power { exponent, coefficient }, Leg::Back) => {
+                let farthest = start.distance;
+                let exit =
+                    (coefficient * crate::power::power(farthest, exponent) * farthest * 2.0 / (exponent + 1.0)).sqrt();
+                let lasted = quarter_period(exponent) * farthest / exit;
+                take(begun + lasted, &|t| {
+                    let (distance, speed) = power_state(exponent, farthest, exit, lasted - t);
+                    (distance, -speed)
+                });
+                (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
+            }
+        };
+        *state = end;
+        Ok(landing)
+    }
+
+    fn work(&self) -> Work {
+        Work::default()
+    }
+}
+
+/// Outward on a power law: to `end`, or to the `farthest` point if that is nearer.
+#[allow(clippy::too_many_arguments)]
+fn take_power(
+    take: &mut impl FnMut(f64, &dyn Fn(f64) -> (f64, f64)),
+    exponent: f64,
+    farthest: f64,
+    entry: f64,
+    before: f64,
+    end: f64,
+    begun: f64,
+    left: f64,
+) -> (Landing, State) {
+    let (landing, distance, speed) =
+        if end < farthest && left > 0.0 { (Landing::End, end, left.sqrt()) } else { (Landing::Turning, farthest, 0.0) };
+    let time = begun + power_time(exponent, distance, entry, speed) - before;
+    take(time, &|t| power_state(exponent, farthest, entry, before + t));
+    (landing, State { time, distance, speed })
+}
