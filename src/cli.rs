@@ -1,7 +1,9 @@
 //! The command line: its types, and one file for each subcommand.
 
 mod check;
+mod merge;
 mod run;
+mod sweep;
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -11,7 +13,7 @@ use plm_impact::scenario::{Scenario, ScenarioError};
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong.
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 130 interrupted (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
@@ -23,6 +25,7 @@ struct Cli {
 enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
+    Merge(merge::Arguments),
 }
 
 /// A scenario and what the command line changes in it.
@@ -50,6 +53,7 @@ pub fn run() -> anyhow::Result<()> {
     match Cli::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Merge(arguments) => merge::merge(&arguments),
     }
 }
 
