@@ -194,7 +194,7 @@ fn a_case_without_a_result_is_a_row_with_a_status() {
     let lines: Vec<&str> = table.lines().collect();
     assert!(lines[1].ends_with(",ok"));
     assert_eq!(lines[2], "1,1e-250,,,,,,,,,out_of_float_range");
-    assert_eq!(lines[3], "2,1e200,,,,,,,,,out_of_float_range");
+    assert_eq!(lines[3], "2,1e+200,,,,,,,,,out_of_float_range");
 }
 
 #[test]

@@ -49,6 +49,10 @@ impl Scenario {
     /// [`ScenarioError`] for an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
     pub fn plan(&self) -> Result<Option<Plan>, ScenarioError> {
         let mut scene = self.resolve()?;
+        if self.file.solver.method.is_none() {
+            // a table has no trace, so the closed form is enough
+            scene.solver.method = Method::Auto;
+        }
         let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
         let (cases, table) = match (&self.file.sweep, &self.file.monte_carlo) {
             (None, None) => return Ok(None),
