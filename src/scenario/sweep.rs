@@ -65,7 +65,9 @@ impl Scenario {
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
                 });
                 let axes: Vec<Axis> = axes.collect();
-                axes.iter().for_each(|axis| axis.put(0, &mut scene));
+                for axis in &axes {
+                    axis.put(0, &mut scene);
+                }
                 (Cases::Grid(axes), "sweep")
             }
             (None, Some(MonteCarloTable { samples, seed, variables })) => {
@@ -84,13 +86,12 @@ impl Scenario {
         if let Some((path, problem)) = plan.unused() {
             return refuse(table, format!("\"{path}\" {problem}"));
         }
-        if let Cases::MonteCarlo { variables, .. } = &plan.cases {
-            if let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT) {
-                let (path, allowed) = (variable.key.path, variable.key.quantity.allowed());
-                let message =
-                    format!("\"{path}\": almost nothing of its distribution is in the allowed range, {allowed}");
-                return refuse(table, message);
-            }
+        if let Cases::MonteCarlo { variables, .. } = &plan.cases
+            && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)
+        {
+            let (path, allowed) = (variable.key.path, variable.key.quantity.allowed());
+            let message = format!("\"{path}\": almost nothing of its distribution is in the allowed range, {allowed}");
+            return refuse(table, message);
         }
         if plan.count().is_none() {
             return refuse(table, "has more than 2^63 cases; take fewer points".to_owned());

@@ -59,7 +59,7 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let mut title = axis.path().replace('.', " ").replace('_', " ");
+    let mut title = axis.path().replace(['.', '_'], " ");
     if let Some(first) = title.get(..1).map(str::to_uppercase) {
         title.replace_range(..1, &first);
     }
