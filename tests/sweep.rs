@@ -249,7 +249,7 @@ fn random_values_follow_their_distribution() {
         rows(&format!("{BASE}[monte_carlo]\nsamples = 200000\nseed = 3\n\"sphere.density\" = {variable}\n"))
     };
     let moments = |values: &[f64]| {
-        let n = values.len() as f64;
+        let n = f64::from(u32::try_from(values.len()).unwrap());
         let mean = values.iter().sum::<f64>() / n;
         (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt())
     };
