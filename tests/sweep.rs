@@ -327,3 +327,37 @@ fn long_axes_get_a_map_and_random_values_a_histogram() {
     assert_eq!(run(&format!("{BASE}{random}"), directory.path()).status.code(), Some(0));
     assert!(directory.path().join("out/restitution_histogram.png").exists());
 }
+
+#[cfg(feature = "parquet")]
+#[test]
+fn a_parquet_table_holds_what_the_csv_table_holds() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    let directory = tempfile::tempdir().unwrap();
+    let sweep = "[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\"]\n\"impact.speed\" = [1e-3, 1, 1e200]\n";
+    assert_eq!(run(&format!("{BASE}{sweep}"), directory.path()).status.code(), Some(1));
+    let (file, out) = (directory.path().join("scenario.toml"), directory.path().join("out"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+    assert_eq!(
+        command.args(["run", "--format", "parquet", "--out"]).args([&out, &file]).status().unwrap().code(),
+        Some(1)
+    );
+    let mut csv = csv::Reader::from_path(out.join("table.csv")).unwrap();
+    let names: Vec<String> = csv.headers().unwrap().iter().map(str::to_owned).collect();
+    let reader = SerializedFileReader::new(std::fs::File::open(out.join("table.parquet")).unwrap()).unwrap();
+    let mut count = 0;
+    for (row, record) in reader.get_row_iter(None).unwrap().map(Result::unwrap).zip(csv.records().map(Result::unwrap)) {
+        for ((name, field), (column, text)) in row.get_column_iter().zip(names.iter().zip(&record)) {
+            assert_eq!(name, column);
+            let same = match field {
+                parquet::record::Field::Null => text.is_empty(),
+                parquet::record::Field::Double(value) => text.parse() == Ok(*value),
+                parquet::record::Field::Long(value) => text.parse() == Ok(*value),
+                parquet::record::Field::Str(value) => text == value,
+                _ => false,
+            };
+            assert!(same, "{name}: {field} against {text}");
+        }
+        count += 1;
+    }
+    assert_eq!(count, 6);
+}
