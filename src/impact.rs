@@ -3,6 +3,7 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 
+pub mod batch;
 pub mod closed_form;
 pub mod course;
 pub mod outcome;
