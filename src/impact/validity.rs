@@ -43,6 +43,14 @@ pub enum Warning {
         /// n.
         exponent: f64,
     },
+    /// A key of the scene that has no effect.
+    #[error(
+        "{key} is not used: the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out"
+    )]
+    UnusedKey {
+        /// The key, with dots.
+        key: &'static str,
+    },
     /// Integration and closed form disagree.
     #[error(
         "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: tighten the tolerance or use another method"

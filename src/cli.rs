@@ -1,0 +1,63 @@
+//! The command line: its types, and one file for each subcommand.
+
+mod check;
+mod run;
+
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use plm_impact::scenario::{Scenario, ScenarioError};
+
+/// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
+///
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong.
+#[derive(Debug, Parser)]
+#[command(version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Run(run::Arguments),
+    Check(check::Arguments),
+}
+
+/// A scenario and what the command line changes in it.
+#[derive(Debug, Args)]
+struct ScenarioArguments {
+    /// Scenario file (TOML)
+    #[arg(value_name = "FILE")]
+    scenario: PathBuf,
+    /// Override a key: --set impact.speed="1 m/s"
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl ScenarioArguments {
+    fn load(&self) -> Result<Scenario, ScenarioError> {
+        Scenario::load(&self.scenario, &self.overrides)
+    }
+}
+
+/// Does what the command line says.
+///
+/// # Errors
+/// What the subcommand reports, ready to be printed.
+pub fn run() -> anyhow::Result<()> {
+    match Cli::parse().command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+    }
+}
+
+/// Prints a result; a reader that has seen enough (`| head`) is no failure.
+fn print(text: &str) -> io::Result<()> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        result => result,
+    }
+}

@@ -1,0 +1,24 @@
+//! `plm-impact check`
+
+use anyhow::Context as _;
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::scenario::overview::overview;
+
+use super::ScenarioArguments;
+
+/// Print what is understood of a scenario, and its yield point; run nothing
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+}
+
+pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
+    let scenario = arguments.scenario.load().map_err(Error::from)?;
+    let (scene, contact) = plm_impact::run::prepare(&scenario)?;
+    for warning in &scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    super::print(&overview(&scene, &contact)).context("standard output")
+}

@@ -1,0 +1,64 @@
+//! `plm-impact run`
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::output::OutputDirectory;
+
+use super::ScenarioArguments;
+
+/// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// Output directory [default: plots/<scenario name>]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Take warnings for errors: write nothing, exit code 1
+    #[arg(long)]
+    strict: bool,
+    /// Neither table nor progress; warnings and errors only
+    #[arg(long)]
+    quiet: bool,
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let scenario = arguments.scenario.load().map_err(Error::from)?;
+    let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.scenario.scenario));
+    let directory = OutputDirectory::prepare(&directory)?;
+    let out = directory.path().to_owned();
+    let run = plm_impact::run::run(&scenario, &command_line())?;
+    for warning in &run.impact.warnings {
+        eprintln!("warning: {warning}");
+    }
+    run.write(&scenario, directory, arguments.strict)?;
+    if !arguments.quiet {
+        super::print(&run.table).context("standard output")?;
+        let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
+        eprintln!("wrote {} to {}", names.join(", "), out.display());
+    }
+    Ok(())
+}
+
+fn default_directory(scenario: &Path) -> PathBuf {
+    Path::new("plots").join(scenario.file_stem().unwrap_or(scenario.as_os_str()))
+}
+
+/// As typed, but for the program's directory, which says nothing about the run.
+fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+/// Quoted for a shell where it has to be.
+fn quoted(argument: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+@%".contains(c);
+    if !argument.is_empty() && argument.chars().all(is_plain) {
+        argument.to_owned()
+    } else {
+        format!("'{}'", argument.replace('\'', r"'\''"))
+    }
+}

@@ -1,0 +1,68 @@
+//! All that can go wrong, and the exit code it means.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::impact::ImpactError;
+use crate::plot::PlotError;
+use crate::report::ReportError;
+use crate::scenario::{Scenario, ScenarioError};
+
+/// Why a command did not do its job. The texts say what, where, the value, and the way out.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The scenario is refused.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// The scenario is well-formed, but its impact has no result.
+    #[error("{scenario}: {reason}")]
+    Impact {
+        /// The scenario file.
+        scenario: String,
+        /// Why.
+        reason: ImpactError,
+    },
+    /// A report could not be made.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+    /// Outputs cannot be written where they were asked for.
+    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
+    Unwritable {
+        /// File or directory.
+        path: PathBuf,
+        /// Why.
+        reason: std::io::Error,
+    },
+    /// Warnings under `--strict`.
+    #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
+    Strict {
+        /// The scenario file.
+        scenario: String,
+        /// How many.
+        count: usize,
+    },
+}
+
+impl Error {
+    /// No result for this scenario.
+    #[must_use]
+    pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
+        Self::Impact { scenario: scenario.document.name().to_owned(), reason }
+    }
+
+    /// 2 where the input has to change, 1 where a run failed.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            Self::Impact { reason: ImpactError::Integration(_), .. }
+            | Self::Report(_)
+            | Self::Plot(_)
+            | Self::Strict { .. } => 1,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Pictures of results, drawn in memory with a font linked in: PNG bytes that are the same on every machine.
+//!
+//! Nothing here computes physics. plotters draws the primitives (lines, polygons, text); axes, dashes and the key are
+//! laid out here, because its charts have neither dash patterns per series, nor a key outside the axes, nor engineering
+//! units on the ticks. Series differ by colour (the palette of Okabe and Ito, made for colour-blind readers), by dash
+//! pattern and by marker.
+
+pub mod axis;
+mod canvas;
+pub mod force_indentation;
+mod frame;
+pub mod heatmap;
+pub mod histogram;
+pub mod history;
+mod key;
+pub mod lines;
+mod style;
+
+use thiserror::Error;
+
+pub use axis::{Axis, Scale};
+pub use force_indentation::force_indentation;
+pub use heatmap::Heatmap;
+pub use histogram::Histogram;
+pub use history::history;
+pub use lines::{Guide, Lines, Series};
+pub use style::Mark;
+
+/// Size of every picture \[px\].
+pub const SIZE: (u32, u32) = (1600, 1000);
+
+/// Why a picture could not be made.
+#[derive(Debug, Error)]
+pub enum PlotError {
+    /// The font that is linked in was refused.
+    #[error("the built-in font cannot be used")]
+    Font,
+    /// The drawing library refused.
+    #[error("drawing: {0}")]
+    Drawing(String),
+    /// The PNG encoder refused.
+    #[error("PNG: {0}")]
+    Encoding(#[from] png::EncodingError),
+    /// The data do not fit together.
+    #[error("{0}")]
+    Data(String),
+}

@@ -1,0 +1,225 @@
+//! Axes: range, ticks and their labels, linear in engineering units or logarithmic.
+
+use crate::report::human::{Prefix, power_of_ten, ten_to};
+
+/// Linear or logarithmic.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Even steps.
+    Linear,
+    /// Even ratios; values ≤ 0 are not drawn.
+    Log,
+}
+
+/// What a caller says about an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Without the unit: "Impact speed".
+    pub title: String,
+    /// "m/s"; empty for a plain number.
+    pub unit: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// Whether values are shown with an SI prefix chosen to fit (only on linear axes with a unit in base SI).
+    pub is_engineering: bool,
+    /// From where to where, in the unit of the values; fitted to the data if left out.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis whose values are in `unit`.
+    #[must_use]
+    pub fn linear(title: &str, unit: &str) -> Self {
+        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
+    }
+
+    /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small.
+    #[must_use]
+    pub fn engineering(title: &str, unit: &str) -> Self {
+        Self { is_engineering: true, ..Self::linear(title, unit) }
+    }
+
+    /// A logarithmic axis.
+    #[must_use]
+    pub fn log(title: &str, unit: &str) -> Self {
+        Self { scale: Scale::Log, ..Self::linear(title, unit) }
+    }
+
+    /// The same from `low` to `high`.
+    #[must_use]
+    pub fn between(mut self, low: f64, high: f64) -> Self {
+        self.range = Some((low, high));
+        self
+    }
+
+    /// Fixes range and prefix for these values.
+    pub(super) fn fitted(&self, values: impl Iterator<Item = f64>) -> FittedAxis {
+        let is_log = self.scale == Scale::Log;
+        let drawable = |v: &f64| v.is_finite() && (!is_log || *v > 0.0);
+        let (low, high) =
+            self.range.filter(|(low, high)| drawable(low) && drawable(high) && low < high).unwrap_or_else(|| {
+                let (low, high) = values
+                    .filter(drawable)
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+                padded(low, high, is_log)
+            });
+        let prefix = if self.is_engineering {
+            Prefix::of(low.abs().max(high.abs()))
+        } else {
+            Prefix { factor: 1.0, symbol: String::new() }
+        };
+        let unit = format!("{}{}", prefix.symbol, self.unit);
+        let title = match unit.trim() {
+            "" => self.title.clone(),
+            unit => format!("{} [{unit}]", self.title),
+        };
+        FittedAxis {
+            title,
+            scale: self.scale,
+            low: low / prefix.factor,
+            high: high / prefix.factor,
+            factor: prefix.factor,
+        }
+    }
+}
+
+/// A little room beyond the data; zero is included where it is near.
+fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
+    if low > high {
+        return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
+    }
+    if is_log {
+        let room = if low < high { (high / low).powf(0.04) } else { 3.0 };
+        return (low / room, high * room);
+    }
+    let room = if low < high { 0.06 * (high - low) } else { (0.1 * high.abs()).max(f64::MIN_POSITIVE) };
+    if low >= 0.0 && low < 0.5 * high { (0.0, high + room) } else { (low - room, high + room) }
+}
+
+/// A tick and, if it is a major one, its label.
+pub(super) struct Tick {
+    /// Along the axis, 0 … 1.
+    pub at: f64,
+    pub label: Option<String>,
+}
+
+/// An axis with its range fixed.
+pub(super) struct FittedAxis {
+    pub title: String,
+    scale: Scale,
+    low: f64,
+    high: f64,
+    factor: f64,
+}
+
+impl FittedAxis {
+    /// Where a value lies along the axis; 0 … 1 within its range.
+    pub(super) fn at(&self, value: f64) -> f64 {
+        self.share(value / self.factor)
+    }
+
+    /// The value at a share of the axis: the inverse of [`FittedAxis::at`].
+    pub(super) fn value_at(&self, share: f64) -> f64 {
+        self.factor
+            * match self.scale {
+                Scale::Linear => self.low + share * (self.high - self.low),
+                Scale::Log => self.low * (self.high / self.low).powf(share),
+            }
+    }
+
+    fn share(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => (value - self.low) / (self.high - self.low),
+            Scale::Log => (value / self.low).ln() / (self.high / self.low).ln(),
+        }
+    }
+
+    /// Ticks from low to high, with about `wanted` labels.
+    pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
+        let tick = |(value, label): (f64, Option<String>)| {
+            let at = self.share(value);
+            // rounding must not lose a tick at the very end
+            (-1e-9..=1.0 + 1e-9).contains(&at).then(|| Tick { at: at.clamp(0.0, 1.0), label })
+        };
+        let values = match self.scale {
+            Scale::Linear => linear_ticks(self.low, self.high, wanted),
+            Scale::Log => log_ticks(self.low, self.high, wanted),
+        };
+        values.into_iter().filter_map(tick).collect()
+    }
+}
+
+#[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
+fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
+    let raw = (high - low) / wanted;
+    let exponent = raw.log10().floor() as i32;
+    let (digit, exponent): (i32, i32) = match raw / ten_to(exponent) {
+        r if r <= 1.0 => (1, exponent),
+        r if r <= 2.0 => (2, exponent),
+        r if r <= 5.0 => (5, exponent),
+        _ => (1, exponent + 1),
+    };
+    let step = f64::from(digit) * ten_to(exponent);
+    let is_plain = (-4..=5).contains(&exponent) && low.abs().max(high.abs()) < 1e6;
+    let decimals = usize::try_from(-exponent).unwrap_or(0);
+    ((low / step - 1e-6).ceil() as i64..=(high / step + 1e-6).floor() as i64)
+        .map(|i| {
+            // i × digit × 10^exponent as text is exact: no 0.7000000000000001
+            let value: f64 = format!("{}e{exponent}", i * i64::from(digit)).parse().unwrap_or(f64::NAN);
+            let label = if is_plain { format!("{value:.decimals$}") } else { format!("{value:e}") };
+            (value, Some(label.replace('-', "−")))
+        })
+        .collect()
+}
+
+#[allow(clippy::cast_possible_truncation)] // exponents
+fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
+    let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+    let decades = high.log10() - low.log10();
+    let every = (decades / wanted).ceil().max(1.0) as i32;
+    let labelled: &[i32] = match decades {
+        d if d < 0.7 => &[1, 2, 3, 4, 5, 6, 7, 8, 9],
+        d if d < 2.0 => &[1, 2, 5],
+        _ => &[1],
+    };
+    let is_plain = first >= -3 && last <= 4;
+    let label = |digit: i32, exponent: i32| match digit {
+        _ if is_plain => crate::report::human::number(f64::from(digit) * ten_to(exponent)),
+        1 => power_of_ten(exponent),
+        _ => format!("{digit}·{}", power_of_ten(exponent)),
+    };
+    let digits = if every == 1 { 1..=9 } else { 1..=1 };
+    (first..=last)
+        .flat_map(|exponent| digits.clone().map(move |digit| (digit, exponent)))
+        .map(|(digit, exponent)| {
+            let has_label = labelled.contains(&digit) && exponent.rem_euclid(every) == 0;
+            (f64::from(digit) * ten_to(exponent), has_label.then(|| label(digit, exponent)))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
+        axis.fitted(values.into_iter()).ticks(6.0).into_iter().filter_map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn ticks_are_short_round_numbers() {
+        let axis = Axis::engineering("Force", "N");
+        assert_eq!(labels(&axis, [0.0, 0.7]), ["0", "200", "400", "600"]); // mN
+        assert_eq!(labels(&Axis::linear("e", ""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(labels(&Axis::log("v", "m/s"), [0.01, 100.0]), ["0.01", "0.1", "1", "10", "100"]);
+        assert_eq!(labels(&Axis::log("error", ""), [1e-12, 1e-2])[..2], ["10⁻¹²", "10⁻¹⁰"]);
+    }
+
+    #[test]
+    fn value_at_inverts_at() {
+        for axis in [Axis::linear("x", "m"), Axis::log("x", "m")] {
+            let axis = axis.fitted([1.0, 50.0].into_iter());
+            approx::assert_relative_eq!(axis.at(axis.value_at(0.3)), 0.3, max_relative = 1e-14);
+        }
+    }
+}

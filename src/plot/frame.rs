@@ -1,0 +1,147 @@
+//! A box with two axes: grid, ticks, titles, and curves clipped to it.
+
+use plotters::style::RGBColor;
+
+use super::PlotError;
+use super::axis::FittedAxis;
+use super::canvas::{Anchor, Canvas, Point, text_width};
+use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, Stroke};
+
+/// Distance between labels of an axis \[px\] that reads well.
+const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
+
+/// Where the box lies on the picture \[px\].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounds {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+pub(super) struct Frame {
+    pub bounds: Bounds,
+    pub x: FittedAxis,
+    pub y: FittedAxis,
+}
+
+impl Frame {
+    pub(super) fn place(&self, x: f64, y: f64) -> Point {
+        let Bounds { left, top, right, bottom } = self.bounds;
+        (left + self.x.at(x) * (right - left), bottom - self.y.at(y) * (bottom - top))
+    }
+
+    /// Grid, ticks and labels; `with_x` is false where another box below shares the axis.
+    pub(super) fn draw_axes(&self, canvas: &mut Canvas, with_x: bool) -> Result<(), PlotError> {
+        let Bounds { left, top, right, bottom } = self.bounds;
+        let grid = Stroke::solid(GRID, 1.5);
+        let tick = |is_major| Stroke::solid(INK, if is_major { 2.0 } else { 1.5 });
+        let length = |is_major| if is_major { 10.0 } else { 5.0 };
+        for mark in self.x.ticks((right - left) / LABEL_DISTANCE.0) {
+            let x = left + mark.at * (right - left);
+            let is_major = mark.label.is_some();
+            if is_major {
+                canvas.polyline(&[(x, top), (x, bottom)], grid)?;
+            }
+            canvas.polyline(&[(x, bottom), (x, bottom + length(is_major))], tick(is_major))?;
+            if let Some(label) = mark.label.filter(|_| with_x) {
+                canvas.text(&label, (x, bottom + 32.0), LABEL_SIZE, INK, Anchor::Middle)?;
+            }
+        }
+        let mut widest: f64 = 0.0;
+        for mark in self.y.ticks((bottom - top) / LABEL_DISTANCE.1) {
+            let y = bottom - mark.at * (bottom - top);
+            let is_major = mark.label.is_some();
+            if is_major {
+                canvas.polyline(&[(left, y), (right, y)], grid)?;
+            }
+            canvas.polyline(&[(left - length(is_major), y), (left, y)], tick(is_major))?;
+            if let Some(label) = mark.label {
+                widest = widest.max(text_width(&label, LABEL_SIZE)?);
+                canvas.text(&label, (left - 18.0, y), LABEL_SIZE, INK, Anchor::End)?;
+            }
+        }
+        if with_x {
+            canvas.text(&self.x.title, (0.5 * (left + right), bottom + 82.0), AXIS_SIZE, INK, Anchor::Middle)?;
+        }
+        let title_at = (left - 18.0 - widest - 34.0).max(24.0);
+        canvas.text_upward(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK)
+    }
+
+    /// The outline, over the ends of the curves.
+    pub(super) fn draw_outline(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+        let Bounds { left, top, right, bottom } = self.bounds;
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        canvas.polyline(&corners, Stroke::solid(INK, 2.0))
+    }
+
+    /// A curve through values; what lies outside the box is cut off.
+    pub(super) fn curve(
+        &self,
+        canvas: &mut Canvas,
+        values: impl Iterator<Item = (f64, f64)>,
+        stroke: Stroke,
+    ) -> Result<(), PlotError> {
+        let mut piece: Vec<Point> = Vec::new();
+        let mut before: Option<Point> = None;
+        for (x, y) in values {
+            let point = self.place(x, y);
+            if !point.0.is_finite() || !point.1.is_finite() {
+                canvas.polyline(&std::mem::take(&mut piece), stroke)?;
+                before = None;
+                continue;
+            }
+            if let Some((from, to)) = before.and_then(|before| self.clipped(before, point)) {
+                if piece.last() != Some(&from) {
+                    canvas.polyline(&std::mem::take(&mut piece), stroke)?;
+                    piece.push(from);
+                }
+                piece.push(to);
+            }
+            before = Some(point);
+        }
+        canvas.polyline(&piece, stroke)
+    }
+
+    /// A marker with a white rim, if it is in the box.
+    pub(super) fn mark(
+        &self,
+        canvas: &mut Canvas,
+        (x, y): (f64, f64),
+        mark: Mark,
+        radius: f64,
+        color: RGBColor,
+    ) -> Result<(), PlotError> {
+        let at = self.place(x, y);
+        let Bounds { left, top, right, bottom } = self.bounds;
+        // half a pixel for rounding
+        if !(left - 0.5..=right + 0.5).contains(&at.0) || !(top - 0.5..=bottom + 0.5).contains(&at.1) {
+            return Ok(());
+        }
+        if !matches!(mark, Mark::Cross | Mark::Plus) {
+            mark.draw(canvas, at, radius + 2.0, PAPER)?;
+        }
+        mark.draw(canvas, at, radius, color)
+    }
+
+    /// The part of a straight line inside the box (Liang and Barsky 1984).
+    fn clipped(&self, from: Point, to: Point) -> Option<(Point, Point)> {
+        let Bounds { left, top, right, bottom } = self.bounds;
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        for (along, room) in [(-dx, from.0 - left), (dx, right - from.0), (-dy, from.1 - top), (dy, bottom - from.1)] {
+            if along == 0.0 {
+                if room < -0.5 {
+                    return None;
+                }
+            } else if along < 0.0 {
+                enter = enter.max(room / along);
+            } else {
+                leave = leave.min(room / along);
+            }
+        }
+        let at = |share: f64| (from.0 + share * dx, from.1 + share * dy);
+        (enter <= leave)
+            .then(|| (if enter == 0.0 { from } else { at(enter) }, if leave == 1.0 { to } else { at(leave) }))
+    }
+}

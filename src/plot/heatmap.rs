@@ -1,0 +1,109 @@
+//! A quantity over two axes in colour, with a colour bar: restitution over speed and strength.
+
+use plotters::style::RGBColor;
+use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
+
+use super::axis::{Axis, FittedAxis};
+use super::canvas::{Anchor, Canvas};
+use super::frame::{Bounds, Frame};
+use super::key::{BOTTOM, LEFT, TOP};
+use super::style::{GRID, INK, TITLE_SIZE};
+use super::{PlotError, SIZE};
+
+/// Width of the colour bar and of the room for it \[px\].
+const BAR: f64 = 44.0;
+const ROOM: f64 = 250.0;
+/// Steps of the colour bar.
+const STEPS: u32 = 256;
+
+/// A map of values at the crossings of two lists.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heatmap {
+    /// Above the axes; may be empty.
+    pub title: String,
+    /// Horizontal axis; its `range` is ignored, the cells fill the box.
+    pub x: Axis,
+    /// Vertical axis; its `range` is ignored.
+    pub y: Axis,
+    /// Rising or falling, at least two.
+    pub x_values: Vec<f64>,
+    /// Rising or falling, at least two.
+    pub y_values: Vec<f64>,
+    /// One row of `x_values.len()` values after the other, one row for each of `y_values`; what is not finite stays grey.
+    pub values: Vec<f64>,
+    /// Title and range (0 … 1 for restitution) of the colours.
+    pub color: Axis,
+}
+
+impl Heatmap {
+    /// The picture as PNG.
+    ///
+    /// # Errors
+    /// [`PlotError::Data`] if the lists do not fit; otherwise what drawing and encoding report.
+    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+        let (columns, rows) = (self.x_values.len(), self.y_values.len());
+        if columns < 2 || rows < 2 || self.values.len() != columns * rows {
+            return Err(PlotError::Data(format!(
+                "a heat map of {columns} by {rows} cannot hold {} values; it needs at least 2 by 2",
+                self.values.len()
+            )));
+        }
+        let (x_edges, y_edges) = (edges(&self.x, &self.x_values), edges(&self.y, &self.y_values));
+        let mut canvas = Canvas::try_new(SIZE)?;
+        let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
+        let bounds = Bounds { left: LEFT, top: TOP, right: width - ROOM, bottom: height - BOTTOM };
+        let full = |axis: &Axis, edges: &[f64]| {
+            let (first, last) = (edges[0], edges[edges.len() - 1]);
+            axis.clone().between(first.min(last), first.max(last)).fitted(std::iter::empty())
+        };
+        let frame = Frame { bounds, x: full(&self.x, &x_edges), y: full(&self.y, &y_edges) };
+        let color = self.color.fitted(self.values.iter().copied());
+        frame.draw_axes(&mut canvas, true)?;
+        for (row, values) in self.values.chunks_exact(columns).enumerate() {
+            for (column, value) in values.iter().enumerate() {
+                let from = frame.place(x_edges[column], y_edges[row]);
+                let to = frame.place(x_edges[column + 1], y_edges[row + 1]);
+                let (low, high) = ((from.0.min(to.0), from.1.min(to.1)), (from.0.max(to.0), from.1.max(to.1)));
+                canvas.rectangle(low, high, shade(&color, *value))?;
+            }
+        }
+        frame.draw_outline(&mut canvas)?;
+        self.draw_bar(&mut canvas, color, bounds)?;
+        canvas.text(&self.title, (0.5 * (bounds.left + bounds.right), 48.0), TITLE_SIZE, INK, Anchor::Middle)?;
+        canvas.to_png()
+    }
+
+    fn draw_bar(&self, canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<(), PlotError> {
+        let right = f64::from(SIZE.0) - 30.0;
+        let bar = Frame {
+            bounds: Bounds { left: right - BAR, right, ..bounds },
+            x: Axis::linear("", "").fitted(std::iter::empty()),
+            y: color,
+        };
+        bar.draw_axes(canvas, false)?;
+        for step in 0..STEPS {
+            let (from, to) = (f64::from(step) / f64::from(STEPS), f64::from(step + 1) / f64::from(STEPS));
+            let (low, high) = (bar.place(0.0, bar.y.value_at(from)), bar.place(1.0, bar.y.value_at(to)));
+            let shade = shade(&bar.y, bar.y.value_at(0.5 * (from + to)));
+            canvas.rectangle((bar.bounds.left, high.1), (bar.bounds.right, low.1), shade)?;
+        }
+        bar.draw_outline(canvas)
+    }
+}
+
+/// Viridis along the axis of the colours; grey for what has no value.
+fn shade(color: &FittedAxis, value: f64) -> RGBColor {
+    let share = color.at(value);
+    if share.is_finite() { ViridisRGB.get_color(share.clamp(0.0, 1.0)) } else { GRID }
+}
+
+/// Borders of the cells: half-way between values, on the scale of the axis.
+fn edges(axis: &Axis, values: &[f64]) -> Vec<f64> {
+    let is_log = axis.scale == super::Scale::Log;
+    let to = |v: f64| if is_log { v.ln() } else { v };
+    let back = |v: f64| if is_log { v.exp() } else { v };
+    let n = values.len();
+    let outer = |at: usize, inward: usize| back(1.5 * to(values[at]) - 0.5 * to(values[inward]));
+    let inner = values.windows(2).map(|pair| back(0.5 * (to(pair[0]) + to(pair[1]))));
+    std::iter::once(outer(0, 1)).chain(inner).chain(std::iter::once(outer(n - 1, n - 2))).collect()
+}

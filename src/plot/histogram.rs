@@ -1,0 +1,86 @@
+//! How often a value came: bars, with lines for mean and quantiles.
+
+use super::axis::Axis;
+use super::canvas::{Anchor, Canvas};
+use super::frame::Frame;
+use super::key::{self, Entry};
+use super::style::{INK, PALETTE, PAPER, Stroke, TITLE_SIZE};
+use super::{PlotError, SIZE};
+
+/// Bars over adjoining bins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Histogram {
+    /// Above the axes; may be empty.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Borders of the bins, rising: one more than there are counts.
+    pub edges: Vec<f64>,
+    /// How many values fell into each bin.
+    pub counts: Vec<u64>,
+    /// Vertical lines (mean, quantiles) with their labels in the key.
+    pub lines: Vec<(f64, String)>,
+    /// Lines of text below the key.
+    pub notes: Vec<String>,
+}
+
+impl Histogram {
+    /// The picture as PNG.
+    ///
+    /// # Errors
+    /// [`PlotError::Data`] if edges and counts do not fit; otherwise what drawing and encoding report.
+    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+        if self.counts.is_empty() || self.edges.len() != self.counts.len() + 1 {
+            return Err(PlotError::Data(format!(
+                "a histogram of {} bins needs one edge more, not {}",
+                self.counts.len(),
+                self.edges.len()
+            )));
+        }
+        let entries = self.entries();
+        #[allow(clippy::cast_precision_loss)] // heights of bars
+        let heights: Vec<f64> = self.counts.iter().map(|count| *count as f64).collect();
+        let highest = heights.iter().fold(1.0_f64, |highest, height| highest.max(*height));
+        let mut canvas = Canvas::try_new(SIZE)?;
+        let x = match self.x.range {
+            Some(_) => self.x.clone(),
+            None => self.x.clone().between(self.edges[0], self.edges[self.counts.len()]),
+        };
+        let frame = Frame {
+            bounds: key::bounds(&entries)?,
+            x: x.fitted(self.edges.iter().copied()),
+            y: Axis::linear("Count", "").between(0.0, 1.06 * highest).fitted(std::iter::empty()),
+        };
+        frame.draw_axes(&mut canvas, true)?;
+        for (edges, height) in self.edges.windows(2).zip(&heights) {
+            let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
+            if high.1 < low.1 {
+                canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5])?;
+                // a thin gap, where bars are wide enough to have one
+                if high.0 - low.0 > 6.0 {
+                    canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0))?;
+                }
+            }
+        }
+        for (i, (at, _)) in self.lines.iter().enumerate() {
+            let ends = [(*at, 0.0), (*at, frame.y.value_at(1.0))];
+            frame.curve(&mut canvas, ends.into_iter(), stroke(i))?;
+        }
+        frame.draw_outline(&mut canvas)?;
+        let middle = 0.5 * (frame.bounds.left + frame.bounds.right);
+        canvas.text(&self.title, (middle, 48.0), TITLE_SIZE, INK, Anchor::Middle)?;
+        key::draw(&mut canvas, &entries, &frame)?;
+        canvas.to_png()
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let lines = self.lines.iter().enumerate().map(|(i, (_, label))| Entry::line(label, stroke(i)));
+        lines.chain(self.notes.iter().map(|note| Entry::text(note))).collect()
+    }
+}
+
+/// Lines over sky-blue bars: black, vermillion, reddish purple ..., each with its dash.
+fn stroke(index: usize) -> Stroke {
+    let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][index % 4];
+    Stroke { color, width: 3.5, ..super::style::series(index).0 }
+}

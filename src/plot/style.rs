@@ -1,0 +1,113 @@
+//! Colours, dash patterns and markers: every series differs from its neighbours in all three.
+
+use plotters::style::RGBColor;
+
+use super::PlotError;
+use super::canvas::{Canvas, Point};
+
+pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
+pub(super) const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
+pub(super) const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
+/// Blue, vermillion, bluish green, reddish purple, orange, sky blue, black: Okabe and Ito (2008), without the yellow,
+/// which is too pale for a line on white.
+pub(super) const PALETTE: [RGBColor; 7] = [
+    RGBColor(0x00, 0x72, 0xb2),
+    RGBColor(0xd5, 0x5e, 0x00),
+    RGBColor(0x00, 0x9e, 0x73),
+    RGBColor(0xcc, 0x79, 0xa7),
+    RGBColor(0xe6, 0x9f, 0x00),
+    RGBColor(0x56, 0xb4, 0xe9),
+    RGBColor(0x00, 0x00, 0x00),
+];
+
+/// Text sizes \[px\].
+pub(super) const TITLE_SIZE: f64 = 38.0;
+pub(super) const AXIS_SIZE: f64 = 32.0;
+pub(super) const LABEL_SIZE: f64 = 28.0;
+
+/// Lengths of ink and gap in turn \[px\]; empty is a solid line.
+pub(super) type Dash = &'static [f64];
+pub(super) const SOLID: Dash = &[];
+pub(super) const DASHED: Dash = &[16.0, 10.0];
+pub(super) const DOTTED: Dash = &[3.0, 8.0];
+const DASHES: [Dash; 5] = [SOLID, DASHED, &[16.0, 8.0, 3.0, 8.0], &[7.0, 6.0], &[16.0, 7.0, 3.0, 7.0, 3.0, 7.0]];
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stroke {
+    pub color: RGBColor,
+    pub width: f64,
+    pub dash: Dash,
+}
+
+impl Stroke {
+    pub(super) fn solid(color: RGBColor, width: f64) -> Self {
+        Self { color, width, dash: SOLID }
+    }
+}
+
+/// The shape that marks points of a series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mark {
+    /// ●
+    Circle,
+    /// ■
+    Square,
+    /// ▲
+    Triangle,
+    /// ◆
+    Diamond,
+    /// ▼
+    Inverted,
+    /// ✕
+    Cross,
+    /// +
+    Plus,
+}
+
+const MARKS: [Mark; 7] =
+    [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
+
+impl Mark {
+    pub(super) fn draw(self, canvas: &mut Canvas, at: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
+        let (x, y) = at;
+        let r = radius;
+        let stroke = Stroke::solid(color, 4.0);
+        match self {
+            Self::Circle => canvas.disc(at, r, color),
+            Self::Square => {
+                let r = 0.9 * r;
+                canvas.rectangle((x - r, y - r), (x + r, y + r), color)
+            }
+            Self::Triangle => {
+                canvas.polygon(&[(x, y - 1.2 * r), (x + 1.1 * r, y + 0.8 * r), (x - 1.1 * r, y + 0.8 * r)], color)
+            }
+            Self::Inverted => {
+                canvas.polygon(&[(x, y + 1.2 * r), (x + 1.1 * r, y - 0.8 * r), (x - 1.1 * r, y - 0.8 * r)], color)
+            }
+            Self::Diamond => {
+                let r = 1.25 * r;
+                canvas.polygon(&[(x, y - r), (x + r, y), (x, y + r), (x - r, y)], color)
+            }
+            Self::Cross => {
+                canvas.polyline(&[(x - r, y - r), (x + r, y + r)], stroke)?;
+                canvas.polyline(&[(x - r, y + r), (x + r, y - r)], stroke)
+            }
+            Self::Plus => {
+                let r = 1.2 * r;
+                canvas.polyline(&[(x - r, y), (x + r, y)], stroke)?;
+                canvas.polyline(&[(x, y - r), (x, y + r)], stroke)
+            }
+        }
+    }
+}
+
+/// Colour, dash and marker of the i-th series. The three lists have lengths without a common divisor but one, so that the
+/// combination repeats late.
+pub(super) fn series(index: usize) -> (Stroke, Mark) {
+    let color = PALETTE[index % PALETTE.len()];
+    let dash = DASHES[index % DASHES.len()];
+    let mark = MARKS[(index + index / PALETTE.len()) % MARKS.len()];
+    (Stroke { color, width: 3.0, dash }, mark)
+}

@@ -1,0 +1,24 @@
+//! What is written about an impact: `summary.json`, `trace.csv` and the table on the terminal. Pure functions of the
+//! result; nothing here opens a file or prints.
+
+pub mod human;
+pub mod summary;
+pub mod table;
+pub mod trace;
+
+use thiserror::Error;
+
+pub use summary::{Provenance, summary};
+pub use table::table;
+pub use trace::trace;
+
+/// Why a report could not be made.
+#[derive(Debug, Error)]
+pub enum ReportError {
+    /// JSON refused a value.
+    #[error("summary: {0}")]
+    Json(#[from] serde_json::Error),
+    /// CSV refused a row.
+    #[error("trace: {0}")]
+    Csv(#[from] csv::Error),
+}

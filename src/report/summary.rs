@@ -1,0 +1,195 @@
+//! `summary.json`: every result, the resolved inputs and where they came from. SI throughout, the unit in every name.
+//!
+//! A half-space without a yield strength has no plastic key at all; one with it that stayed elastic has `null` for what
+//! only a dent has.
+
+use serde::Serialize;
+
+use super::ReportError;
+use crate::impact::{Contact, Impact};
+
+/// Where a result comes from: enough to repeat it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Provenance {
+    /// Version of this program.
+    pub version: String,
+    /// The scenario as named on the command line.
+    pub scenario_file: String,
+    /// SHA-256 of its text, hexadecimal.
+    pub scenario_sha256: String,
+    /// The command line.
+    pub command: String,
+    /// The integration method, as a scenario spells it.
+    pub method: String,
+    /// Relative tolerance on the dimensionless state.
+    pub tolerance: f64,
+    /// Contact law.
+    pub law: String,
+    /// Name of its table of coefficients; `None` for a law without one.
+    pub coefficients: Option<String>,
+    /// What those coefficients were determined from.
+    pub coefficients_source: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    restitution: f64,
+    rebound_speed_m_per_s: f64,
+    contact_time_s: f64,
+    loading_time_s: f64,
+    #[serde(rename = "peak_force_N")]
+    peak_force: f64,
+    peak_indentation_m: f64,
+    peak_sphere_indentation_m: f64,
+    peak_contact_radius_m: f64,
+    #[serde(rename = "peak_mean_pressure_Pa")]
+    peak_mean_pressure: f64,
+    elastic_approach_m: f64,
+    #[serde(flatten)]
+    plastic: Option<Plastic>,
+    energy: Energy,
+    accuracy: Accuracy,
+    work: Work,
+    warnings: Vec<String>,
+    #[serde(rename = "effective_modulus_Pa")]
+    effective_modulus: f64,
+    sphere_compliance: f64,
+    sphere_mass_kg: f64,
+    unloading_exponent: f64,
+    inputs: Inputs,
+    provenance: &'a Provenance,
+}
+
+/// What only a half-space that can yield has.
+#[derive(Serialize)]
+struct Plastic {
+    residual_indentation_m: f64,
+    unloading_radius_m: f64,
+    residual_radius_m: Option<f64>,
+    dent_radius_m: Option<f64>,
+    yield_speed_m_per_s: f64,
+    yield_indentation_m: f64,
+    #[serde(rename = "yield_force_N")]
+    yield_force: f64,
+}
+
+#[derive(Serialize)]
+struct Energy {
+    #[serde(rename = "kinetic_in_J")]
+    kinetic_in: f64,
+    #[serde(rename = "recovered_J")]
+    recovered: f64,
+    #[serde(rename = "plastic_J", skip_serializing_if = "Option::is_none")]
+    plastic: Option<f64>,
+    drift: f64,
+}
+
+#[derive(Serialize)]
+struct Accuracy {
+    closed_form_restitution: f64,
+    restitution_error: f64,
+    contact_time_error: f64,
+}
+
+#[derive(Serialize)]
+struct Work {
+    steps: u64,
+    rejected: u64,
+    force_evaluations: u64,
+}
+
+/// A Young's modulus: JSON has no infinity.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Modulus {
+    Finite(f64),
+    Rigid(&'static str),
+}
+
+#[derive(Serialize)]
+struct Inputs {
+    sphere_radius_m: f64,
+    #[serde(rename = "sphere_youngs_modulus_Pa")]
+    sphere_youngs_modulus: Modulus,
+    sphere_poissons_ratio: f64,
+    sphere_density_kg_per_m3: f64,
+    #[serde(rename = "sphere_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
+    sphere_yield_strength: Option<f64>,
+    #[serde(rename = "half_space_youngs_modulus_Pa")]
+    half_space_youngs_modulus: f64,
+    half_space_poissons_ratio: f64,
+    #[serde(rename = "half_space_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
+    half_space_yield_strength: Option<f64>,
+    impact_speed_m_per_s: f64,
+}
+
+impl Inputs {
+    fn of(contact: &Contact, speed: f64) -> Self {
+        let (sphere, half_space) = (contact.sphere(), contact.half_space());
+        let modulus = sphere.material.youngs_modulus;
+        Self {
+            sphere_radius_m: sphere.radius,
+            sphere_youngs_modulus: if modulus.is_finite() { Modulus::Finite(modulus) } else { Modulus::Rigid("rigid") },
+            sphere_poissons_ratio: sphere.material.poissons_ratio,
+            sphere_density_kg_per_m3: sphere.density,
+            sphere_yield_strength: sphere.yield_strength,
+            half_space_youngs_modulus: half_space.material.youngs_modulus,
+            half_space_poissons_ratio: half_space.material.poissons_ratio,
+            half_space_yield_strength: half_space.yield_strength,
+            impact_speed_m_per_s: speed,
+        }
+    }
+}
+
+/// `summary.json`, with a newline at its end.
+///
+/// # Errors
+/// [`ReportError::Json`], which numbers and text do not give.
+pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> Result<String, ReportError> {
+    let pair = contact.pair();
+    let plastic = pair.yield_point.map(|point| Plastic {
+        residual_indentation_m: impact.residual_indentation,
+        unloading_radius_m: impact.unloading_radius,
+        residual_radius_m: impact.residual_radius,
+        dent_radius_m: impact.dent_radius,
+        yield_speed_m_per_s: point.speed,
+        yield_indentation_m: point.indentation,
+        yield_force: point.force,
+    });
+    let (energy, accuracy, work) = (&impact.energy, &impact.accuracy, &impact.work);
+    let summary = Summary {
+        restitution: impact.restitution,
+        rebound_speed_m_per_s: impact.rebound_speed,
+        contact_time_s: impact.contact_time,
+        loading_time_s: impact.loading_time,
+        peak_force: impact.peak_force,
+        peak_indentation_m: impact.peak_indentation,
+        peak_sphere_indentation_m: impact.peak_sphere_indentation,
+        peak_contact_radius_m: impact.peak_contact_radius,
+        peak_mean_pressure: impact.peak_mean_pressure,
+        elastic_approach_m: impact.elastic_approach,
+        plastic,
+        energy: Energy {
+            kinetic_in: energy.kinetic_in,
+            recovered: energy.recovered,
+            plastic: energy.plastic,
+            drift: energy.drift,
+        },
+        accuracy: Accuracy {
+            closed_form_restitution: accuracy.closed_form_restitution,
+            restitution_error: accuracy.restitution_error,
+            contact_time_error: accuracy.contact_time_error,
+        },
+        work: Work { steps: work.steps, rejected: work.rejected, force_evaluations: work.force_evaluations },
+        warnings: impact.warnings.iter().map(ToString::to_string).collect(),
+        effective_modulus: pair.effective_modulus,
+        sphere_compliance: pair.sphere_compliance,
+        sphere_mass_kg: pair.mass,
+        unloading_exponent: impact.unloading_exponent,
+        inputs: Inputs::of(contact, impact.speed),
+        provenance,
+    };
+    let mut text = serde_json::to_string_pretty(&summary)?;
+    text.push('\n');
+    Ok(text)
+}

@@ -1,0 +1,82 @@
+//! The short table a person reads on the terminal.
+
+use super::human::{number, percent, quantity};
+use crate::impact::{Contact, Impact};
+
+/// A few aligned lines: what came of the impact and how exact it is.
+#[must_use]
+pub fn table(contact: &Contact, impact: &Impact) -> String {
+    let mut rows: Vec<(&str, String, String)> = Vec::new();
+    let mut row = |name, value: String, remark: String| rows.push((name, value, remark));
+    let is_elastic = contact.pair().yield_point.is_none();
+    row("restitution", number(impact.restitution), String::new());
+    row("rebound speed", quantity(impact.rebound_speed, "m/s"), format!("impact at {}", quantity(impact.speed, "m/s")));
+    row(
+        "contact time",
+        quantity(impact.contact_time, "s"),
+        format!("compression {}", quantity(impact.loading_time, "s")),
+    );
+    row(
+        "peak force",
+        quantity(impact.peak_force, "N"),
+        format!("mean pressure {}", quantity(impact.peak_mean_pressure, "Pa")),
+    );
+    row(
+        "peak indentation",
+        quantity(impact.peak_indentation, "m"),
+        format!(
+            "sphere {}, half-space {}",
+            quantity(impact.peak_sphere_indentation, "m"),
+            quantity(impact.peak_indentation - impact.peak_sphere_indentation, "m")
+        ),
+    );
+    if let Some(point) = contact.pair().yield_point {
+        if let Some(radius) = impact.dent_radius {
+            let curvature = impact
+                .residual_radius
+                .map_or_else(String::new, |r| format!("radius of curvature {}", quantity(r, "m")));
+            row("dent depth", quantity(impact.residual_indentation, "m"), curvature);
+            row("dent radius", quantity(radius, "m"), String::new());
+        } else {
+            row("dent", "none".into(), String::new());
+        }
+        row("yield speed", quantity(point.speed, "m/s"), format!("first yield at {}", quantity(point.force, "N")));
+    }
+    let energy = &impact.energy;
+    let split = match energy.plastic {
+        Some(plastic) if !is_elastic => format!(
+            "{} recovered, {} into the dent",
+            percent(energy.recovered / energy.kinetic_in),
+            percent(plastic / energy.kinetic_in)
+        ),
+        _ => format!("{} recovered", percent(energy.recovered / energy.kinetic_in)),
+    };
+    row("energy", quantity(energy.kinetic_in, "J"), split);
+    let accuracy = &impact.accuracy;
+    row(
+        "accuracy",
+        format!("{:.1e}", accuracy.restitution_error.max(accuracy.contact_time_error)),
+        format!(
+            "relative, against the closed form (restitution {:.1e}, contact time {:.1e}); energy drift {:.1e}",
+            accuracy.restitution_error, accuracy.contact_time_error, energy.drift
+        ),
+    );
+    let work = &impact.work;
+    row(
+        "work",
+        format!("{} steps", work.steps),
+        format!("{} rejected, {} force evaluations", work.rejected, work.force_evaluations),
+    );
+    aligned(&rows)
+}
+
+fn aligned(rows: &[(&str, String, String)]) -> String {
+    let width = |column: fn(&(&str, String, String)) -> usize| rows.iter().map(column).max().unwrap_or(0);
+    let (names, values) = (width(|row| row.0.chars().count()), width(|row| row.1.chars().count()));
+    rows.iter()
+        .map(|(name, value, remark)| {
+            let line = format!("{name:<names$}  {value:<values$}  {remark}");
+            format!("{}\n", line.trim_end())
+        })
+        .collect()
+}

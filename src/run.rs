@@ -1,0 +1,84 @@
+//! One scene from a scenario to its output files.
+
+use crate::error::Error;
+use crate::impact::{Contact, Impact};
+use crate::output::{OutputDirectory, OutputFile};
+use crate::plot;
+use crate::report::{self, Provenance};
+use crate::scenario::{Scenario, Scene};
+
+/// A scenario that was run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// The scene.
+    pub scene: Scene,
+    /// What came of it, with the warnings of scene and impact.
+    pub impact: Impact,
+    /// For the terminal.
+    pub table: String,
+    /// For the output directory.
+    pub files: Vec<OutputFile>,
+}
+
+/// The scene of a scenario and its contact, neither of which leaves double precision.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    let scene = scenario.resolve()?;
+    let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    // what the closed form cannot hold no integration can
+    contact.closed_form(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
+    Ok((scene, contact))
+}
+
+/// Runs a scenario; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
+pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
+    let (scene, contact) = prepare(scenario)?;
+    let mut impact = contact
+        .impact(scene.speed, &scene.solver, Some(scene.samples))
+        .map_err(|reason| Error::impact(scenario, reason))?;
+    impact.warnings.extend(&scene.warnings);
+    let provenance = provenance(scenario, &scene, &impact, command);
+    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    let files = vec![
+        file("summary.json", report::summary(&contact, &impact, &provenance)?.into_bytes()),
+        file("trace.csv", report::trace(&impact)?),
+        file("force_indentation.png", plot::force_indentation(&impact)?),
+        file("history.png", plot::history(&impact)?),
+    ];
+    let table = report::table(&contact, &impact);
+    Ok(Run { scene, impact, table, files })
+}
+
+impl Run {
+    /// Writes the files; with `is_strict`, only if there is no warning.
+    ///
+    /// # Errors
+    /// [`Error::Strict`], [`Error::Unwritable`].
+    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
+        let count = self.impact.warnings.len();
+        if is_strict && count > 0 {
+            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
+        }
+        directory.write(&self.files)
+    }
+}
+
+fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Provenance {
+    let coefficients = scene.half_space.yield_strength.map(|_| &scene.coefficients.provenance);
+    Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scenario_file: scenario.document.name().to_owned(),
+        scenario_sha256: scenario.document.sha256(),
+        command: command.to_owned(),
+        method: impact.method.name().to_owned(),
+        tolerance: scene.solver.tolerance,
+        law: if coefficients.is_some() { "plm" } else { "hertz" }.to_owned(),
+        coefficients: coefficients.map(|table| table.name.clone()),
+        coefficients_source: coefficients.map(|table| table.source.clone()),
+    }
+}

@@ -1,0 +1,231 @@
+//! Scenarios: a TOML file with units, checked while it is read, and the scene it resolves to.
+//!
+//! ```
+//! use plm_impact::scenario::Scenario;
+//!
+//! let text = r#"
+//!     [sphere]
+//!     radius = "5 mm"
+//!     youngs_modulus = "210 GPa"
+//!     poissons_ratio = 0.3
+//!     density = "7850 kg/m^3"
+//!     [half_space]
+//!     youngs_modulus = "210 GPa"
+//!     poissons_ratio = 0.3
+//!     yield_strength = "345 MPa"
+//!     [impact]
+//!     speed = "3 m/s"
+//! "#;
+//! let scene = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
+//! assert_eq!(scene.speed, 1.0);
+//! # Ok::<(), plm_impact::scenario::ScenarioError>(())
+//! ```
+
+mod document;
+mod explain;
+pub mod file;
+pub mod keys;
+pub mod overview;
+mod place;
+pub mod quantity;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::impact::{Contact, Solver, Warning};
+use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+pub use document::Document;
+use file::{LawTable, PlmTable, ScenarioFile, SphereTable};
+pub use keys::{KEYS, Key};
+pub use place::{Place, Refusal};
+
+/// Evenly spaced rows of a trace where the scenario names no other number.
+pub const DEFAULT_SAMPLES: usize = 400;
+
+/// Why a scenario is refused.
+#[derive(Debug, Error)]
+pub enum ScenarioError {
+    /// The file system says no.
+    #[error("{}: cannot be read: {reason}", .path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        reason: std::io::Error,
+    },
+    /// Larger than any scenario.
+    #[error("{}: is larger than {largest} MiB, which no scenario is", .path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// In MiB.
+        largest: u64,
+    },
+    /// Not UTF-8.
+    #[error("{}:{line}: is not a text file (not UTF-8); a scenario is TOML text", .path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+        /// Of the first byte that is no text.
+        line: usize,
+    },
+    /// A `--set` that is no `key=value`.
+    #[error("--set {text}: {problem}")]
+    Override {
+        /// As given.
+        text: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A key or a value.
+    #[error("{0}")]
+    Refused(Box<Refusal>),
+}
+
+/// What a scenario comes to: bodies, speed, law, solver. Plain numbers in SI, all of them checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The sphere.
+    pub sphere: Sphere,
+    /// The half-space.
+    pub half_space: HalfSpace,
+    /// Impact speed \[m/s\].
+    pub speed: f64,
+    /// Exponent of the unloading branch.
+    pub exponent: UnloadingExponent,
+    /// Coefficients of the PLM.
+    pub coefficients: Arc<PlmCoefficients>,
+    /// Method and tolerance.
+    pub solver: Solver,
+    /// Evenly spaced rows of the trace.
+    pub samples: usize,
+    /// What of the scenario has no effect.
+    pub warnings: Vec<Warning>,
+}
+
+impl Scene {
+    /// The bodies paired under the law.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
+    pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
+        Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
+    }
+}
+
+/// A scenario file, read and checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// Its text, and where a value stands in it.
+    pub document: Document,
+    /// Its tables.
+    pub file: ScenarioFile,
+    /// Files that it names are relative to this.
+    directory: PathBuf,
+}
+
+impl Scenario {
+    /// Reads a scenario file, with `key=value` overrides.
+    ///
+    /// # Errors
+    /// [`ScenarioError`], naming file, line, value, allowed range.
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
+        let text = document::read_text(path)?;
+        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+        Self::new(path.display().to_string(), text, overrides, directory)
+    }
+
+    /// Reads a scenario from a text; `name` stands for the file in messages.
+    ///
+    /// # Errors
+    /// [`ScenarioError`], naming line, value, allowed range.
+    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, ScenarioError> {
+        Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new())
+    }
+
+    fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
+        let document = Document::new(name, text, overrides)?;
+        let file = document.read()?;
+        Ok(Self { document, file, directory })
+    }
+
+    /// The scene: defaults filled in, files read.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
+    pub fn resolve(&self) -> Result<Scene, ScenarioError> {
+        let ScenarioFile { sphere, half_space, impact, law, solver, output } = &self.file;
+        let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
+        let defaults = Solver::default();
+        let sphere = Sphere {
+            radius: self.radius(sphere)?,
+            material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
+            density: sphere.density.0,
+            yield_strength: sphere.yield_strength.map(|strength| strength.0),
+        };
+        let half_space = HalfSpace {
+            material: Material {
+                youngs_modulus: half_space.youngs_modulus.0,
+                poissons_ratio: half_space.poissons_ratio.0,
+            },
+            yield_strength: half_space.yield_strength.map(|strength| strength.0),
+        };
+        Ok(Scene {
+            sphere,
+            half_space,
+            speed: impact.speed.0,
+            exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
+            coefficients: self.coefficients(&plm)?,
+            solver: Solver {
+                method: solver.method.map_or(defaults.method, |method| method.0),
+                tolerance: solver.tolerance.map_or(defaults.tolerance, |tolerance| tolerance.0),
+                steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
+            },
+            samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
+            warnings: unused(&plm, &half_space),
+        })
+    }
+
+    fn radius(&self, sphere: &SphereTable) -> Result<f64, ScenarioError> {
+        match (sphere.radius, sphere.diameter) {
+            (Some(radius), None) => Ok(radius.0),
+            (None, Some(diameter)) => Ok(0.5 * diameter.0),
+            (None, None) => {
+                let message = "the key `radius` is missing: a length such as radius = \"5 mm\"; or `diameter`";
+                Err(self.document.refuse("sphere", message.to_owned()))
+            }
+            (Some(_), Some(_)) => {
+                let message = "`radius` is given too; write only one of `radius` and `diameter`";
+                Err(self.document.refuse("sphere.diameter", message.to_owned()))
+            }
+        }
+    }
+
+    fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {
+        let Some(path) = &plm.coefficients else {
+            return Ok(Arc::new(PlmCoefficients::built_in().clone()));
+        };
+        let path = self.directory.join(path);
+        let refuse = |message: String| self.document.refuse("law.plm.coefficients", message);
+        let text = document::read_text(&path).map_err(|error| refuse(error.to_string()))?;
+        let table = PlmCoefficients::from_toml(&text)
+            .map_err(|error| refuse(format!("{}: {}", path.display(), error.to_string().trim_end())))?;
+        Ok(Arc::new(table))
+    }
+}
+
+/// Keys of the law that an elastic half-space does not need.
+fn unused(plm: &PlmTable, half_space: &HalfSpace) -> Vec<Warning> {
+    let given = [
+        ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
+        ("law.plm.coefficients", plm.coefficients.is_some()),
+    ];
+    given
+        .into_iter()
+        .filter(|(_, is_given)| *is_given && half_space.yield_strength.is_none())
+        .map(|(key, _)| Warning::UnusedKey { key })
+        .collect()
+}

@@ -1,0 +1,181 @@
+//! The text of a scenario with its overrides: read, merged, hashed, and pointed into when something is wrong.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::Read;
+use std::ops::Range;
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
+use toml::de::{DeTable, DeValue, Deserializer};
+
+use super::ScenarioError;
+use super::explain::{explain, key_at, span_of};
+use super::place::{Place, Refusal};
+
+/// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
+const LARGEST_FILE: u64 = 64 << 20;
+
+/// Reads a text file.
+///
+/// # Errors
+/// [`ScenarioError`] if it cannot be read, is too large, or is no text.
+pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
+    let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
+    let mut bytes = Vec::new();
+    File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(ScenarioError::TooLarge { path: path.to_owned(), largest: LARGEST_FILE >> 20 });
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let good = error.utf8_error().valid_up_to();
+        let line = 1 + String::from_utf8_lossy(&error.as_bytes()[..good]).matches('\n').count();
+        ScenarioError::NotText { path: path.to_owned(), line }
+    })
+}
+
+/// `key=value` from the command line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Override {
+    /// As given.
+    text: String,
+    /// As TOML, moved by blanks to where its spans come after those of the file and of earlier overrides.
+    toml: String,
+    /// Where it begins in that count.
+    start: usize,
+}
+
+impl Override {
+    fn parse(text: &str, start: usize) -> Result<Self, ScenarioError> {
+        let refuse = |problem: String| ScenarioError::Override { text: text.to_owned(), problem };
+        let (key, value) = text
+            .split_once('=')
+            .filter(|(key, value)| !key.trim().is_empty() && !value.trim().is_empty())
+            .ok_or_else(|| refuse("write key=value, such as impact.speed=\"1 m/s\"".to_owned()))?;
+        let shift = " ".repeat(start);
+        let as_is = format!("{shift}{text}");
+        let toml = match DeTable::parse(&as_is) {
+            Ok(_) => as_is,
+            // a bare word: quoted, as the shell took the quotes away
+            Err(_) => format!("{shift}{key}={}", toml::Value::from(value.trim())),
+        };
+        DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
+        Ok(Self { text: text.to_owned(), toml, start })
+    }
+}
+
+/// A scenario as text: the file and what the command line changes in it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Document {
+    name: String,
+    text: String,
+    overrides: Vec<Override>,
+}
+
+impl Document {
+    /// The text of a scenario called `name` (in messages), with `key=value` overrides.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] if text or overrides are no TOML.
+    pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
+        let mut document = Self { name, text, overrides: Vec::new() };
+        for given in overrides {
+            let last = document.overrides.last();
+            let start = last.map_or(document.text.len(), |last| last.toml.len()) + 1;
+            document.overrides.push(Override::parse(given, start)?);
+        }
+        document.root()?;
+        Ok(document)
+    }
+
+    /// What the scenario is called in messages: its file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The text of the file.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// SHA-256 of the file's text and the overrides, in hexadecimal.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        let mut hasher = Sha256::new();
+        hasher.update(&self.text);
+        for given in &self.overrides {
+            // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
+            hasher.update([0]);
+            hasher.update(&given.text);
+        }
+        hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
+            let _ = write!(hex, "{byte:02x}");
+            hex
+        })
+    }
+
+    /// Reads the merged tables as a `T`.
+    ///
+    /// # Errors
+    /// [`ScenarioError::Refused`], pointing at file and line or at the override.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, ScenarioError> {
+        let root = self.root()?;
+        let spanned = toml::Spanned::new(0..self.text.len(), root.clone());
+        T::deserialize(Deserializer::from(spanned)).map_err(|error| {
+            // an error about the whole file has no place in it
+            let span = error.span().filter(|span| *span != (0..self.text.len()));
+            let mut key = span.as_ref().and_then(|span| key_at(&root, span)).unwrap_or_default();
+            let message = explain(error.message(), &mut key, &root);
+            self.refusal(span, key, message)
+        })
+    }
+
+    /// A refusal of the value at `key`, pointing at it.
+    #[must_use]
+    pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
+        let span = self.root().ok().and_then(|root| span_of(&root, key));
+        self.refusal(span, key.to_owned(), message)
+    }
+
+    fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {
+        let place = match span {
+            None => Place::File { name: self.name.clone() },
+            Some(span) => match self.overrides.iter().rfind(|given| given.start <= span.start) {
+                Some(given) => Place::Override { text: given.text.clone() },
+                None => Place::in_text(&self.name, &self.text, &span),
+            },
+        };
+        ScenarioError::Refused(Box::new(Refusal { place, key, message }))
+    }
+
+    fn root(&self) -> Result<DeTable<'_>, ScenarioError> {
+        let parse = |toml| {
+            DeTable::parse(toml).map(toml::Spanned::into_inner).map_err(|error| {
+                self.refusal(error.span(), String::new(), error.message().trim_end().replace('\n', "; "))
+            })
+        };
+        let mut root = parse(&self.text)?;
+        for given in &self.overrides {
+            merge(&mut root, parse(&given.toml)?);
+        }
+        Ok(root)
+    }
+}
+
+fn merge<'a>(into: &mut DeTable<'a>, from: DeTable<'a>) {
+    for (key, value) in from {
+        match (into.get_mut(key.get_ref().as_ref()).map(toml::Spanned::get_mut), value.get_ref()) {
+            (Some(DeValue::Table(old)), DeValue::Table(_)) => {
+                if let DeValue::Table(new) = value.into_inner() {
+                    merge(old, new);
+                }
+            }
+            _ => {
+                into.insert(key, value);
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The scenario file, one to one: tables, keys, nothing else. What is not here is refused.
+
+use std::path::PathBuf;
+
+use serde::Deserialize;
+
+use super::quantity::{
+    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
+    Tolerance,
+};
+
+/// The whole file.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioFile {
+    /// The sphere.
+    pub sphere: SphereTable,
+    /// The half-space.
+    pub half_space: HalfSpaceTable,
+    /// How they meet.
+    pub impact: ImpactTable,
+    /// The law; PLM if absent.
+    pub law: Option<LawTable>,
+    /// How to compute.
+    #[serde(default)]
+    pub solver: SolverTable,
+    /// What to write.
+    #[serde(default)]
+    pub output: OutputTable,
+}
+
+/// `[sphere]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct SphereTable {
+    /// Radius, or
+    pub radius: Option<Length>,
+    /// diameter: exactly one of the two.
+    pub diameter: Option<Length>,
+    /// Young's modulus, or "rigid".
+    pub youngs_modulus: SphereModulus,
+    /// Poisson's ratio.
+    pub poissons_ratio: PoissonsRatio,
+    /// Density.
+    pub density: Density,
+    /// The sphere's own yield strength: only used to warn.
+    pub yield_strength: Option<Strength>,
+}
+
+/// `[half_space]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct HalfSpaceTable {
+    /// Young's modulus.
+    pub youngs_modulus: Modulus,
+    /// Poisson's ratio.
+    pub poissons_ratio: PoissonsRatio,
+    /// Yield strength; without it the half-space is elastic.
+    pub yield_strength: Option<Strength>,
+}
+
+/// `[impact]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct ImpactTable {
+    /// Impact speed.
+    pub speed: Speed,
+}
+
+/// `[law]`: exactly one table, named by its law.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LawTable {
+    /// `[law.plm]`
+    Plm(PlmTable),
+}
+
+/// `[law.plm]`
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct PlmTable {
+    /// Exponent of the unloading branch, or "pressure-shape".
+    pub unloading_exponent: Option<Exponent>,
+    /// A file of coefficients, relative to the scenario.
+    pub coefficients: Option<PathBuf>,
+}
+
+/// `[solver]`
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct SolverTable {
+    /// Method.
+    pub method: Option<MethodName>,
+    /// Relative tolerance.
+    pub tolerance: Option<Tolerance>,
+    /// Steps over the contact time, for `verlet`.
+    pub steps_per_contact: Option<Steps>,
+}
+
+/// `[output]`
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub struct OutputTable {
+    /// Evenly spaced rows of the trace.
+    pub samples: Option<Samples>,
+}

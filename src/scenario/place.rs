@@ -1,0 +1,97 @@
+//! Where a refused value stands, shown with its line and a mark under it.
+
+use std::fmt;
+use std::ops::Range;
+
+/// Characters of a long line that are shown.
+const WIDTH: usize = 120;
+
+/// Where something is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    File {
+        /// As given on the command line.
+        name: String,
+    },
+    /// A place in the file.
+    Text {
+        /// As given on the command line.
+        name: String,
+        /// From 1.
+        line: usize,
+        /// From 1, in characters.
+        column: usize,
+        /// The line, or the part of it around the column.
+        excerpt: String,
+        /// Characters of the excerpt before the mark.
+        indent: usize,
+        /// Characters marked.
+        width: usize,
+    },
+    /// A `--set` of the command line.
+    Override {
+        /// As given.
+        text: String,
+    },
+}
+
+impl Place {
+    /// The place of `span` (bytes) in a text.
+    pub(super) fn in_text(name: &str, text: &str, span: &Range<usize>) -> Self {
+        let mut start = span.start.min(text.len());
+        while !text.is_char_boundary(start) {
+            start -= 1;
+        }
+        let before = &text[..start];
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        let column = before[line_start..].chars().count();
+        let content = text[line_start..].split(['\n', '\r']).next().unwrap_or_default();
+        let skipped = if column < WIDTH / 2 { 0 } else { column - WIDTH / 4 };
+        // control characters would move the mark, or the terminal
+        let visible = |c: char| if c.is_control() { ' ' } else { c };
+        let excerpt: String = content.chars().skip(skipped).take(WIDTH).map(visible).collect();
+        let indent = column - skipped;
+        let marked =
+            text.get(start..span.end).map_or(1, |marked| marked.lines().next().unwrap_or_default().chars().count());
+        let room = excerpt.chars().count().saturating_sub(indent);
+        Self::Text {
+            name: name.to_owned(),
+            line: 1 + before.matches('\n').count(),
+            column: column + 1,
+            excerpt,
+            indent,
+            width: marked.min(room).max(1),
+        }
+    }
+}
+
+/// A value that is refused, where it stands, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// Where.
+    pub place: Place,
+    /// The dotted key; empty for the whole file.
+    pub key: String,
+    /// Value, allowed range, way out.
+    pub message: String,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Place::File { name } => write!(f, "{name}: ")?,
+            Place::Text { name, line, column, .. } => write!(f, "{name}:{line}:{column}: ")?,
+            Place::Override { text } => write!(f, "--set {text}: ")?,
+        }
+        if !self.key.is_empty() {
+            write!(f, "{}: ", self.key)?;
+        }
+        f.write_str(&self.message)?;
+        if let Place::Text { line, excerpt, indent, width, .. } = &self.place {
+            let gutter = line.to_string().len();
+            write!(f, "\n{:gutter$} |\n{line} | {excerpt}\n{:gutter$} | {:indent$}{}", "", "", "", "^".repeat(*width))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,52 @@
+//! Values for people: in SI, and in the unit that gives a short number.
+
+use super::Dimension;
+use super::table::Scale;
+
+/// A number in its shortest exact form, with an exponent where zeros would hide the digits.
+#[must_use]
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 || (1e-4..1e6).contains(&size) || !value.is_finite() {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// In the SI unit, exact: "0.005 m".
+#[must_use]
+pub fn si(value: f64, dimension: Dimension) -> String {
+    format!("{} {}", number(value), dimension.si_unit()).trim_end().to_owned()
+}
+
+/// In the unit that fits, to six digits: "5 mm".
+#[must_use]
+pub fn human(value: f64, dimension: Dimension) -> String {
+    let shown = || {
+        dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
+            Scale::Ten(power) => Some((unit.name, power)),
+            Scale::Times(_) | Scale::Over(_) => None,
+        })
+    };
+    if value == 0.0 {
+        return si(value, dimension);
+    }
+    let fits = |&(_, power): &(&str, i32)| value.abs() >= 10_f64.powi(power);
+    let scientific = format!("{value:.5e}");
+    let (Some((name, power)), Some((digits, exponent))) =
+        (shown().filter(fits).last().or_else(|| shown().next()), scientific.split_once('e'))
+    else {
+        return si(value, dimension);
+    };
+    // the exponent is moved in decimal, so that no digit is made up
+    let shifted = exponent.parse::<i32>().ok().and_then(|e| format!("{digits}e{}", e - power).parse().ok());
+    format!("{} {name}", number(shifted.unwrap_or(value)))
+}
+
+/// Both: "0.005 m (5 mm)"; one where they are the same.
+#[must_use]
+pub fn describe(value: f64, dimension: Dimension) -> String {
+    let (exact, short) = (si(value, dimension), human(value, dimension));
+    if exact == short { exact } else { format!("{exact} ({short})") }
+}

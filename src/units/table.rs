@@ -1,0 +1,87 @@
+//! The units, each dimension in rising order.
+
+use super::Dimension;
+
+/// What one of a unit is in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Scale {
+    /// A power of ten.
+    Ten(i32),
+    /// A factor.
+    Times(f64),
+    /// A divisor, where that is the exact one of the two.
+    Over(f64),
+}
+
+/// A unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Unit {
+    pub(super) name: &'static str,
+    pub(super) dimension: Dimension,
+    pub(super) scale: Scale,
+    /// Whether values are shown in it.
+    pub(super) is_shown: bool,
+}
+
+const fn shown(name: &'static str, dimension: Dimension, power: i32) -> Unit {
+    Unit { name, dimension, scale: Scale::Ten(power), is_shown: true }
+}
+
+const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
+    Unit { name, dimension, scale, is_shown: false }
+}
+
+use Dimension::{Density, Energy, Force, Length, Mass, Pressure, Ratio, Speed, Time};
+
+pub(super) const UNITS: &[Unit] = &[
+    shown("nm", Length, -9),
+    shown("µm", Length, -6),
+    shown("mm", Length, -3),
+    read("cm", Length, Scale::Ten(-2)),
+    read("in", Length, Scale::Times(0.0254)), // international inch, exact
+    shown("m", Length, 0),
+    shown("km", Length, 3),
+    shown("ns", Time, -9),
+    shown("µs", Time, -6),
+    shown("ms", Time, -3),
+    shown("s", Time, 0),
+    shown("nm/s", Speed, -9),
+    shown("µm/s", Speed, -6),
+    shown("mm/s", Speed, -3),
+    read("cm/s", Speed, Scale::Ten(-2)),
+    read("km/h", Speed, Scale::Over(3.6)),
+    shown("m/s", Speed, 0),
+    shown("km/s", Speed, 3),
+    shown("ng", Mass, -12),
+    shown("µg", Mass, -9),
+    shown("mg", Mass, -6),
+    shown("g", Mass, -3),
+    shown("kg", Mass, 0),
+    shown("t", Mass, 3),
+    shown("kg/m^3", Density, 0),
+    shown("g/cm^3", Density, 3),
+    read("kg/dm^3", Density, Scale::Ten(3)),
+    read("kg/l", Density, Scale::Ten(3)),
+    read("t/m^3", Density, Scale::Ten(3)),
+    shown("Pa", Pressure, 0),
+    read("N/m^2", Pressure, Scale::Ten(0)),
+    shown("kPa", Pressure, 3),
+    read("bar", Pressure, Scale::Ten(5)),
+    shown("MPa", Pressure, 6),
+    read("N/mm^2", Pressure, Scale::Ten(6)),
+    shown("GPa", Pressure, 9),
+    shown("TPa", Pressure, 12),
+    read("psi", Pressure, Scale::Times(6_894.757_293_168_361)), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
+    shown("nN", Force, -9),
+    shown("µN", Force, -6),
+    shown("mN", Force, -3),
+    shown("N", Force, 0),
+    shown("kN", Force, 3),
+    shown("MN", Force, 6),
+    shown("nJ", Energy, -9),
+    shown("µJ", Energy, -6),
+    shown("mJ", Energy, -3),
+    shown("J", Energy, 0),
+    shown("kJ", Energy, 3),
+    read("%", Ratio, Scale::Ten(-2)),
+];

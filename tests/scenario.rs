@@ -1,0 +1,267 @@
+//! Scenarios as text: what they resolve to, and how bad ones are refused.
+
+#![allow(clippy::unwrap_used)]
+
+use plm_impact::impact::{Method, Warning};
+use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+use plm_impact::scenario::{KEYS, Key, Scenario, ScenarioError, Scene};
+
+const STEEL: &str = r#"[sphere]
+radius = "5 mm"
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "345 MPa"
+
+[impact]
+speed = "3 m/s"
+"#;
+
+fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, ScenarioError> {
+    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+    Scenario::from_text("steel.toml", text, &overrides)?.resolve()
+}
+
+fn refusal(text: &str, overrides: &[&str]) -> String {
+    resolve(text, overrides).unwrap_err().to_string()
+}
+
+#[test]
+fn a_scenario_resolves_to_si_and_to_the_defaults() {
+    let scene = resolve(STEEL, &[]).unwrap();
+    assert_eq!(scene.sphere.radius, 0.005);
+    assert_eq!(scene.sphere.material.youngs_modulus, 210e9);
+    assert_eq!(scene.sphere.density, 7850.0);
+    assert_eq!(scene.sphere.yield_strength, None);
+    assert_eq!(scene.half_space.yield_strength, Some(345e6));
+    assert_eq!(scene.speed, 3.0);
+    assert_eq!(scene.exponent, UnloadingExponent::Paper);
+    assert_eq!(*scene.coefficients, *PlmCoefficients::built_in());
+    assert_eq!(scene.solver.tolerance, 1e-10);
+    assert_eq!(scene.samples, 400);
+    assert!(scene.warnings.is_empty());
+}
+
+#[test]
+fn overrides_change_keys_as_the_shell_hands_them_over() {
+    let scene = resolve(
+        STEEL,
+        &[
+            "impact.speed=1 m/s",
+            "sphere.youngs_modulus=rigid",
+            "sphere.density=7.8e3",
+            "half_space.yield_strength=\"0.5 GPa\"",
+            "law.plm.unloading_exponent=pressure-shape",
+            "solver.method=dop853",
+            "solver.tolerance=1e-6",
+            "output.samples=7",
+            "impact.speed=2 m/s",
+        ],
+    )
+    .unwrap();
+    assert_eq!(scene.speed, 2.0, "the last one counts");
+    assert_eq!(scene.sphere.material.youngs_modulus, f64::INFINITY);
+    assert_eq!(scene.sphere.density, 7800.0);
+    assert_eq!(scene.half_space.yield_strength, Some(5e8));
+    assert_eq!(scene.exponent, UnloadingExponent::PressureShape);
+    assert_eq!(scene.solver.method, Method::Dop853);
+    assert_eq!(scene.solver.tolerance, 1e-6);
+    assert_eq!(scene.samples, 7);
+}
+
+#[test]
+fn every_method_is_selected_by_its_name() {
+    for (name, method) in Method::ALL {
+        assert_eq!(resolve(STEEL, &[&format!("solver.method={name}")]).unwrap().solver.method, method);
+    }
+}
+
+#[test]
+fn a_diameter_is_twice_the_radius_and_excludes_it() {
+    let by_diameter = STEEL.replace("radius = \"5 mm\"", "diameter = \"10 mm\"");
+    assert_eq!(resolve(&by_diameter, &[]).unwrap(), resolve(STEEL, &[]).unwrap());
+    let message = refusal(STEEL, &["sphere.diameter=10 mm"]);
+    assert!(message.contains("write only one of `radius` and `diameter`"), "{message}");
+    let message = refusal(&STEEL.replace("radius = \"5 mm\"\n", ""), &[]);
+    assert!(message.contains("steel.toml:1:") && message.contains("`radius` is missing"), "{message}");
+}
+
+#[test]
+fn the_paper_exponent_is_the_number_1_5() {
+    let exponent = |value: &str| resolve(STEEL, &[&format!("law.plm.unloading_exponent={value}")]).unwrap().exponent;
+    assert_eq!(exponent("1.5"), UnloadingExponent::Paper);
+    assert_eq!(exponent("2"), UnloadingExponent::Fixed(2.0));
+    assert_eq!(exponent("1.25"), UnloadingExponent::Fixed(1.25));
+}
+
+#[test]
+fn keys_without_effect_are_warned_about_not_refused() {
+    let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
+    assert!(resolve(&elastic, &[]).unwrap().warnings.is_empty());
+    let scene = resolve(&elastic, &["law.plm.unloading_exponent=1.4"]).unwrap();
+    assert_eq!(scene.warnings, [Warning::UnusedKey { key: "law.plm.unloading_exponent" }]);
+}
+
+#[test]
+fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
+    for key in KEYS {
+        // inside of every range
+        let value = if key.path == "solver.tolerance" { 1e-3 } else { 1.25 };
+        let value = if key.path.ends_with("poissons_ratio") { 0.25 } else { value };
+        let text = STEEL.replace("radius = \"5 mm\"\n", "");
+        let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
+        let by_file = resolve(&text, &[&format!("{}={value}", key.path)]).unwrap();
+        let mut by_key = resolve(&text, &["sphere.diameter=1"]).unwrap();
+        (key.set)(&mut by_key, value);
+        if key.path != "sphere.radius" {
+            assert_eq!(by_file, by_key, "{}", key.path);
+        }
+        assert_eq!((key.get)(&by_file), Some(value), "{}", key.path);
+    }
+    assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
+    assert!(Key::find("solver.method").is_none());
+}
+
+#[test]
+fn bad_values_are_shown_with_line_value_range_and_way_out() {
+    // line to change, into what, what the message holds
+    let table: &[(&str, &str, &[&str])] = &[
+        (
+            "radius = \"5 mm\"",
+            "radius = \"-5 mm\"",
+            &[
+                "steel.toml:2:10: sphere.radius: \"-5 mm\" = -0.005 m",
+                "> 0 m and finite",
+                "2 | radius = \"-5 mm\"\n  |          ^^^^^^^",
+            ],
+        ),
+        ("radius = \"5 mm\"", "radius = \"5 MPa\"", &["steel.toml:2:10", "is a pressure, but a length is needed"]),
+        ("radius = \"5 mm\"", "radius = \"5 mn\"", &["steel.toml:2:10", "unknown unit \"mn\"", "nm, µm, mm"]),
+        (
+            "radius = \"5 mm\"",
+            "raduis = \"5 mm\"",
+            &["steel.toml:2:1: sphere.raduis: unknown key `raduis`, did you mean `radius`?"],
+        ),
+        ("radius = \"5 mm\"", "radius = true", &["steel.toml:2:10", "expected a length such as \"5 mm\""]),
+        ("radius = \"5 mm\"", "radius = 5 mm", &["steel.toml:2:"]),
+        (
+            "poissons_ratio = 0.3\nyield",
+            "poissons_ratio = 0.5\nyield",
+            &["steel.toml:9:18: half_space.poissons_ratio: 0.5 is not allowed", "> -1 and < 0.5", "0.4999"],
+        ),
+        (
+            "poissons_ratio = 0.3\nyield",
+            "poissons_ratio = 0.7\nyield",
+            &["steel.toml:9:18", "0.7", "> -1 and < 0.5", "0.4999"],
+        ),
+        ("poissons_ratio = 0.3\nyield", "poissons_ratio = -1\nyield", &["steel.toml:9:18", "-1", "> -1 and < 0.5"]),
+        (
+            "yield_strength = \"345 MPa\"",
+            "yield_strength = inf",
+            &["steel.toml:10:18", "inf Pa", "> 0 Pa and finite; for an elastic body leave the key out"],
+        ),
+        (
+            "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nd",
+            "youngs_modulus = inf\npoissons_ratio = 0.3\nd",
+            &["steel.toml:3:18", "for a rigid sphere write \"rigid\""],
+        ),
+        (
+            "speed = \"3 m/s\"",
+            "speed = 0",
+            &["steel.toml:13:9: impact.speed: 0 m/s is not allowed", "> 0 m/s and finite"],
+        ),
+        ("speed = \"3 m/s\"", "speed = -3.0", &["steel.toml:13:9", "-3 m/s is not allowed"]),
+        ("speed = \"3 m/s\"", "speed = inf", &["steel.toml:13:9", "inf m/s is not allowed"]),
+        ("speed = \"3 m/s\"", "speed = nan", &["steel.toml:13:9", "NaN m/s is not allowed"]),
+        (
+            "speed = \"3 m/s\"",
+            "",
+            &["steel.toml:12:2: impact: the key `speed` is missing: a speed such as speed = \"3 m/s\""],
+        ),
+        ("[impact]\nspeed = \"3 m/s\"", "", &["steel.toml: the table [impact] is missing"]),
+        (
+            "[impact]",
+            "[impakt]",
+            &["steel.toml:12:2: impakt: unknown table `impakt`, did you mean `impact`?", "half_space"],
+        ),
+        ("[impact]", "[law.plm]\n[law.hertz]\n[impact]", &["exactly one law, found plm and hertz", "[law.plm]"]),
+        ("[impact]", "[law.pml]\n[impact]", &["steel.toml:12:6: law.pml: unknown law `pml`, did you mean `plm`?"]),
+        ("[impact]", "[law]\n[impact]", &["steel.toml:12:2: law: a scenario has exactly one law, found none"]),
+        ("[impact]", "[law.plm]\nunloading_exponent = 1\n[impact]", &["steel.toml:13:22", "> 1 and <= 2"]),
+        (
+            "[impact]",
+            "[solver]\nmethod = \"rk7\"\n[impact]",
+            &["steel.toml:13:10", "did you mean \"rk8\"?", "\"dopri5\", \"dop853\""],
+        ),
+        ("[impact]", "[solver]\ntolerance = 1e-15\n[impact]", &["steel.toml:13:13", ">= 1e-14 and <= 0.01"]),
+        ("[impact]", "[output]\nsamples = 1\n[impact]", &["steel.toml:13:11", ">= 2 and <= 1e7"]),
+        ("[impact]", "[output]\nsamples = 2.5\n[impact]", &["steel.toml:13:11", "whole number"]),
+    ];
+    for (from, to, wants) in table {
+        assert!(STEEL.contains(from), "{from}");
+        let message = refusal(&STEEL.replacen(from, to, 1), &[]);
+        for want in *wants {
+            assert!(message.contains(want), "{to}: {want:?} is not in\n{message}");
+        }
+    }
+}
+
+#[test]
+fn errors_of_overrides_say_so() {
+    let table = [
+        ("sphere.radius=-5 mm", "--set sphere.radius=-5 mm: sphere.radius: \"-5 mm\" = -0.005 m is not allowed"),
+        ("sphere.raduis=3", "did you mean `radius`?"),
+        ("impact=3", "--set impact=3: impact: invalid type: integer `3`, expected a table"),
+        ("law=3", "--set law=3: law: not a table; write one table such as [law.plm]"),
+        ("impact.speed", "--set impact.speed: write key=value"),
+        ("=3", "--set =3: write key=value"),
+        ("im pact=3", "--set im pact=3: "),
+    ];
+    for (given, want) in table {
+        let message = refusal(STEEL, &[given]);
+        assert!(message.starts_with(&format!("--set {given}: ")), "{message}");
+        assert!(message.contains(want), "{message}");
+    }
+    // the second override is at fault, not the first
+    let message = refusal(STEEL, &["output.samples=3", "impact.speed=0"]);
+    assert!(message.starts_with("--set impact.speed=0: impact.speed:"), "{message}");
+}
+
+#[test]
+fn the_hash_is_of_text_and_overrides() {
+    let hash = |text: &str, overrides: &[&str]| {
+        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+        Scenario::from_text("any", text, &overrides).unwrap().document.sha256()
+    };
+    let plain = hash(STEEL, &[]);
+    assert_eq!(plain.len(), 64);
+    assert_eq!(plain, hash(STEEL, &[]));
+    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[]));
+    assert_ne!(plain, hash(STEEL, &["impact.speed=3"]));
+    assert_ne!(hash(STEEL, &["impact.speed=3"]), hash(STEEL, &["impact.speed=4"]));
+}
+
+#[test]
+fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
+    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        let scenario = Scenario::load(&path, &[]).unwrap();
+        assert!(scenario.document.text().starts_with("# "), "{}", path.display());
+        let (scene, contact) = plm_impact::run::prepare(&scenario).unwrap();
+        assert!(scene.warnings.is_empty(), "{}", path.display());
+        let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
+        assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
+        names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
+    }
+    for name in
+        ["elastic", "micrometre-particle", "paper-case-3", "steel-on-steel", "tungsten-carbide-on-titanium-alloy"]
+    {
+        assert!(names.iter().any(|found| found == name), "{name}");
+    }
+}
