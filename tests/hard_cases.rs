@@ -19,11 +19,25 @@ fn rounding(case: &HardCase) -> f64 {
 }
 
 #[test]
-fn closed_form_gives_the_restitution_of_every_case() {
-    for case in hard_cases().unwrap() {
+fn every_case_has_its_reference_value() {
+    // 50-digit arithmetic, independent of the law's code; the speed ratio is rounded to double precision here
+    let text = include_str!("reference/hard_cases.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let table: Vec<(String, f64, f64)> = reader.deserialize().map(Result::unwrap).collect();
+    let cases = hard_cases().unwrap();
+    assert_eq!(table.len(), cases.len());
+    for (case, (name, restitution, contact_time)) in cases.iter().zip(table) {
+        assert_eq!(case.name, name);
         let exact = closed_form::solve(&case.law, case.speed);
-        assert!(off(exact.restitution, case.restitution) < 2e-15, "{} ({})", case.name, case.origin);
-        assert!(exact.contact_time.is_finite() && exact.loading_time < exact.contact_time, "{}", case.name);
+        assert!(off(case.restitution, restitution) < 1e-14, "{name}: {} ({})", case.restitution, case.origin);
+        assert!(off(exact.restitution, restitution) < 1e-14, "{name}: {}", exact.restitution);
+        // 1e-100: x_m = (…)^0.4 with 0.4 rounded by 2e-17, times ln of 1e-200, is off by 1e-14
+        let allowed = match name.as_str() {
+            "v = 1e-100 v_Y" => 3e-14,
+            _ if name.contains("peak among") => rounding(case),
+            _ => 1e-14,
+        };
+        assert!(off(exact.contact_time, contact_time) < allowed, "{name}: {}", exact.contact_time);
     }
 }
 
