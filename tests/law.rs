@@ -1,5 +1,7 @@
 //! The law by itself: printed table, limits, knots, work, unloading, memory, coefficient tables.
 #![allow(clippy::unwrap_used)]
+// tables as printed
+#![allow(clippy::unreadable_literal, clippy::excessive_precision)]
 
 mod common;
 
