@@ -19,7 +19,7 @@ use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
-use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere};
+use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
@@ -143,7 +143,11 @@ impl Contact {
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
         static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
         match &self.yielding {
-            Some((scales, law)) if speed > scales.speed => Ok((*scales, law, speed / scales.speed)),
+            Some((scales, law)) if speed > scales.speed => {
+                let ratio = speed / scales.speed;
+                normal("kinetic energy in units of that at first yield", ratio * ratio)?;
+                Ok((*scales, law, ratio))
+            }
             _ => Ok((Scales::of_hertz(&self.pair, speed)?, &HERTZ, 1.0)),
         }
     }

@@ -1,5 +1,6 @@
 //! Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 
+pub mod bench;
 pub mod error;
 pub mod impact;
 pub mod integrate;
