@@ -6,6 +6,7 @@
 pub mod batch;
 pub mod closed_form;
 pub mod course;
+pub mod essentials;
 pub mod outcome;
 pub mod scales;
 pub mod validity;
@@ -22,6 +23,7 @@ use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
+pub use essentials::Essentials;
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use validity::Warning;
@@ -53,6 +55,12 @@ impl Method {
         ("verlet", Self::Verlet),
         ("closed_form", Self::ClosedForm),
     ];
+
+    /// The method of this name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
+    }
 
     /// Its name in scenarios and reports.
     #[must_use]
@@ -160,6 +168,15 @@ impl Contact {
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
         Impact::new(self, speed, Method::ClosedForm, &scales, law, &exact, &exact, Work::default(), &[])
+    }
+
+    /// What a table holds of the closed form, without the rest of an [`Impact`].
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`], see [`Contact::scaled`].
+    pub fn essentials(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+        let (scales, law, q) = self.scaled(speed)?;
+        Essentials::new(&self.pair, speed, &scales, law, &closed_form::solve(law, q))
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

@@ -13,4 +13,5 @@ pub mod power;
 pub mod report;
 pub mod run;
 pub mod scenario;
+pub mod sweep;
 pub mod units;

@@ -8,7 +8,7 @@ use super::outcome::Outcome;
 use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Unloading};
-use crate::power::{power_time, quarter_period};
+use crate::power::{arctangent, power_time, quarter_period};
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 #[must_use]
@@ -68,7 +68,7 @@ fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
         // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
         Shape::Straight { slope } => {
             let omega = (ACCELERATION * slope).sqrt();
-            2.0 / omega * (omega * distance / (entry + exit)).atan()
+            2.0 / omega * arctangent(omega * distance / (entry + exit))
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, exit),
     }

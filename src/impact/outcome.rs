@@ -1,12 +1,12 @@
 //! What an impact comes to: dimensionless, and in SI units as every report and plot reads it.
 
 use super::course::{Event, Point};
+use super::essentials::Essentials;
 use super::scales::Scales;
 use super::validity::{self, Warning};
 use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
 use crate::law::{Law, Unloading};
-use crate::material::normal;
 
 /// The outcome of an impact in dimensionless form, however it was obtained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -157,9 +157,9 @@ impl Impact {
         let pair = contact.pair();
         let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
         let peak = unloading.peak;
-        let residual = peak.residual();
-        let has_dent = residual > 0.0;
-        let kinetic_in = normal("kinetic energy (J)", 0.5 * pair.mass * speed * speed)?;
+        let essentials = Essentials::new(pair, speed, scales, law, outcome)?;
+        let Essentials { kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
+        let has_dent = essentials.has_dent();
         // kinetic energy in units of Φ L
         let kinetic = kinetic_in / scales.energy();
         let lost = law.loading.work(peak.indentation) - unloading.stored(peak.indentation);
@@ -174,8 +174,6 @@ impl Impact {
             .chain([at_peak, at_separation])
             .fold(0.0, |worst: f64, d| worst.max(d.abs()));
 
-        let peak_contact_radius = scales.contact_radius * law.contact_radius(&peak);
-        let peak_force = normal("peak force (N)", peak.force * scales.force)?;
         let radius_ratio = peak.unloading_radius_ratio();
         let residual_radius =
             (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
@@ -184,14 +182,14 @@ impl Impact {
             method,
             restitution,
             rebound_speed: restitution * speed,
-            contact_time: normal("contact time (s)", contact_time * scales.time())?,
+            contact_time: essentials.contact_time,
             loading_time: loading_time * scales.time(),
             peak_force,
-            peak_indentation: peak.indentation * scales.length,
+            peak_indentation: essentials.peak_indentation,
             peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: unloading.exponent,
-            residual_indentation: residual * scales.length,
+            residual_indentation: essentials.residual_indentation,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
             residual_radius,
             peak_contact_radius,
@@ -199,8 +197,8 @@ impl Impact {
             dent_radius: has_dent.then_some(peak_contact_radius),
             energy: Energy {
                 kinetic_in,
-                recovered: kinetic_in * restitution * restitution,
-                plastic: pair.yield_point.map(|_| if has_dent { lost * scales.energy() } else { 0.0 }),
+                recovered: kinetic_in * essentials.recovered_fraction(),
+                plastic: pair.yield_point.map(|_| essentials.plastic_fraction * kinetic_in),
                 drift,
             },
             work,

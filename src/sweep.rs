@@ -1,0 +1,98 @@
+//! Sweeps: many cases of one scene to one table, on all cores, in shards, resumable.
+//!
+//! A case number alone says what a row holds ([`plan`], [`random`]), so threads, shards and interruptions change nothing.
+//! Rows are computed and written as text in parallel chunks and appended in order ([`driver`]); memory does not grow with
+//! their number.
+
+pub mod axis;
+pub mod driver;
+pub mod merge;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+pub mod plan;
+pub mod random;
+pub mod shard;
+pub mod sidecar;
+pub mod statistics;
+pub mod table;
+pub mod throughput;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+pub use driver::{Job, Progress, Written};
+pub use plan::{Cases, Plan};
+pub use shard::Shard;
+pub use table::Format;
+
+/// Why a sweep did not finish.
+#[derive(Debug, Error)]
+pub enum SweepError {
+    /// The file system says no; what is written so far stays, and can be resumed.
+    #[error("{}: {problem}: {source}", .path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What was tried.
+        problem: &'static str,
+        /// Why not.
+        source: io::Error,
+    },
+    /// A file that is not what it should be.
+    #[error("{}: {problem}", .path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        problem: String,
+    },
+    /// An unfinished table, or a shard, of something else.
+    #[error(
+        "{}: holds {what} of another scenario, version or division (sidecar {}); go on with the scenario it was begun with, name another --out, or delete both files to start over",
+        .table.display(), .sidecar.display()
+    )]
+    Changed {
+        /// The table.
+        table: PathBuf,
+        /// Its sidecar.
+        sidecar: PathBuf,
+        /// `unfinished rows` or `a shard`.
+        what: &'static str,
+    },
+    /// Stopped on request.
+    #[error("interrupted after {rows} of {total} rows; the same command goes on from there ({})", .part.display())]
+    Interrupted {
+        /// Complete rows.
+        rows: u64,
+        /// All.
+        total: u64,
+        /// Where they are.
+        part: PathBuf,
+    },
+    /// A request that the build or the format does not allow.
+    #[error("{0}")]
+    Unsupported(&'static str),
+    /// Shards that do not make a table.
+    #[error("these shards do not make a table:\n  {}", .0.join("\n  "))]
+    Shards(Vec<String>),
+}
+
+impl SweepError {
+    /// A file error, for `map_err`.
+    pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::File { path: path.clone(), problem, source }
+    }
+
+    /// 130 after an interruption, 2 where the request has to change, 1 where the run failed.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Interrupted { .. } => 130,
+            Self::Changed { .. } | Self::Unsupported(_) | Self::Shards(_) | Self::Damaged { .. } => 2,
+            Self::File { .. } => 1,
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! An axis of a sweep: a key of the scene and the values it takes.
+
+use crate::impact::Method;
+use crate::scenario::{Key, Scene};
+
+/// Axes of up to this many points are tabulated, and their texts rendered once.
+const TABULATED: u64 = 65_536;
+
+/// How a row is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowMethod {
+    /// Energy balance and exact times: what `auto` means for a conservative scene.
+    ClosedForm,
+    /// Stepped.
+    Integrate(Method),
+}
+
+impl RowMethod {
+    /// The method of that name: `auto`, `closed_form`, or an integrator's.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "auto" | "closed_form" => Some(Self::ClosedForm),
+            _ => Method::from_name(name).map(Self::Integrate),
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed_form",
+            Self::Integrate(method) => method.name(),
+        }
+    }
+}
+
+/// The numbers an axis runs through, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// As listed.
+    List(Vec<f64>),
+    /// Evenly spaced, both ends included; may fall.
+    Linear {
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// How many.
+        points: u64,
+    },
+    /// Evenly spaced in the logarithm, both ends (> 0) included; may fall.
+    Logarithmic {
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
+        /// How many.
+        points: u64,
+    },
+}
+
+impl Values {
+    /// How many.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        match self {
+            Self::List(values) => values.len() as u64,
+            Self::Linear { points, .. } | Self::Logarithmic { points, .. } => *points,
+        }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Value `i`; the ends are exact.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
+    pub fn at(&self, i: u64) -> f64 {
+        match *self {
+            Self::List(ref values) => values[i as usize],
+            Self::Linear { from, .. } | Self::Logarithmic { from, .. } if i == 0 => from,
+            Self::Linear { to, points, .. } | Self::Logarithmic { to, points, .. } if i + 1 >= points => to,
+            Self::Linear { from, to, points } => from + (to - from) * (i as f64 / (points - 1) as f64),
+            Self::Logarithmic { from, to, points } => {
+                let (low, high) = (from.log10(), to.log10());
+                10f64.powf(low + (high - low) * (i as f64 / (points - 1) as f64))
+            }
+        }
+    }
+
+    /// The same values as a list, where that is short.
+    fn tabulated(self) -> Self {
+        if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
+    }
+}
+
+/// What an axis changes, and to what.
+#[derive(Debug, Clone)]
+pub enum Setting {
+    /// A numeric key.
+    Number {
+        /// Which.
+        key: &'static Key,
+        /// Its values.
+        values: Values,
+    },
+    /// `solver.method`.
+    Method(Vec<RowMethod>),
+}
+
+/// An axis.
+#[derive(Debug, Clone)]
+pub struct Axis {
+    /// What it changes.
+    pub setting: Setting,
+    /// Whether pictures show it on a logarithmic scale.
+    pub is_logarithmic: bool,
+}
+
+impl Axis {
+    /// An axis of a numeric key.
+    #[must_use]
+    pub fn of_number(key: &'static Key, values: Values) -> Self {
+        let is_logarithmic = matches!(values, Values::Logarithmic { .. });
+        Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
+    }
+
+    /// An axis of `solver.method`.
+    #[must_use]
+    pub fn of_methods(methods: Vec<RowMethod>) -> Self {
+        Self { setting: Setting::Method(methods), is_logarithmic: false }
+    }
+
+    /// The key, as in the file.
+    #[must_use]
+    pub fn path(&self) -> &'static str {
+        match &self.setting {
+            Setting::Number { key, .. } => key.path,
+            Setting::Method(_) => "solver.method",
+        }
+    }
+
+    /// Its column in the table, with its unit.
+    #[must_use]
+    pub fn column(&self) -> String {
+        match &self.setting {
+            Setting::Number { key, .. } => key.column(),
+            Setting::Method(_) => "solver_method".to_owned(),
+        }
+    }
+
+    /// How many values.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        match &self.setting {
+            Setting::Number { values, .. } => values.len(),
+            Setting::Method(methods) => methods.len() as u64,
+        }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether the contact (bodies and law) stays the same along it.
+    #[must_use]
+    pub fn keeps_contact(&self) -> bool {
+        keeps_contact(self.path())
+    }
+
+    /// Puts value `i` into a scene.
+    #[allow(clippy::cast_possible_truncation)] // a list of methods is short
+    pub fn put(&self, i: u64, scene: &mut Scene, method: &mut RowMethod) {
+        match &self.setting {
+            Setting::Number { key, values } => (key.set)(scene, values.at(i)),
+            Setting::Method(methods) => *method = methods[i as usize],
+        }
+    }
+
+    /// Value `i`; for a method its place in the list.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub fn number(&self, i: u64) -> f64 {
+        match &self.setting {
+            Setting::Number { values, .. } => values.at(i),
+            Setting::Method(_) => i as f64,
+        }
+    }
+}
+
+/// Whether a key leaves bodies and law alone.
+#[must_use]
+pub fn keeps_contact(path: &str) -> bool {
+    path == "impact.speed" || path.starts_with("solver.")
+}

@@ -1,0 +1,235 @@
+//! A sweep from plan to table: chunks of rows on all cores, appended in order while the next ones are computed.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Seek, SeekFrom, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::SweepError;
+use super::plan::{Evaluator, Plan, Rows};
+use super::shard::{Layout, Shard};
+use super::sidecar::{Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::table::{Format, TextTable, column_names};
+
+/// Rows a task computes and writes as text: large against the cost of a task, small against memory.
+pub const CHUNK: u64 = 4096;
+/// Tasks a thread before their texts are written.
+const CHUNKS_A_THREAD: u64 = 8;
+
+/// A sweep to be run.
+pub struct Job<'a> {
+    /// What is swept.
+    pub plan: &'a Plan,
+    /// Which part of it.
+    pub shard: Shard,
+    /// What is written.
+    pub format: Format,
+    /// Where.
+    pub directory: &'a Path,
+    /// Hash of the scenario, overrides and coefficients included.
+    pub scenario_sha256: &'a str,
+    /// Told now and then how far it is.
+    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// Set to stop after the rows at hand.
+    pub is_cancelled: &'a AtomicBool,
+}
+
+/// How far a sweep is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Rows written, those of an earlier run included.
+    pub rows: u64,
+    /// All rows of this shard.
+    pub total: u64,
+    /// Rows of an earlier run.
+    pub resumed: u64,
+}
+
+/// A finished table.
+#[derive(Debug, Clone)]
+pub struct Written {
+    /// The file.
+    pub table: PathBuf,
+    /// Rows, failures, distribution of e.
+    pub tally: Tally,
+    /// Rows that an earlier run had written.
+    pub resumed: u64,
+}
+
+/// The text of consecutive rows, and e of each.
+struct Chunk {
+    text: Vec<u8>,
+    restitution: Vec<Option<f64>>,
+}
+
+impl Job<'_> {
+    /// Runs it, or goes on where an earlier run stopped.
+    ///
+    /// # Errors
+    /// [`SweepError`]; what is written so far stays and can be resumed.
+    pub fn run(&self) -> Result<Written, SweepError> {
+        fs::create_dir_all(self.directory).map_err(SweepError::file("cannot be created", self.directory))?;
+        let table = self.directory.join(table_name(self.shard, self.format));
+        if self.format == Format::Parquet {
+            return self.run_parquet(&table);
+        }
+        let sidecar = self.sidecar();
+        let text = TextTable::new(self.plan, self.format);
+        let part = part_path(&table);
+        let mut tally = Tally::default();
+        let mut end = 0;
+        match Sidecar::read(&table)? {
+            Some(old) if old == sidecar => {
+                // a finished shard is kept, so that a scheduler may start it again
+                if !self.shard.is_whole() && table.exists() && !part.exists() {
+                    let (tally, _) = read_rows(&table, &text, &sidecar)?;
+                    if tally.rows == sidecar.layout().rows() {
+                        return Ok(Written { table, resumed: tally.rows, tally });
+                    }
+                }
+                if part.exists() {
+                    (tally, end) = read_rows(&part, &text, &sidecar)?;
+                }
+            }
+            Some(_) if part.exists() || (!self.shard.is_whole() && table.exists()) => {
+                let what = if part.exists() { "unfinished rows" } else { "a shard" };
+                return Err(SweepError::Changed { sidecar: sidecar_path(&table), table, what });
+            }
+            _ => {}
+        }
+        sidecar.write(&table)?;
+        let resumed = tally.rows;
+        let unwritable = SweepError::file("cannot be written", &part);
+        let mut file = open(&part, end).map_err(&unwritable)?;
+        if end == 0 {
+            file.write_all(&text.header()).map_err(&unwritable)?;
+        }
+        self.append(&mut file, &part, &text, &sidecar.layout(), &mut tally)?;
+        file.write_all(text.footer()).and_then(|()| file.sync_all()).map_err(&unwritable)?;
+        fs::rename(&part, &table).map_err(SweepError::file("cannot be renamed", &part))?;
+        if self.shard.is_whole() {
+            let path = sidecar_path(&table);
+            fs::remove_file(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        }
+        Ok(Written { table, tally, resumed })
+    }
+
+    fn total(&self) -> u64 {
+        // a plan of more than 2^63 cases is refused while the scenario is read
+        self.plan.count().unwrap_or(u64::MAX)
+    }
+
+    fn sidecar(&self) -> Sidecar {
+        let layout = Layout::new(self.total(), self.shard);
+        let names = column_names(self.plan);
+        Sidecar {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scenario_sha256: self.scenario_sha256.to_owned(),
+            format: self.format.name().to_owned(),
+            cases: layout.total,
+            block: layout.block,
+            shard: self.shard.index,
+            shards: self.shard.count,
+            restitution_column: names.iter().position(|name| name == "restitution").unwrap_or(0),
+            is_monte_carlo: self.plan.is_monte_carlo(),
+        }
+    }
+
+    /// Computes the rows after those of `tally` and appends them.
+    fn append(
+        &self,
+        file: &mut File,
+        part: &Path,
+        text: &TextTable,
+        layout: &Layout,
+        tally: &mut Tally,
+    ) -> Result<(), SweepError> {
+        let evaluator = Evaluator::new(self.plan);
+        let total = layout.rows();
+        let resumed = tally.rows;
+        let is_monte_carlo = self.plan.is_monte_carlo();
+        let mut next = tally.rows;
+        let mut ready: Vec<Chunk> = Vec::new();
+        // one chunk a thread first, so that the first rows are there at once
+        let mut group = rayon::current_num_threads() as u64 * CHUNK;
+        loop {
+            let end = if self.is_cancelled.load(Ordering::Relaxed) { next } else { total.min(next + group) };
+            let (written, computed) = rayon::join(
+                || ready.iter().try_for_each(|chunk| file.write_all(&chunk.text)),
+                || chunks(&evaluator, text, layout, next..end),
+            );
+            written.map_err(SweepError::file("cannot be written (free space, then the same command goes on)", part))?;
+            for restitution in ready.iter().flat_map(|chunk| &chunk.restitution) {
+                tally.push(*restitution, is_monte_carlo);
+            }
+            (self.progress)(Progress { rows: tally.rows, total, resumed });
+            if computed.is_empty() {
+                break;
+            }
+            (ready, next) = (computed, end);
+            group = rayon::current_num_threads() as u64 * CHUNKS_A_THREAD * CHUNK;
+        }
+        if tally.rows < total {
+            return Err(SweepError::Interrupted { rows: tally.rows, total, part: part.to_owned() });
+        }
+        Ok(())
+    }
+
+    #[cfg(feature = "parquet")]
+    fn run_parquet(&self, table: &Path) -> Result<Written, SweepError> {
+        if !self.shard.is_whole() {
+            return Err(SweepError::Unsupported(
+                "shards are written as csv or json; Parquet files are neither resumed nor merged",
+            ));
+        }
+        let tally = super::parquet::write(self, table, self.total())?;
+        Ok(Written { table: table.to_owned(), tally, resumed: 0 })
+    }
+
+    #[cfg(not(feature = "parquet"))]
+    #[allow(clippy::unused_self)] // has the form of its other half
+    fn run_parquet(&self, _table: &Path) -> Result<Written, SweepError> {
+        Err(SweepError::Unsupported(
+            "this build writes csv and json; for Parquet build with `cargo build --release --features parquet`",
+        ))
+    }
+}
+
+/// Opens the unfinished table to append at `end`; what is behind is a torn line.
+fn open(part: &Path, end: u64) -> io::Result<File> {
+    let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(part)?;
+    file.set_len(end)?;
+    file.seek(SeekFrom::Start(end))?;
+    Ok(file)
+}
+
+/// The rows of this range as text, in chunks.
+fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<u64>) -> Vec<Chunk> {
+    let starts: Vec<u64> = rows.clone().step_by(usize::try_from(CHUNK).unwrap_or(usize::MAX)).collect();
+    starts
+        .into_par_iter()
+        .map(|start| {
+            let end = rows.end.min(start + CHUNK);
+            let computed = compute(evaluator, layout, start..end);
+            // numbers take up to 24 characters
+            let mut lines = Vec::with_capacity(computed.cases.len() * 192);
+            text.write(&computed, end == layout.rows(), &mut lines);
+            let restitution =
+                computed.results.iter().map(|result| result.as_ref().ok().map(|row| row.restitution)).collect();
+            Chunk { text: lines, restitution }
+        })
+        .collect()
+}
+
+/// The rows of this range as numbers.
+#[must_use]
+pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>) -> Rows {
+    let mut computed = Rows::default();
+    for cases in layout.cases(rows) {
+        evaluator.rows(cases, &mut computed);
+    }
+    computed
+}

@@ -1,0 +1,137 @@
+//! Shards to one table, byte for byte that of the undivided run.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::SweepError;
+use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
+use super::table::read_line;
+
+const SIDECAR: &str = ".sidecar.json";
+
+/// A merged table.
+#[derive(Debug, Clone)]
+pub struct Merged {
+    /// What the shards say of themselves.
+    pub sidecar: Sidecar,
+    /// Rows, failures, distribution of e.
+    pub tally: Tally,
+}
+
+/// The tables of shards in `inputs`: files, or directories of them.
+fn tables(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, SweepError> {
+    let mut tables = Vec::new();
+    for input in inputs {
+        let failed = SweepError::file("cannot be read", input);
+        if !input.is_dir() {
+            tables.push(input.clone());
+            continue;
+        }
+        for entry in fs::read_dir(input).map_err(&failed)? {
+            let path = entry.map_err(&failed)?.path();
+            let name = path.file_name().and_then(|name| name.to_str());
+            if let Some(table) = name.and_then(|name| name.strip_suffix(SIDECAR)) {
+                tables.push(path.with_file_name(table));
+            }
+        }
+    }
+    tables.sort();
+    Ok(tables)
+}
+
+/// The shards by their number, if they make one table.
+fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
+    let mut problems = Vec::new();
+    let mut first: Option<(Sidecar, &Path)> = None;
+    let mut shards: BTreeMap<u64, &PathBuf> = BTreeMap::new();
+    for table in tables {
+        let name = table.display();
+        let Some(sidecar) = Sidecar::read(table)? else {
+            problems.push(format!("{name}: foreign: it has no sidecar {}", sidecar_path(table).display()));
+            continue;
+        };
+        let (reference, reference_name) = first.get_or_insert_with(|| (sidecar.clone(), table));
+        let like = Sidecar { shard: reference.shard, ..sidecar.clone() };
+        if like != *reference {
+            let which = [
+                (sidecar.version != reference.version, "version"),
+                (sidecar.scenario_sha256 != reference.scenario_sha256, "scenario"),
+                (sidecar.format != reference.format, "format"),
+                (sidecar.shards != reference.shards, "number of shards"),
+            ];
+            let which = which.iter().find(|(differs, _)| *differs).map_or("division", |(_, which)| which);
+            problems.push(format!("{name}: foreign: its {which} is not that of {}", reference_name.display()));
+            continue;
+        }
+        if let Some(other) = shards.insert(sidecar.shard, table) {
+            problems.push(format!("{name}: double: shard {} is in {} too", sidecar.shard, other.display()));
+        }
+        if !table.exists() {
+            let part = part_path(table);
+            let why = if part.exists() { "unfinished: run its command again" } else { "missing: run its command" };
+            problems.push(format!("{name}: {why}"));
+        }
+    }
+    let Some((reference, _)) = first else {
+        problems.push("no shards (tables with a sidecar) are there".to_owned());
+        return Err(SweepError::Shards(problems));
+    };
+    let missing: Vec<String> =
+        (0..reference.shards).filter(|shard| !shards.contains_key(shard)).map(|shard| shard.to_string()).collect();
+    if !missing.is_empty() {
+        problems.push(format!("missing: shard {} of {}", missing.join(", "), reference.shards));
+    }
+    if problems.is_empty() {
+        Ok((reference, shards.into_values().cloned().collect()))
+    } else {
+        Err(SweepError::Shards(problems))
+    }
+}
+
+/// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
+///
+/// # Errors
+/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard; file errors.
+pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
+    let (sidecar, shards) = complete(&tables(inputs)?)?;
+    let mut readers = Vec::new();
+    for table in &shards {
+        let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
+        readers.push((BufReader::with_capacity(1 << 20, file), table));
+    }
+    let part = part_path(out);
+    let unwritable = SweepError::file("cannot be written", &part);
+    let mut writer = BufWriter::with_capacity(1 << 20, File::create(&part).map_err(&unwritable)?);
+    let (mut line, mut header) = (Vec::new(), Vec::new());
+    for (reader, table) in &mut readers {
+        header.clear();
+        reader.read_until(b'\n', &mut header).map_err(SweepError::file("cannot be read", table))?;
+    }
+    writer.write_all(&header).map_err(&unwritable)?;
+    let is_json = sidecar.format == "json";
+    let mut tally = Tally::default();
+    while tally.rows < sidecar.cases {
+        let shard = usize::try_from(tally.rows / sidecar.block % sidecar.shards).unwrap_or(usize::MAX);
+        let (reader, table) = &mut readers[shard];
+        line.clear();
+        reader.read_until(b'\n', &mut line).map_err(SweepError::file("cannot be read", table))?;
+        let body = line.strip_suffix(b"\n").unwrap_or(&line);
+        let body = body.strip_suffix(b",").unwrap_or(body);
+        let row = read_line(body, sidecar.restitution_column).filter(|row| row.case == tally.rows).ok_or_else(|| {
+            let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
+            SweepError::Damaged { path: table.to_path_buf(), problem }
+        })?;
+        tally.push(row.restitution, sidecar.is_monte_carlo);
+        let end: &[u8] = if is_json && tally.rows < sidecar.cases { b",\n" } else { b"\n" };
+        writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;
+    }
+    if is_json {
+        writer.write_all(b"]\n").map_err(&unwritable)?;
+    }
+    let file = writer.into_inner().map_err(|error| unwritable(error.into_error()))?;
+    file.sync_all().map_err(&unwritable)?;
+    fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
+    Ok(Merged { sidecar, tally })
+}

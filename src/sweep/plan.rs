@@ -1,0 +1,281 @@
+//! Which cases a sweep has, and the rows they come to.
+
+use std::ops::Range;
+
+use super::axis::{Axis, RowMethod, Setting, keeps_contact};
+use super::random::{Draws, Variable};
+use crate::impact::{Contact, Essentials, ImpactError, Solver};
+use crate::integrate::IntegrationError;
+use crate::material::OutOfFloatRange;
+use crate::scenario::Scene;
+
+/// Where the cases come from.
+#[derive(Debug, Clone)]
+pub enum Cases {
+    /// All combinations of the axes; the first varies slowest.
+    Grid(Vec<Axis>),
+    /// Random samples.
+    MonteCarlo {
+        /// How many.
+        samples: u64,
+        /// Which.
+        seed: u64,
+        /// Of what.
+        variables: Vec<Variable>,
+    },
+}
+
+/// A sweep: a scene and what is changed in it.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The scene with the first value of every axis.
+    pub scene: Scene,
+    /// How a row is computed where no axis says otherwise.
+    pub method: RowMethod,
+    /// The cases.
+    pub cases: Cases,
+}
+
+/// Why a row has no numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Failure {
+    /// A quantity outside double precision.
+    OutOfFloatRange,
+    /// The integrator's step underflowed.
+    StepUnderflow,
+    /// The integrator ran out of steps.
+    TooManySteps,
+    /// The state was not finite.
+    NotFinite,
+}
+
+impl Failure {
+    /// As in the column `status`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::OutOfFloatRange => "out_of_float_range",
+            Self::StepUnderflow => "step_underflow",
+            Self::TooManySteps => "too_many_steps",
+            Self::NotFinite => "not_finite",
+        }
+    }
+}
+
+impl From<OutOfFloatRange> for Failure {
+    fn from(_: OutOfFloatRange) -> Self {
+        Self::OutOfFloatRange
+    }
+}
+
+impl From<ImpactError> for Failure {
+    fn from(error: ImpactError) -> Self {
+        match error {
+            ImpactError::Range(_) => Self::OutOfFloatRange,
+            ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
+            ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
+            ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
+        }
+    }
+}
+
+/// The rows of consecutive cases.
+#[derive(Debug, Clone, Default)]
+pub struct Rows {
+    /// Case numbers.
+    pub cases: Vec<u64>,
+    /// Swept values, case after case; on a grid, the place of each value on its axis instead.
+    pub swept: Vec<f64>,
+    /// What each case came to.
+    pub results: Vec<Result<Essentials, Failure>>,
+}
+
+impl Plan {
+    /// How many cases; `None` if more than 2⁶³.
+    #[must_use]
+    pub fn count(&self) -> Option<u64> {
+        match &self.cases {
+            Cases::Grid(axes) => axes
+                .iter()
+                .try_fold(1u64, |product, axis| product.checked_mul(axis.len()))
+                .filter(|count| *count <= 1 << 63),
+            Cases::MonteCarlo { samples, .. } => Some(*samples),
+        }
+    }
+
+    /// The columns of the swept values.
+    #[must_use]
+    pub fn columns(&self) -> Vec<String> {
+        match &self.cases {
+            Cases::Grid(axes) => axes.iter().map(Axis::column).collect(),
+            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.column()).collect(),
+        }
+    }
+
+    /// Whether the half-space can yield: without, nothing plastic is reported.
+    #[must_use]
+    pub fn is_plastic(&self) -> bool {
+        self.scene.half_space.yield_strength.is_some()
+    }
+
+    /// Whether values are random.
+    #[must_use]
+    pub fn is_monte_carlo(&self) -> bool {
+        matches!(self.cases, Cases::MonteCarlo { .. })
+    }
+}
+
+/// A plan with what its rows share computed once.
+#[derive(Debug)]
+pub struct Evaluator<'a> {
+    plan: &'a Plan,
+    /// The contact of every combination of the axes that change it, where these are few.
+    contacts: Vec<Result<Contact, OutOfFloatRange>>,
+    /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
+    strides: Vec<u64>,
+}
+
+impl<'a> Evaluator<'a> {
+    /// Pairs the bodies of every combination, if there are at most 10⁴ (about 1 kB each).
+    #[must_use]
+    pub fn new(plan: &'a Plan) -> Self {
+        const MOST_CONTACTS: u64 = 10_000;
+        let (mut strides, mut combinations) = (Vec::new(), Some(1u64));
+        match &plan.cases {
+            Cases::Grid(axes) => {
+                for axis in axes {
+                    let is_fixed = axis.keeps_contact();
+                    strides.push(if is_fixed { 0 } else { combinations.unwrap_or(0) });
+                    let factor = if is_fixed { 1 } else { axis.len() };
+                    combinations = combinations.and_then(|product| product.checked_mul(factor));
+                }
+            }
+            Cases::MonteCarlo { variables, .. } => {
+                if variables.iter().any(|variable| !keeps_contact(variable.key.path)) {
+                    combinations = None;
+                }
+            }
+        }
+        let mut evaluator = Self { plan, contacts: Vec::new(), strides };
+        if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
+            evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
+        }
+        evaluator
+    }
+
+    /// The contact of one combination.
+    fn combination(&self, index: u64) -> Result<Contact, OutOfFloatRange> {
+        let mut scene = self.plan.scene.clone();
+        let mut method = self.plan.method;
+        if let Cases::Grid(axes) = &self.plan.cases {
+            for (axis, stride) in axes.iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
+                axis.put(index / stride % axis.len(), &mut scene, &mut method);
+            }
+        }
+        scene.contact()
+    }
+
+    /// Appends the rows of `cases`.
+    pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
+        rows.cases.extend(cases.clone());
+        match &self.plan.cases {
+            Cases::Grid(axes) => self.grid(axes, cases, rows),
+            Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
+        }
+    }
+
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
+    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
+        let mut places = places(axes, cases.start);
+        let mut scene = self.plan.scene.clone();
+        let mut method = self.plan.method;
+        for (axis, place) in axes.iter().zip(&places) {
+            axis.put(*place, &mut scene, &mut method);
+        }
+        let mut last: Option<Result<Contact, OutOfFloatRange>> = None;
+        for _ in cases {
+            let contact = if self.contacts.is_empty() {
+                last.get_or_insert_with(|| scene.contact())
+            } else {
+                let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
+                &self.contacts[index as usize]
+            };
+            rows.results.push(evaluate(contact, scene.speed, method, scene.solver));
+            rows.swept.extend(places.iter().map(|place| *place as f64));
+            // the next combination: the last axis moves, and each before it where the one behind starts over
+            for (axis, place) in axes.iter().zip(&mut places).rev() {
+                *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
+                axis.put(*place, &mut scene, &mut method);
+                if !axis.keeps_contact() {
+                    last = None;
+                }
+                if *place > 0 {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
+        let mut draws: Vec<Draws> = (0..)
+            .zip(variables)
+            .map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start))
+            .collect();
+        let mut scene = self.plan.scene.clone();
+        for _ in cases {
+            for draw in &mut draws {
+                let value = draw.next_value();
+                (draw.key().set)(&mut scene, value);
+                rows.swept.push(value);
+            }
+            let result = match self.contacts.first() {
+                Some(contact) => evaluate(contact, scene.speed, self.plan.method, scene.solver),
+                None => evaluate(&scene.contact(), scene.speed, self.plan.method, scene.solver),
+            };
+            rows.results.push(result);
+        }
+    }
+}
+
+/// Where on each axis a case lies.
+#[must_use]
+pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
+    let mut rest = case;
+    let mut places: Vec<u64> = axes
+        .iter()
+        .rev()
+        .map(|axis| {
+            let place = rest % axis.len();
+            rest /= axis.len();
+            place
+        })
+        .collect();
+    places.reverse();
+    places
+}
+
+fn evaluate(
+    contact: &Result<Contact, OutOfFloatRange>,
+    speed: f64,
+    method: RowMethod,
+    solver: Solver,
+) -> Result<Essentials, Failure> {
+    let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
+    match method {
+        RowMethod::ClosedForm => Ok(contact.essentials(speed)?),
+        RowMethod::Integrate(method) => {
+            let impact = contact.impact(speed, &Solver { method, ..solver }, None)?;
+            Ok(Essentials::from(&impact))
+        }
+    }
+}
+
+/// Text of a swept value for pictures and messages.
+#[must_use]
+pub fn label(axis: &Axis, place: u64) -> String {
+    match &axis.setting {
+        Setting::Number { key, values } => crate::units::human(values.at(place), key.quantity.dimension),
+        #[allow(clippy::cast_possible_truncation)] // a list of methods is short
+        Setting::Method(methods) => methods[place as usize].name().to_owned(),
+    }
+}

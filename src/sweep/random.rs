@@ -1,0 +1,153 @@
+//! Random values that depend on seed, variable and case number alone: whoever draws sample k, on whichever thread or
+//! machine, draws the same.
+//!
+//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k; the
+//! distribution is its inverse. A distribution is truncated at the key's allowed range, by cutting the uniform number's
+//! interval: no draw is thrown away, so that the count of words stays the case number.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use statrs::function::erf::{erfc, erfc_inv};
+
+use crate::scenario::Key;
+
+/// A distribution of a key's values, in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Distribution {
+    /// Even between two ends.
+    Uniform {
+        /// One end.
+        from: f64,
+        /// The other.
+        to: f64,
+    },
+    /// Gauss.
+    Normal {
+        /// Mean before truncation.
+        mean: f64,
+        /// Standard deviation before truncation, > 0.
+        sd: f64,
+    },
+    /// Its logarithm is normal.
+    Lognormal {
+        /// Mean of the value itself, > 0.
+        mean: f64,
+        /// Standard deviation of the value itself, > 0.
+        sd: f64,
+    },
+}
+
+/// A key with random values.
+#[derive(Debug, Clone)]
+pub struct Variable {
+    /// Which key.
+    pub key: &'static Key,
+    /// Its distribution before truncation.
+    pub distribution: Distribution,
+    /// The allowed range it is cut to.
+    range: (f64, f64),
+    /// The part of (0, 1) that falls into the range.
+    share: (f64, f64),
+}
+
+impl Variable {
+    /// The variable, cut to `range` (the ends may be infinite).
+    #[must_use]
+    pub fn new(key: &'static Key, distribution: Distribution, range: (f64, f64)) -> Self {
+        let share = (distribution.below(range.0), distribution.below(range.1));
+        Self { key, distribution, range, share }
+    }
+
+    /// How much of the distribution lies in the allowed range.
+    #[must_use]
+    pub fn kept(&self) -> f64 {
+        self.share.1 - self.share.0
+    }
+
+    /// The value at the uniform number `u` in (0, 1).
+    fn value(&self, u: f64) -> f64 {
+        let (low, high) = self.share;
+        let value = self.distribution.quantile(low + u * (high - low));
+        // rounding at the very ends of an open range
+        value.clamp(self.range.0.next_up(), self.range.1.next_down())
+    }
+}
+
+impl Distribution {
+    /// Standard deviation and mean of the logarithm of a lognormal.
+    fn logarithmic(mean: f64, sd: f64) -> (f64, f64) {
+        let variance = (sd / mean).powi(2).ln_1p();
+        (variance.sqrt(), mean.ln() - 0.5 * variance)
+    }
+
+    /// Probability of a value below x.
+    fn below(&self, x: f64) -> f64 {
+        match *self {
+            Self::Uniform { from, to } => {
+                if from == to { f64::from(u8::from(x > from)) } else { ((x - from) / (to - from)).clamp(0.0, 1.0) }
+            }
+            Self::Normal { mean, sd } => normal_below((x - mean) / sd),
+            Self::Lognormal { .. } if x <= 0.0 => 0.0,
+            Self::Lognormal { mean, sd } => {
+                let (sigma, mu) = Self::logarithmic(mean, sd);
+                normal_below((x.ln() - mu) / sigma)
+            }
+        }
+    }
+
+    /// The value that a share p lies below.
+    fn quantile(&self, p: f64) -> f64 {
+        match *self {
+            Self::Uniform { from, to } => from + p * (to - from),
+            Self::Normal { mean, sd } => mean + sd * normal_quantile(p),
+            Self::Lognormal { mean, sd } => {
+                let (sigma, mu) = Self::logarithmic(mean, sd);
+                (mu + sigma * normal_quantile(p)).exp()
+            }
+        }
+    }
+}
+
+/// Φ(z).
+fn normal_below(z: f64) -> f64 {
+    0.5 * erfc(-z * std::f64::consts::FRAC_1_SQRT_2)
+}
+
+/// Φ⁻¹(p).
+fn normal_quantile(p: f64) -> f64 {
+    -std::f64::consts::SQRT_2 * erfc_inv(2.0 * p)
+}
+
+/// Draws the values of consecutive cases of one variable.
+#[derive(Debug)]
+pub struct Draws<'a> {
+    variable: &'a Variable,
+    generator: ChaCha8Rng,
+}
+
+impl<'a> Draws<'a> {
+    /// From case `first` on; `stream` is the place of the variable in the file.
+    #[must_use]
+    pub fn new(variable: &'a Variable, seed: u64, stream: u64, first: u64) -> Self {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        generator.set_stream(stream);
+        // a 64-bit number is two words
+        generator.set_word_pos(2 * u128::from(first));
+        Self { variable, generator }
+    }
+
+    /// The key the values are of.
+    #[must_use]
+    pub fn key(&self) -> &'static Key {
+        self.variable.key
+    }
+
+    /// The value of the next case.
+    #[allow(clippy::cast_precision_loss)] // 53 bits
+    pub fn next_value(&mut self) -> f64 {
+        const STEP: f64 = 1.0 / (1u64 << 53) as f64;
+        // the middle of one of 2^53 equal steps: never 0, never 1
+        let u = ((self.generator.next_u64() >> 11) as f64 + 0.5) * STEP;
+        self.variable.value(u)
+    }
+}

@@ -1,0 +1,74 @@
+//! How many rows a second this machine computes and writes.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::driver::{CHUNK, Job, compute};
+use super::plan::{Evaluator, Plan};
+use super::shard::{Layout, Shard};
+use super::table::Format;
+use super::SweepError;
+
+/// Rows a second, each the best of the rounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throughput {
+    /// Computing e, contact time, peak and dent, nothing written.
+    pub compute: f64,
+    /// From plan to CSV file.
+    pub csv: f64,
+    /// From plan to Parquet file; `None` in a build without.
+    pub parquet: Option<f64>,
+}
+
+/// Measures a plan, writing its tables into `directory`.
+///
+/// # Errors
+/// [`SweepError`] if a table cannot be written.
+pub fn throughput(plan: &Plan, directory: &Path, rounds: u32) -> Result<Throughput, SweepError> {
+    let mut best = Throughput { compute: 0.0, csv: 0.0, parquet: None };
+    for _ in 0..rounds {
+        best.compute = best.compute.max(compute_rate(plan));
+        best.csv = best.csv.max(write_rate(plan, directory, Format::Csv)?);
+        if cfg!(feature = "parquet") {
+            let rate = write_rate(plan, directory, Format::Parquet)?;
+            best.parquet = Some(best.parquet.map_or(rate, |other| other.max(rate)));
+        }
+    }
+    Ok(best)
+}
+
+#[allow(clippy::cast_precision_loss)]
+pub fn compute_rate(plan: &Plan) -> f64 {
+    let total = plan.count().unwrap_or(0);
+    let started = Instant::now();
+    let layout = Layout::new(total, Shard::WHOLE);
+    let evaluator = Evaluator::new(plan);
+    let sum: f64 = (0..total.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|chunk| {
+            let rows = compute(&evaluator, &layout, chunk * CHUNK..total.min((chunk + 1) * CHUNK));
+            rows.results.iter().flatten().map(|row| row.restitution).sum::<f64>()
+        })
+        .sum();
+    std::hint::black_box(sum);
+    total as f64 / started.elapsed().as_secs_f64()
+}
+
+#[allow(clippy::cast_precision_loss)]
+pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, SweepError> {
+    let started = Instant::now();
+    let job = Job {
+        plan,
+        shard: Shard::WHOLE,
+        format,
+        directory,
+        scenario_sha256: "throughput",
+        progress: &|_| (),
+        is_cancelled: &AtomicBool::new(false),
+    };
+    let written = job.run()?;
+    Ok(written.tally.rows as f64 / started.elapsed().as_secs_f64())
+}
