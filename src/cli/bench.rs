@@ -6,7 +6,6 @@ use std::time::Duration;
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::bench::{hard_cases, measure, problems, report};
-use plm_impact::error::Error;
 use plm_impact::output::{OutputDirectory, OutputFile};
 
 /// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
@@ -25,12 +24,12 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
-    for problem in problems::problems().map_err(Error::from)? {
+    for problem in problems::problems().context("problems")? {
         eprintln!("measuring {}: {}", problem.name, problem.about);
         let measurements = measure::measure(&problem, arguments.quick, rounds, burst);
         all.push((problem, measurements));
     }
-    let cases = hard_cases::hard_cases().map_err(Error::from)?;
+    let cases = hard_cases::hard_cases().context("hard cases")?;
     let text = format!(
         "# Speed against error\n\n## Time of one impact in µs to reach an error (and how many times slower ode_solvers' Dop853 is)\n\n{}\n\
          ## Ratios\n\n{}\n## Steps per contact that velocity Verlet needs\n\n{}\n\
