@@ -75,10 +75,7 @@ impl Law {
             ElasticApproach::All => x,
             _ if x <= 1.0 => x,
             ElasticApproach::Line(line) => line.at(force).min(x),
-            ElasticApproach::FixedStiffness(stiffness) => {
-                let root = (force / stiffness).cbrt();
-                (root * root).min(x)
-            }
+            ElasticApproach::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
         }
     }
 
