@@ -2,7 +2,9 @@
 
 mod bench;
 mod check;
+mod merge;
 mod run;
+mod sweep;
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -12,7 +14,7 @@ use plm_impact::scenario::{Scenario, ScenarioError};
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong.
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 130 interrupted (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
@@ -25,6 +27,7 @@ enum Command {
     Bench(bench::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
+    Merge(merge::Arguments),
 }
 
 /// A scenario and what the command line changes in it.
@@ -53,6 +56,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Bench(arguments) => bench::bench(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Merge(arguments) => merge::merge(&arguments),
     }
 }
 

@@ -8,6 +8,8 @@ use crate::impact::ImpactError;
 use crate::plot::PlotError;
 use crate::report::ReportError;
 use crate::scenario::{Scenario, ScenarioError};
+use crate::sweep::SweepError;
+use crate::sweep::shard::ShardError;
 
 /// Why a command did not do its job. The texts say what, where, the value, and the way out.
 #[derive(Debug, Error)]
@@ -37,6 +39,25 @@ pub enum Error {
         /// Why.
         reason: std::io::Error,
     },
+    /// A sweep or a merge did not finish.
+    #[error(transparent)]
+    Sweep(#[from] SweepError),
+    /// A shard that does not exist.
+    #[error("--shard: {0}")]
+    Shard(#[from] ShardError),
+    /// An option that this scenario has no use for.
+    #[error("{0}")]
+    Option(String),
+    /// A table with rows that have no result.
+    #[error("{failures} of {rows} cases have no result: see the column status of {}", .table.display())]
+    FailedCases {
+        /// Rows without a result.
+        failures: u64,
+        /// All rows.
+        rows: u64,
+        /// The table.
+        table: PathBuf,
+    },
     /// Warnings under `--strict`.
     #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
     Strict {
@@ -58,10 +79,12 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            Self::Sweep(error) => error.exit_code(),
+            Self::Shard(_) | Self::Option(_) | Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
             Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)
+            | Self::FailedCases { .. }
             | Self::Strict { .. } => 1,
         }
     }

@@ -28,6 +28,7 @@ pub mod keys;
 pub mod overview;
 mod place;
 pub mod quantity;
+pub mod sweep;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -157,7 +158,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, impact, law, solver, output } = &self.file;
+        let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
         let defaults = Solver::default();
         let sphere = Sphere {

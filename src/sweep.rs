@@ -9,6 +9,7 @@ pub mod driver;
 pub mod merge;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub mod pictures;
 pub mod plan;
 pub mod random;
 pub mod shard;

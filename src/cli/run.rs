@@ -23,12 +23,19 @@ pub struct Arguments {
     /// Neither table nor progress; warnings and errors only
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    sweep: super::sweep::Options,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.scenario.scenario));
+    let plan = scenario.plan().map_err(Error::from)?;
     let directory = OutputDirectory::prepare(&directory)?;
+    if let Some(plan) = plan {
+        return super::sweep::run(&arguments.sweep, &scenario, &plan, directory, &command_line(), arguments.quiet);
+    }
+    arguments.sweep.refuse_for_one_impact()?;
     let out = directory.path().to_owned();
     let run = plm_impact::run::run(&scenario, &command_line())?;
     for warning in &run.impact.warnings {
@@ -48,7 +55,7 @@ fn default_directory(scenario: &Path) -> PathBuf {
 }
 
 /// As typed, but for the program's directory, which says nothing about the run.
-fn command_line() -> String {
+pub fn command_line() -> String {
     let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
     std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
 }

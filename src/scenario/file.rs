@@ -8,6 +8,7 @@ use super::quantity::{
     Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
     Tolerance,
 };
+use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -27,6 +28,10 @@ pub struct ScenarioFile {
     /// What to write.
     #[serde(default)]
     pub output: OutputTable,
+    /// Many cases on axes, or
+    pub sweep: Option<SweepTable>,
+    /// many random ones.
+    pub monte_carlo: Option<MonteCarloTable>,
 }
 
 /// `[sphere]`

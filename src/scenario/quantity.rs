@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use serde::de::{Deserialize, Deserializer, Error, Visitor};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, Visitor};
 use thiserror::Error;
 
 use crate::impact::Method;
@@ -144,6 +144,14 @@ impl Quantity {
         })
     }
 
+    /// The ends of the allowed range.
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        let (Bound::Open(low) | Bound::Closed(low)) = self.low;
+        let (Bound::Open(high) | Bound::Closed(high)) = self.high;
+        (low, high)
+    }
+
     /// The allowed range in words: "> 0 m and finite".
     #[must_use]
     pub fn allowed(&self) -> String {
@@ -166,7 +174,15 @@ impl Quantity {
 }
 
 /// Reads a number in SI or a text with a unit.
-struct Reader<'a>(&'a Quantity);
+pub(super) struct Reader<'a>(pub(super) &'a Quantity);
+
+impl<'de> DeserializeSeed<'de> for Reader<'_> {
+    type Value = f64;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f64, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
 
 impl Visitor<'_> for Reader<'_> {
     type Value = f64;

@@ -6,35 +6,6 @@ use crate::scenario::{Key, Scene};
 /// Axes of up to this many points are tabulated, and their texts rendered once.
 const TABULATED: u64 = 65_536;
 
-/// How a row is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RowMethod {
-    /// Energy balance and exact times: what `auto` means for a conservative scene.
-    ClosedForm,
-    /// Stepped.
-    Integrate(Method),
-}
-
-impl RowMethod {
-    /// The method of that name: `auto`, `closed_form`, or an integrator's.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        match name {
-            "auto" | "closed_form" => Some(Self::ClosedForm),
-            _ => Method::from_name(name).map(Self::Integrate),
-        }
-    }
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ClosedForm => "closed_form",
-            Self::Integrate(method) => method.name(),
-        }
-    }
-}
-
 /// The numbers an axis runs through, in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
@@ -109,7 +80,7 @@ pub enum Setting {
         values: Values,
     },
     /// `solver.method`.
-    Method(Vec<RowMethod>),
+    Method(Vec<Method>),
 }
 
 /// An axis.
@@ -131,7 +102,7 @@ impl Axis {
 
     /// An axis of `solver.method`.
     #[must_use]
-    pub fn of_methods(methods: Vec<RowMethod>) -> Self {
+    pub fn of_methods(methods: Vec<Method>) -> Self {
         Self { setting: Setting::Method(methods), is_logarithmic: false }
     }
 
@@ -176,10 +147,10 @@ impl Axis {
 
     /// Puts value `i` into a scene.
     #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-    pub fn put(&self, i: u64, scene: &mut Scene, method: &mut RowMethod) {
+    pub fn put(&self, i: u64, scene: &mut Scene) {
         match &self.setting {
             Setting::Number { key, values } => (key.set)(scene, values.at(i)),
-            Setting::Method(methods) => *method = methods[i as usize],
+            Setting::Method(methods) => scene.solver.method = methods[i as usize],
         }
     }
 

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::axis::{Axis, RowMethod, Setting, keeps_contact};
+use super::axis::{Axis, Setting, keeps_contact};
 use super::random::{Draws, Variable};
-use crate::impact::{Contact, Essentials, ImpactError, Solver};
+use crate::impact::{Contact, Essentials, ImpactError, Method, Solver};
 use crate::integrate::IntegrationError;
 use crate::material::OutOfFloatRange;
 use crate::scenario::Scene;
@@ -30,8 +30,6 @@ pub enum Cases {
 pub struct Plan {
     /// The scene with the first value of every axis.
     pub scene: Scene,
-    /// How a row is computed where no axis says otherwise.
-    pub method: RowMethod,
     /// The cases.
     pub cases: Cases,
 }
@@ -112,6 +110,47 @@ impl Plan {
         }
     }
 
+    /// The keys that vary.
+    #[must_use]
+    pub fn paths(&self) -> Vec<&'static str> {
+        match &self.cases {
+            Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
+            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
+        }
+    }
+
+    /// A key that varies without any effect on the table, and why.
+    #[must_use]
+    pub fn unused(&self) -> Option<(&'static str, &'static str)> {
+        let paths = self.paths();
+        let varies = |path: &str| paths.contains(&path);
+        let scene = &self.scene;
+        let is_stepped = match &self.cases {
+            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
+                Setting::Method(methods) => Some(methods.iter().any(|method| method_is_stepped(*method))),
+                Setting::Number { .. } => None,
+            }),
+            Cases::MonteCarlo { .. } => None,
+        };
+        let is_stepped = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
+        let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
+        paths.iter().copied().find_map(|path| {
+            let problem = match path {
+                "sphere.diameter" if varies("sphere.radius") => "changes the same as \"sphere.radius\"; keep one of the two",
+                "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
+                "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
+                "law.plm.unloading_exponent" if !self.is_plastic() => {
+                    "is not used: without half_space.yield_strength the contact stays elastic"
+                }
+                path if path.starts_with("solver.") && path != "solver.method" && !is_stepped => {
+                    "is not used: the closed form takes no steps; give solver.method too"
+                }
+                _ => return None,
+            };
+            Some((path, problem))
+        })
+    }
+
     /// Whether the half-space can yield: without, nothing plastic is reported.
     #[must_use]
     pub fn is_plastic(&self) -> bool {
@@ -166,10 +205,9 @@ impl<'a> Evaluator<'a> {
     /// The contact of one combination.
     fn combination(&self, index: u64) -> Result<Contact, OutOfFloatRange> {
         let mut scene = self.plan.scene.clone();
-        let mut method = self.plan.method;
         if let Cases::Grid(axes) = &self.plan.cases {
             for (axis, stride) in axes.iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
-                axis.put(index / stride % axis.len(), &mut scene, &mut method);
+                axis.put(index / stride % axis.len(), &mut scene);
             }
         }
         scene.contact()
@@ -188,9 +226,8 @@ impl<'a> Evaluator<'a> {
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
         let mut scene = self.plan.scene.clone();
-        let mut method = self.plan.method;
         for (axis, place) in axes.iter().zip(&places) {
-            axis.put(*place, &mut scene, &mut method);
+            axis.put(*place, &mut scene);
         }
         let mut last: Option<Result<Contact, OutOfFloatRange>> = None;
         for _ in cases {
@@ -200,12 +237,12 @@ impl<'a> Evaluator<'a> {
                 let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
                 &self.contacts[index as usize]
             };
-            rows.results.push(evaluate(contact, scene.speed, method, scene.solver));
+            rows.results.push(evaluate(contact, scene.speed, &scene.solver));
             rows.swept.extend(places.iter().map(|place| *place as f64));
             // the next combination: the last axis moves, and each before it where the one behind starts over
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
-                axis.put(*place, &mut scene, &mut method);
+                axis.put(*place, &mut scene);
                 if !axis.keeps_contact() {
                     last = None;
                 }
@@ -229,12 +266,17 @@ impl<'a> Evaluator<'a> {
                 rows.swept.push(value);
             }
             let result = match self.contacts.first() {
-                Some(contact) => evaluate(contact, scene.speed, self.plan.method, scene.solver),
-                None => evaluate(&scene.contact(), scene.speed, self.plan.method, scene.solver),
+                Some(contact) => evaluate(contact, scene.speed, &scene.solver),
+                None => evaluate(&scene.contact(), scene.speed, &scene.solver),
             };
             rows.results.push(result);
         }
     }
+}
+
+/// Whether rows of that method are integrated.
+fn method_is_stepped(method: Method) -> bool {
+    !matches!(method, Method::Auto | Method::ClosedForm)
 }
 
 /// Where on each axis a case lies.
@@ -257,16 +299,13 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
 fn evaluate(
     contact: &Result<Contact, OutOfFloatRange>,
     speed: f64,
-    method: RowMethod,
-    solver: Solver,
+    solver: &Solver,
 ) -> Result<Essentials, Failure> {
     let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
-    match method {
-        RowMethod::ClosedForm => Ok(contact.essentials(speed)?),
-        RowMethod::Integrate(method) => {
-            let impact = contact.impact(speed, &Solver { method, ..solver }, None)?;
-            Ok(Essentials::from(&impact))
-        }
+    if method_is_stepped(solver.method) {
+        Ok(Essentials::from(&contact.impact(speed, solver, None)?))
+    } else {
+        Ok(contact.essentials(speed)?)
     }
 }
 

@@ -64,6 +64,12 @@ impl Variable {
         self.share.1 - self.share.0
     }
 
+    /// The median.
+    #[must_use]
+    pub fn middle(&self) -> f64 {
+        self.value(0.5)
+    }
+
     /// The value at the uniform number `u` in (0, 1).
     fn value(&self, u: f64) -> f64 {
         let (low, high) = self.share;

@@ -1,0 +1,148 @@
+//! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
+
+use std::io::{self, IsTerminal as _};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::Context as _;
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use plm_impact::error::Error;
+use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::report;
+use plm_impact::scenario::Scenario;
+use plm_impact::sweep::{self, Job, Plan, Progress, Shard};
+
+/// What a table is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Csv,
+    Json,
+    Parquet,
+}
+
+impl From<Format> for sweep::Format {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Csv => Self::Csv,
+            Format::Json => Self::Json,
+            Format::Parquet => Self::Parquet,
+        }
+    }
+}
+
+/// Options of sweeps.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Sweeps: what the table is written as [default: csv]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Sweeps: write only this part of the table, counted from 0; `merge` puts the parts together
+    #[arg(long, value_name = "I/N")]
+    shard: Option<String>,
+    /// Sweeps: the same, its number taken from an environment variable: SLURM_ARRAY_TASK_ID/16
+    #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
+    shard_env: Option<String>,
+    /// Sweeps: threads [default: one a core]; the table is the same whatever their number
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+}
+
+impl Options {
+    /// One impact has no table.
+    pub fn refuse_for_one_impact(&self) -> Result<(), Error> {
+        let given = [
+            ("--format", self.format.is_some()),
+            ("--shard", self.shard.is_some()),
+            ("--shard-env", self.shard_env.is_some()),
+            ("--threads", self.threads.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => Err(Error::Option(format!(
+                "{name} is for tables, and this scenario is one impact: give it a [sweep] or a [monte_carlo]"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    fn shard(&self) -> Result<Shard, Error> {
+        match (&self.shard, &self.shard_env) {
+            (Some(text), _) => Ok(Shard::parse(text)?),
+            (None, Some(text)) => Ok(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?),
+            (None, None) => Ok(Shard::WHOLE),
+        }
+    }
+}
+
+/// Writes the table; for an undivided one also summary and pictures.
+pub fn run(
+    options: &Options,
+    scenario: &Scenario,
+    plan: &Plan,
+    directory: OutputDirectory,
+    command: &str,
+    is_quiet: bool,
+) -> anyhow::Result<()> {
+    let shard = options.shard()?;
+    if let Some(threads) = options.threads {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().context("--threads")?;
+    }
+    for warning in &plan.scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let is_cancelled = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&is_cancelled);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("Ctrl-C")?;
+    let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
+    let scenario_sha256 = scenario.document.sha256();
+    let out = directory.path().to_owned();
+    let job = Job {
+        plan,
+        shard,
+        format: options.format.map_or(sweep::Format::Csv, sweep::Format::from),
+        directory: &out,
+        scenario_sha256: &scenario_sha256,
+        progress: &|progress: Progress| {
+            bar.set_length(progress.total);
+            bar.set_position(progress.rows);
+        },
+        is_cancelled: &is_cancelled,
+    };
+    let written = job.run();
+    bar.finish_and_clear();
+    let written = written.map_err(Error::from)?;
+    let mut names = vec![written.table.display().to_string()];
+    if shard.is_whole() {
+        let provenance =
+            report::sweep::Provenance { version: env!("CARGO_PKG_VERSION"), scenario_sha256: &scenario_sha256, command };
+        let summary = report::sweep::summary(Some(plan), &written.tally, provenance).map_err(Error::from)?;
+        let mut files = vec![OutputFile { name: "summary.json".to_owned(), bytes: summary.into_bytes() }];
+        for (name, bytes) in sweep::pictures::pictures(plan, &written.tally).map_err(Error::from)? {
+            files.push(OutputFile { name: name.to_owned(), bytes });
+        }
+        names.extend(files.iter().map(|file| file.name.clone()));
+        directory.write(&files)?;
+    }
+    if !is_quiet {
+        super::print(&report::sweep::lines(&written.tally)).context("standard output")?;
+        if written.resumed > 0 {
+            eprintln!("{} of these rows were there from an earlier run", written.resumed);
+        }
+        eprintln!("wrote {}", names.join(", "));
+    }
+    finish(&written.tally, written.table)
+}
+
+/// Rows without a result make exit code 1.
+pub fn finish(tally: &sweep::sidecar::Tally, table: std::path::PathBuf) -> anyhow::Result<()> {
+    if tally.failures == 0 {
+        return Ok(());
+    }
+    Err(Error::FailedCases { failures: tally.failures, rows: tally.rows, table }.into())
+}
+
+fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rows, {per_sec}, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(0).with_style(style)
+}

@@ -1,0 +1,84 @@
+//! `summary.json` of a sweep or of its merged shards, and its lines for the terminal.
+
+use serde::Serialize;
+
+use super::ReportError;
+use crate::sweep::plan::{Cases, Plan};
+use crate::sweep::random;
+use crate::sweep::sidecar::Tally;
+use crate::sweep::statistics::Distribution;
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    rows: u64,
+    failures: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    restitution: Option<Distribution>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    random: Option<Vec<Random>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<u64>,
+    provenance: Provenance<'a>,
+}
+
+/// A random key, as it was drawn.
+#[derive(Serialize)]
+struct Random {
+    key: &'static str,
+    distribution: &'static str,
+    /// Mean and standard deviation before truncation, or the two ends; SI.
+    parameters: [f64; 2],
+    /// In words.
+    truncated_to: String,
+    /// Share of the distribution that lies in the allowed range.
+    kept: f64,
+}
+
+/// Where a table comes from: enough to repeat it.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Provenance<'a> {
+    /// Version of the program.
+    pub version: &'a str,
+    /// SHA-256 of the scenario's text and overrides.
+    pub scenario_sha256: &'a str,
+    /// The command line.
+    pub command: &'a str,
+}
+
+/// `summary.json`; `plan` is left out where only shards are at hand.
+///
+/// # Errors
+/// [`ReportError::Json`].
+pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Result<String, ReportError> {
+    let (random, seed) = match plan.map(|plan| &plan.cases) {
+        Some(Cases::MonteCarlo { seed, variables, .. }) => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
+        _ => (None, None),
+    };
+    let restitution = tally.statistics.distribution();
+    let summary = Summary { rows: tally.rows, failures: tally.failures, restitution, random, seed, provenance };
+    Ok(serde_json::to_string_pretty(&summary)? + "\n")
+}
+
+fn random_key(variable: &random::Variable) -> Random {
+    let (distribution, parameters) = match variable.distribution {
+        random::Distribution::Uniform { from, to } => ("uniform", [from, to]),
+        random::Distribution::Normal { mean, sd } => ("normal", [mean, sd]),
+        random::Distribution::Lognormal { mean, sd } => ("lognormal", [mean, sd]),
+    };
+    let key = variable.key;
+    Random { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
+}
+
+/// What a person wants to know of a finished table.
+#[must_use]
+pub fn lines(tally: &Tally) -> String {
+    let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
+    if let Some(e) = tally.statistics.distribution() {
+        text += &format!("restitution: mean {:.6}, standard deviation {:.6}\n", e.mean, e.standard_deviation);
+        text += &format!(
+            "quantiles:   5 % {:.6}, 50 % {:.6}, 95 % {:.6}\n",
+            e.quantile_05, e.quantile_50, e.quantile_95
+        );
+    }
+    text
+}

@@ -1,0 +1,163 @@
+//! Pictures of a sweep: e against the first axis, a map of e over two long axes, how random e is spread.
+
+use super::axis::{Axis, Setting};
+use super::plan::{Cases, Evaluator, Plan, Rows, label};
+use super::sidecar::Tally;
+use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
+
+/// Points of a curve: more than there are pixels.
+const MOST_POINTS: u64 = 2000;
+/// Curves in one picture, as many as can be told apart.
+const MOST_CURVES: u64 = 8;
+/// Cells a side of a map; two axes of at least `LONG` values get one.
+const MOST_CELLS: u64 = 200;
+const LONG: u64 = 8;
+/// Bars of a histogram.
+const BARS: usize = 60;
+
+/// The pictures of a plan, by file name.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Vec<u8>)>, PlotError> {
+    let Cases::Grid(axes) = &plan.cases else {
+        return Ok(histogram(tally)?.map(|png| ("restitution_histogram.png", png)).into_iter().collect());
+    };
+    let mut pictures = Vec::new();
+    let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
+    match axes.as_slice() {
+        [first, ..] if is_drawable(first) => pictures.push(("restitution.png", curves(plan, axes)?)),
+        _ => {}
+    }
+    match axes.as_slice() {
+        [first, second, ..]
+            if is_drawable(first) && is_drawable(second) && first.len() >= LONG && second.len() >= LONG =>
+        {
+            pictures.push(("restitution_map.png", map(plan, axes)?));
+        }
+        _ => {}
+    }
+    Ok(pictures)
+}
+
+/// At most `most` of the places of an axis, evenly spread, both ends included.
+fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
+    let (last, count) = (axis.len() - 1, axis.len().min(most));
+    #[allow(clippy::cast_possible_truncation)] // at most `last`
+    (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
+}
+
+/// e of the case at these places of the first axes and the first place of all others; not a number for a failed one.
+fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
+    let case = axes
+        .iter()
+        .zip(places.iter().copied().chain(std::iter::repeat(0)))
+        .fold(0, |case, (axis, place)| case * axis.len() + place);
+    let mut rows = Rows::default();
+    evaluator.rows(case..case + 1, &mut rows);
+    rows.results.first().and_then(|row| row.as_ref().ok()).map_or(f64::NAN, |row| row.restitution)
+}
+
+fn plot_axis(axis: &Axis) -> plot::Axis {
+    let mut title = axis.path().replace('.', " ").replace('_', " ");
+    if let Some(first) = title.get(..1).map(str::to_uppercase) {
+        title.replace_range(..1, &first);
+    }
+    let unit = match &axis.setting {
+        Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
+        Setting::Method(_) => "",
+    };
+    if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
+}
+
+fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
+    let evaluator = Evaluator::new(plan);
+    let first = &axes[0];
+    let at = some_places(first, MOST_POINTS);
+    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let (mut series, mut guides) = (Vec::new(), Vec::new());
+    for (number, curve) in of.iter().enumerate() {
+        let points: Vec<(f64, f64)> =
+            at.iter().map(|place| (first.number(*place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
+        let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| label(second, *curve));
+        if first.path() == "impact.speed" {
+            guides.extend(yield_speed(plan, axes, *curve).map(|at| Guide::Vertical {
+                at,
+                label: "yield speed".to_owned(),
+                series: Some(number),
+            }));
+        }
+        series.push(Series { name, points, has_marks: false });
+    }
+    if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
+        // through the fastest point of the first curve: there the slope is nearest to fully plastic
+        let fastest = series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
+        guides.extend(fastest.map(|through| Guide::Power { through, slope: -0.25, label: "slope −1/4".to_owned() }));
+    }
+    let e = if first.is_logarithmic { plot::Axis::log("Restitution e", "") } else { plot::Axis::linear("Restitution e", "") };
+    let e = ranged(e, &series);
+    let title = match axes.get(1) {
+        Some(second) => format!("Restitution, curves by {}", second.path()),
+        None => "Restitution".to_owned(),
+    };
+    Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.to_png()
+}
+
+/// The range of the data, so that a guide does not stretch it.
+fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
+    let values = || series.iter().flat_map(|series| &series.points).map(|(_, e)| *e).filter(|e| e.is_finite());
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+    let is_log = axis.scale == plot::Scale::Log;
+    if low < high { axis.between(if is_log { 0.9 * low } else { 0.0 }, 1.05 * high.max(1.0)) } else { axis }
+}
+
+/// Axes beyond the second stay at their first value.
+fn notes(axes: &[Axis]) -> Vec<String> {
+    axes.iter().skip(2).map(|axis| format!("{} = {}", axis.path(), label(axis, 0))).collect()
+}
+
+/// v_Y at a place of the second axis.
+fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
+    let mut scene = plan.scene.clone();
+    if let Some(second) = axes.get(1) {
+        second.put(place, &mut scene);
+    }
+    scene.contact().ok()?.pair().yield_point.map(|point| point.speed)
+}
+
+fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
+    let evaluator = Evaluator::new(plan);
+    let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
+    let values = rows
+        .iter()
+        .flat_map(|row| columns.iter().map(|column| restitution(&evaluator, axes, &[*column, *row])))
+        .collect();
+    Heatmap {
+        title: std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", "),
+        x: plot_axis(&axes[0]),
+        y: plot_axis(&axes[1]),
+        x_values: columns.iter().map(|place| axes[0].number(*place)).collect(),
+        y_values: rows.iter().map(|place| axes[1].number(*place)).collect(),
+        values,
+        color: plot::Axis::linear("e", "").between(0.0, 1.0),
+    }
+    .to_png()
+}
+
+fn histogram(tally: &Tally) -> Result<Option<Vec<u8>>, PlotError> {
+    let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution()) else {
+        return Ok(None);
+    };
+    #[allow(clippy::cast_precision_loss)] // few bars
+    let edges = (0..=BARS).map(|i| low + (high - low) * i as f64 / BARS as f64).collect();
+    let lines = [("mean", e.mean), ("5 %", e.quantile_05), ("50 %", e.quantile_50), ("95 %", e.quantile_95)];
+    let picture = Histogram {
+        title: "Restitution of random cases".to_owned(),
+        x: plot::Axis::linear("Restitution e", ""),
+        edges,
+        counts,
+        lines: lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}"))).collect(),
+        notes: vec![format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)],
+    };
+    picture.to_png().map(Some)
+}

@@ -1,0 +1,234 @@
+//! Shards, interruption, resumption and merging, through real processes.
+
+#![allow(clippy::unwrap_used)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
+
+/// A scenario of `points` speeds and two strengths, in its own directory.
+fn scenario(directory: &Path, points: u32) -> PathBuf {
+    let path = directory.join("scenario.toml");
+    let text = format!(
+        r#"
+[sphere]
+radius = "5 mm"
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+[impact]
+speed = "1 m/s"
+[sweep]
+"impact.speed" = {{ logspace = ["1 mm/s", "100 m/s"], points = {points} }}
+"half_space.yield_strength" = ["345 MPa", "900 MPa"]
+"#
+    );
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn run(scenario: &Path, out: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(PROGRAM);
+    command.arg("run").arg(scenario).arg("--out").arg(out).arg("--quiet").args(more);
+    command
+}
+
+fn merge(from: &Path, out: &Path) -> Output {
+    Command::new(PROGRAM).arg("merge").arg(from).arg("--out").arg(out).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn a_shard_killed_midway_resumes_and_the_merge_is_the_undivided_table() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 350_000);
+    let (whole, shards) = (directory.path().join("whole"), directory.path().join("shards"));
+    assert!(run(&file, &whole, &[]).status().unwrap().success());
+
+    let start = |i: u32| run(&file, &shards, &["--shard", &format!("{i}/7")]).spawn().unwrap();
+    // the fourth shard alone first, so that it is surely at work when it is killed
+    let part = shards.join("table-3-of-7.csv.part");
+    let mut victim = start(3);
+    let begun = Instant::now();
+    while fs::metadata(&part).map_or(0, |data| data.len()) < 1_000_000 {
+        assert!(begun.elapsed() < Duration::from_secs(60), "no rows after a minute");
+        std::thread::sleep(Duration::from_micros(200));
+    }
+    victim.kill().unwrap(); // SIGKILL
+    victim.wait().unwrap();
+    assert!(part.exists() && !shards.join("table-3-of-7.csv").exists(), "killed before the end");
+    // and a line that was torn, as on a full disk
+    let mut torn = fs::read(&part).unwrap();
+    torn.extend_from_slice(b"99999,0.1,345");
+    fs::write(&part, torn).unwrap();
+
+    let others: Vec<_> = (0..7).filter(|i| *i != 3).map(start).collect();
+    for mut child in others {
+        assert!(child.wait().unwrap().success());
+    }
+    let merged = directory.path().join("merged.csv");
+    let unfinished = merge(&shards, &merged);
+    assert_eq!(code(&unfinished), 2);
+    assert!(stderr(&unfinished).contains("table-3-of-7.csv: unfinished"), "{}", stderr(&unfinished));
+    assert!(!merged.exists());
+
+    assert!(start(3).wait().unwrap().success());
+    let done = merge(&shards, &merged);
+    assert_eq!(code(&done), 0, "{}", stderr(&done));
+    assert!(fs::read(&merged).unwrap() == fs::read(whole.join("table.csv")).unwrap(), "bytes differ");
+}
+
+#[test]
+fn the_table_does_not_depend_on_the_number_of_threads() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 20_000);
+    let table = |threads: &str, format: &str| {
+        let out = directory.path().join(threads);
+        assert!(run(&file, &out, &["--threads", threads, "--format", format]).status().unwrap().success());
+        fs::read(out.join(format!("table.{format}"))).unwrap()
+    };
+    for format in ["csv", "json"] {
+        let one = table("1", format);
+        assert!(one.len() > 1_000_000);
+        assert!(one == table("2", format) && one == table("5", format), "{format}");
+    }
+}
+
+#[test]
+fn json_shards_merge_to_one_array() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 50);
+    let (whole, shards) = (directory.path().join("whole"), directory.path().join("shards"));
+    assert!(run(&file, &whole, &["--format", "json"]).status().unwrap().success());
+    for i in 0..3 {
+        let mut command = run(&file, &shards, &["--format", "json", "--shard-env", "TASK/3"]);
+        assert!(command.env("TASK", i.to_string()).status().unwrap().success());
+    }
+    let merged = directory.path().join("merged.json");
+    assert_eq!(code(&merge(&shards, &merged)), 0);
+    let bytes = fs::read(&merged).unwrap();
+    assert!(bytes == fs::read(whole.join("table.json")).unwrap());
+    let rows: Vec<serde_json::Value> = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(rows.len(), 100);
+    assert_eq!(rows[99]["case"], 99);
+    assert_eq!(rows[99]["status"], "ok");
+}
+
+#[test]
+fn merge_names_missing_double_and_foreign_shards() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 50);
+    let shards = directory.path().join("shards");
+    for i in [0, 2] {
+        assert!(run(&file, &shards, &["--shard", &format!("{i}/4")]).status().unwrap().success());
+    }
+    // a shard of another scenario, and a copy of the first
+    let other = ["--shard", "1/4", "--set", "impact.speed=2 m/s"];
+    assert!(run(&file, &shards, &other).status().unwrap().success());
+    for suffix in ["", ".sidecar.json"] {
+        fs::copy(shards.join(format!("table-0-of-4.csv{suffix}")), shards.join(format!("table-copy.csv{suffix}"))).unwrap();
+    }
+    let output = merge(&shards, &directory.path().join("merged.csv"));
+    assert_eq!(code(&output), 2);
+    let text = stderr(&output);
+    assert!(text.contains("missing: shard 1, 3 of 4"), "{text}");
+    assert!(text.contains("table-copy.csv: double: shard 0"), "{text}");
+    assert!(text.contains("table-1-of-4.csv: foreign: its scenario"), "{text}");
+}
+
+#[test]
+fn unfinished_rows_of_a_changed_scenario_are_refused_and_others_go_on() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 50);
+    let out = directory.path().join("out");
+    assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
+    // as if killed: a part of the rows and a torn line
+    let (table, part) = (out.join("table-0-of-2.csv"), out.join("table-0-of-2.csv.part"));
+    let complete = fs::read(&table).unwrap();
+    fs::write(&part, &complete[..complete.len() / 2]).unwrap();
+    fs::remove_file(&table).unwrap();
+
+    let changed = run(&file, &out, &["--shard", "0/2", "--set", "impact.speed=2 m/s"]).output().unwrap();
+    assert_eq!(code(&changed), 2);
+    assert!(stderr(&changed).contains("unfinished rows of another scenario"), "{}", stderr(&changed));
+
+    assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
+    assert!(fs::read(&table).unwrap() == complete && !part.exists());
+    // a scheduler that starts a finished shard again does no harm
+    assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
+    assert!(fs::read(&table).unwrap() == complete);
+
+    // a row that is not the one that belongs there (blocks of 3 cases: 0 1 2, 6 7 8, ...)
+    let text = String::from_utf8(complete).unwrap().replacen("\n6,", "\n66,", 1);
+    fs::remove_file(&table).unwrap();
+    fs::write(&part, text).unwrap();
+    let damaged = run(&file, &out, &["--shard", "0/2"]).output().unwrap();
+    assert_eq!(code(&damaged), 2);
+    assert!(stderr(&damaged).contains("is not case 6"), "{}", stderr(&damaged));
+}
+
+#[test]
+fn a_full_disk_leaves_exit_code_1() {
+    let full = Path::new("/dev/full");
+    if !full.exists() {
+        return;
+    }
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 50_000);
+    let out = directory.path().join("out");
+    fs::create_dir(&out).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(full, out.join("table.csv.part")).unwrap();
+    let output = run(&file, &out, &[]).output().unwrap();
+    assert_eq!(code(&output), 1, "{}", stderr(&output));
+    assert!(!out.join("table.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_130_and_a_state_to_go_on_from() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 500_000);
+    let out = directory.path().join("out");
+    let part = out.join("table.csv.part");
+    let mut child = run(&file, &out, &[]).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let begun = Instant::now();
+    while fs::metadata(&part).map_or(0, |data| data.len()) < 1_000_000 {
+        assert!(begun.elapsed() < Duration::from_secs(60), "no rows after a minute");
+        std::thread::sleep(Duration::from_micros(200));
+    }
+    assert!(Command::new("kill").arg("-INT").arg(child.id().to_string()).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let bytes = fs::read(&part).unwrap();
+    assert_eq!(bytes.last(), Some(&b'\n'));
+    // what is there stays; the scenario is not run again to its end here
+    assert!(out.join("table.csv.sidecar.json").exists());
+}
+
+#[test]
+fn shards_that_do_not_exist_are_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 5);
+    let refused = |more: &[&str], want: &str| {
+        let output = run(&file, &directory.path().join("out"), more).output().unwrap();
+        assert_eq!(code(&output), 2, "{more:?}");
+        assert!(stderr(&output).contains(want), "{}", stderr(&output));
+    };
+    refused(&["--shard", "7/7"], "the last of 7 is 6");
+    refused(&["--shard", "seven"], "write i/n");
+    refused(&["--shard", "0/0"], "shards are counted from 0");
+    refused(&["--shard-env", "PLM_NO_SUCH_VARIABLE/3"], "PLM_NO_SUCH_VARIABLE is not set");
+}
