@@ -80,7 +80,11 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(error) => error.exit_code(),
-            Self::Shard(_) | Self::Option(_) | Self::Scenario(_) | Self::Unwritable { .. } | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            Self::Shard(_)
+            | Self::Option(_)
+            | Self::Scenario(_)
+            | Self::Unwritable { .. }
+            | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
             Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)

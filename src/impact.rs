@@ -19,7 +19,7 @@ use crate::integrate::exact::Exact;
 use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
@@ -175,8 +175,14 @@ impl Contact {
     /// # Errors
     /// [`OutOfFloatRange`], see [`Contact::scaled`].
     pub fn essentials(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+        // in its own scales every elastic impact is the same
+        static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
         let (scales, law, q) = self.scaled(speed)?;
-        Essentials::new(&self.pair, speed, &scales, law, &closed_form::solve(law, q))
+        let outcome = match law.elastic {
+            ElasticApproach::All if q == 1.0 => *ELASTIC,
+            _ => closed_form::solve(law, q),
+        };
+        Essentials::new(&self.pair, speed, &scales, law, &outcome)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

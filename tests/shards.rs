@@ -139,7 +139,8 @@ fn merge_names_missing_double_and_foreign_shards() {
     let other = ["--shard", "1/4", "--set", "impact.speed=2 m/s"];
     assert!(run(&file, &shards, &other).status().unwrap().success());
     for suffix in ["", ".sidecar.json"] {
-        fs::copy(shards.join(format!("table-0-of-4.csv{suffix}")), shards.join(format!("table-copy.csv{suffix}"))).unwrap();
+        fs::copy(shards.join(format!("table-0-of-4.csv{suffix}")), shards.join(format!("table-copy.csv{suffix}")))
+            .unwrap();
     }
     let output = merge(&shards, &directory.path().join("merged.csv"));
     assert_eq!(code(&output), 2);

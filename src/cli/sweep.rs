@@ -113,8 +113,11 @@ pub fn run(
     let written = written.map_err(Error::from)?;
     let mut names = vec![written.table.display().to_string()];
     if shard.is_whole() {
-        let provenance =
-            report::sweep::Provenance { version: env!("CARGO_PKG_VERSION"), scenario_sha256: &scenario_sha256, command };
+        let provenance = report::sweep::Provenance {
+            version: env!("CARGO_PKG_VERSION"),
+            scenario_sha256: &scenario_sha256,
+            command,
+        };
         let summary = report::sweep::summary(Some(plan), &written.tally, provenance).map_err(Error::from)?;
         let mut files = vec![OutputFile { name: "summary.json".to_owned(), bytes: summary.into_bytes() }];
         for (name, bytes) in sweep::pictures::pictures(plan, &written.tally).map_err(Error::from)? {

@@ -1,5 +1,7 @@
 //! `summary.json` of a sweep or of its merged shards, and its lines for the terminal.
 
+use std::fmt::Write as _;
+
 use serde::Serialize;
 
 use super::ReportError;
@@ -51,7 +53,9 @@ pub struct Provenance<'a> {
 /// [`ReportError::Json`].
 pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Result<String, ReportError> {
     let (random, seed) = match plan.map(|plan| &plan.cases) {
-        Some(Cases::MonteCarlo { seed, variables, .. }) => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
+        Some(Cases::MonteCarlo { seed, variables, .. }) => {
+            (Some(variables.iter().map(random_key).collect()), Some(*seed))
+        }
         _ => (None, None),
     };
     let restitution = tally.statistics.distribution();
@@ -74,11 +78,9 @@ fn random_key(variable: &random::Variable) -> Random {
 pub fn lines(tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
     if let Some(e) = tally.statistics.distribution() {
-        text += &format!("restitution: mean {:.6}, standard deviation {:.6}\n", e.mean, e.standard_deviation);
-        text += &format!(
-            "quantiles:   5 % {:.6}, 50 % {:.6}, 95 % {:.6}\n",
-            e.quantile_05, e.quantile_50, e.quantile_95
-        );
+        let _ = writeln!(text, "restitution: mean {:.6}, standard deviation {:.6}", e.mean, e.standard_deviation);
+        let (low, middle, high) = (e.quantile_05, e.quantile_50, e.quantile_95);
+        let _ = writeln!(text, "quantiles:   5 % {low:.6}, 50 % {middle:.6}, 95 % {high:.6}");
     }
     text
 }

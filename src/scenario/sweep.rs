@@ -65,7 +65,9 @@ impl Scenario {
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
                 });
                 let axes: Vec<Axis> = axes.collect();
-                axes.iter().for_each(|axis| axis.put(0, &mut scene));
+                for axis in &axes {
+                    axis.put(0, &mut scene);
+                }
                 (Cases::Grid(axes), "sweep")
             }
             (None, Some(MonteCarloTable { samples, seed, variables })) => {
@@ -84,12 +86,12 @@ impl Scenario {
         if let Some((path, problem)) = plan.unused() {
             return refuse(table, format!("\"{path}\" {problem}"));
         }
-        if let Cases::MonteCarlo { variables, .. } = &plan.cases {
-            if let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT) {
-                let (path, allowed) = (variable.key.path, variable.key.quantity.allowed());
-                let message = format!("\"{path}\": almost nothing of its distribution is in the allowed range, {allowed}");
-                return refuse(table, message);
-            }
+        if let Cases::MonteCarlo { variables, .. } = &plan.cases
+            && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)
+        {
+            let (path, allowed) = (variable.key.path, variable.key.quantity.allowed());
+            let message = format!("\"{path}\": almost nothing of its distribution is in the allowed range, {allowed}");
+            return refuse(table, message);
         }
         if plan.count().is_none() {
             return refuse(table, "has more than 2^63 cases; take fewer points".to_owned());
@@ -152,7 +154,11 @@ impl<'de> Visitor<'de> for Table<SweepTable> {
             };
             axes.push((path, entry));
         }
-        if axes.is_empty() { Err(A::Error::custom("has no axis; leave the table out, or give one")) } else { Ok(SweepTable(axes)) }
+        if axes.is_empty() {
+            Err(A::Error::custom("has no axis; leave the table out, or give one"))
+        } else {
+            Ok(SweepTable(axes))
+        }
     }
 }
 
@@ -191,7 +197,11 @@ impl<'de> Visitor<'de> for AxisSeed {
 
     fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Values, A::Error> {
         let values = ListSeed(self.0).visit_seq(seq)?;
-        if values.is_empty() { Err(A::Error::custom("an axis needs at least one value")) } else { Ok(Values::List(values)) }
+        if values.is_empty() {
+            Err(A::Error::custom("an axis needs at least one value"))
+        } else {
+            Ok(Values::List(values))
+        }
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Values, A::Error> {
@@ -206,10 +216,15 @@ impl<'de> Visitor<'de> for AxisSeed {
                     ends = Some((name == "logspace", from, to));
                 }
                 "points" => points = Some(map.next_value::<u64>()?),
-                _ => return Err(A::Error::custom(format!("`{name}`: an axis is {{ linspace = [from, to], points = n }} or {{ logspace = ... }}"))),
+                _ => {
+                    return Err(A::Error::custom(format!(
+                        "`{name}`: an axis is {{ linspace = [from, to], points = n }} or {{ logspace = ... }}"
+                    )));
+                }
             }
         }
-        let (is_log, from, to) = ends.ok_or_else(|| A::Error::custom("linspace = [from, to] or logspace is missing"))?;
+        let (is_log, from, to) =
+            ends.ok_or_else(|| A::Error::custom("linspace = [from, to] or logspace is missing"))?;
         let points = points.ok_or_else(|| A::Error::custom("points, the number of values, is missing"))?;
         if points == 0 {
             return Err(A::Error::custom("points = 0: an axis needs at least one value"));

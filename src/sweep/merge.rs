@@ -119,10 +119,11 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
         reader.read_until(b'\n', &mut line).map_err(SweepError::file("cannot be read", table))?;
         let body = line.strip_suffix(b"\n").unwrap_or(&line);
         let body = body.strip_suffix(b",").unwrap_or(body);
-        let row = read_line(body, sidecar.restitution_column).filter(|row| row.case == tally.rows).ok_or_else(|| {
-            let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
-            SweepError::Damaged { path: table.to_path_buf(), problem }
-        })?;
+        let row =
+            read_line(body, sidecar.restitution_column).filter(|row| row.case == tally.rows).ok_or_else(|| {
+                let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
+                SweepError::Damaged { path: (*table).clone(), problem }
+            })?;
         tally.push(row.restitution, sidecar.is_monte_carlo);
         let end: &[u8] = if is_json && tally.rows < sidecar.cases { b",\n" } else { b"\n" };
         writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;

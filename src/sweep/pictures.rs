@@ -59,7 +59,7 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let mut title = axis.path().replace('.', " ").replace('_', " ");
+    let mut title = axis.path().replace(['.', '_'], " ");
     if let Some(first) = title.get(..1).map(str::to_uppercase) {
         title.replace_range(..1, &first);
     }
@@ -91,10 +91,15 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
     }
     if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
         // through the fastest point of the first curve: there the slope is nearest to fully plastic
-        let fastest = series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
+        let fastest =
+            series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
         guides.extend(fastest.map(|through| Guide::Power { through, slope: -0.25, label: "slope −1/4".to_owned() }));
     }
-    let e = if first.is_logarithmic { plot::Axis::log("Restitution e", "") } else { plot::Axis::linear("Restitution e", "") };
+    let e = if first.is_logarithmic {
+        plot::Axis::log("Restitution e", "")
+    } else {
+        plot::Axis::linear("Restitution e", "")
+    };
     let e = ranged(e, &series);
     let title = match axes.get(1) {
         Some(second) => format!("Restitution, curves by {}", second.path()),
@@ -145,7 +150,8 @@ fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
 }
 
 fn histogram(tally: &Tally) -> Result<Option<Vec<u8>>, PlotError> {
-    let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution()) else {
+    let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution())
+    else {
         return Ok(None);
     };
     #[allow(clippy::cast_precision_loss)] // few bars

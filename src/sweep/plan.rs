@@ -136,7 +136,9 @@ impl Plan {
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {
-                "sphere.diameter" if varies("sphere.radius") => "changes the same as \"sphere.radius\"; keep one of the two",
+                "sphere.diameter" if varies("sphere.radius") => {
+                    "changes the same as \"sphere.radius\"; keep one of the two"
+                }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
                 "law.plm.unloading_exponent" if !self.is_plastic() => {
@@ -254,10 +256,8 @@ impl<'a> Evaluator<'a> {
     }
 
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
-        let mut draws: Vec<Draws> = (0..)
-            .zip(variables)
-            .map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start))
-            .collect();
+        let mut draws: Vec<Draws> =
+            (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut scene = self.plan.scene.clone();
         for _ in cases {
             for draw in &mut draws {
@@ -296,11 +296,7 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     places
 }
 
-fn evaluate(
-    contact: &Result<Contact, OutOfFloatRange>,
-    speed: f64,
-    solver: &Solver,
-) -> Result<Essentials, Failure> {
+fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
     let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
     if method_is_stepped(solver.method) {
         Ok(Essentials::from(&contact.impact(speed, solver, None)?))

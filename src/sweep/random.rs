@@ -90,7 +90,11 @@ impl Distribution {
     fn below(&self, x: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => {
-                if from == to { f64::from(u8::from(x > from)) } else { ((x - from) / (to - from)).clamp(0.0, 1.0) }
+                if from == to {
+                    f64::from(u8::from(x > from))
+                } else {
+                    ((x - from) / (to - from)).clamp(0.0, 1.0)
+                }
             }
             Self::Normal { mean, sd } => normal_below((x - mean) / sd),
             Self::Lognormal { .. } if x <= 0.0 => 0.0,

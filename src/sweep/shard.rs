@@ -61,10 +61,7 @@ impl Shard {
     ///
     /// # Errors
     /// [`ShardError`].
-    pub fn parse_with_variable(
-        text: &str,
-        environment: impl Fn(&str) -> Option<String>,
-    ) -> Result<Self, ShardError> {
+    pub fn parse_with_variable(text: &str, environment: impl Fn(&str) -> Option<String>) -> Result<Self, ShardError> {
         let (variable, count) = text.split_once('/').ok_or_else(|| ShardError::Form(text.to_owned()))?;
         let index = environment(variable).ok_or_else(|| ShardError::Unset(variable.to_owned()))?;
         Self::parse(&format!("{}/{count}", index.trim()))

@@ -65,7 +65,8 @@ impl Sidecar {
     pub fn write(&self, table: &Path) -> Result<(), SweepError> {
         let path = sidecar_path(table);
         let text = serde_json::to_vec_pretty(self).map_err(io::Error::from);
-        text.and_then(|text| replace(&path, |file| file.write_all(&text))).map_err(SweepError::file("cannot be written", &path))
+        text.and_then(|text| replace(&path, |file| file.write_all(&text)))
+            .map_err(SweepError::file("cannot be written", &path))
     }
 }
 
@@ -154,10 +155,11 @@ pub fn read_rows(path: &Path, table: &TextTable, sidecar: &Sidecar) -> Result<(T
         reader.read_until(b'\n', &mut line).map_err(&failed)?;
         let Some(complete) = line.strip_suffix(b"\n") else { break };
         let expected = layout.case(tally.rows);
-        let row = read_line(complete, sidecar.restitution_column).filter(|row| row.case == expected).ok_or_else(|| {
-            let problem = format!("row {} is not case {expected}; delete it to start over", tally.rows + 1);
-            SweepError::Damaged { path: path.to_owned(), problem }
-        })?;
+        let row =
+            read_line(complete, sidecar.restitution_column).filter(|row| row.case == expected).ok_or_else(|| {
+                let problem = format!("row {} is not case {expected}; delete it to start over", tally.rows + 1);
+                SweepError::Damaged { path: path.to_owned(), problem }
+            })?;
         tally.push(row.restitution, sidecar.is_monte_carlo);
         end += line.len() as u64;
     }

@@ -107,7 +107,11 @@ impl Statistics {
         let fine: Vec<(f64, u64)> = if self.bins.is_empty() {
             self.values.iter().map(|value| (*value, 1)).collect()
         } else {
-            (0..).zip(&self.bins).filter(|(_, count)| **count > 0).map(|(i, count)| ((f64::from(i) + 0.5) * BIN, *count)).collect()
+            (0..)
+                .zip(&self.bins)
+                .filter(|(_, count)| **count > 0)
+                .map(|(i, count)| ((f64::from(i) + 0.5) * BIN, *count))
+                .collect()
         };
         let low = fine.iter().map(|(value, _)| *value).min_by(f64::total_cmp)?;
         let high = fine.iter().map(|(value, _)| *value).max_by(f64::total_cmp)?;

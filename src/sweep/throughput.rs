@@ -6,11 +6,11 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
+use super::SweepError;
 use super::driver::{CHUNK, Job, compute};
 use super::plan::{Evaluator, Plan};
 use super::shard::{Layout, Shard};
 use super::table::Format;
-use super::SweepError;
 
 /// Rows a second, each the best of the rounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +40,8 @@ pub fn throughput(plan: &Plan, directory: &Path, rounds: u32) -> Result<Throughp
     Ok(best)
 }
 
+/// Rows a second, computing alone.
+#[must_use]
 #[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count().unwrap_or(0);
@@ -57,6 +59,10 @@ pub fn compute_rate(plan: &Plan) -> f64 {
     total as f64 / started.elapsed().as_secs_f64()
 }
 
+/// Rows a second from plan to file.
+///
+/// # Errors
+/// [`SweepError`] if the table cannot be written.
 #[allow(clippy::cast_precision_loss)]
 pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, SweepError> {
     let started = Instant::now();
