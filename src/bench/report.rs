@@ -34,7 +34,8 @@ pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     ])?;
     for (problem, measurements) in all {
         for m in measurements {
-            let tolerance = if let Rung::Tolerance(tolerance) = m.rung { format!("{tolerance:.3e}") } else { String::new() };
+            let tolerance =
+                if let Rung::Tolerance(tolerance) = m.rung { format!("{tolerance:.3e}") } else { String::new() };
             writer.write_record([
                 problem.name,
                 m.contender.name(),
@@ -71,7 +72,10 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
     });
     let lines = Lines {
         title: format!("{}: {}", problem.name, problem.about),
-        x: Axis { range: Some((ROUNDING, 1.0)), ..Axis::log("Larger relative error of restitution and contact time", "") },
+        x: Axis {
+            range: Some((ROUNDING, 1.0)),
+            ..Axis::log("Larger relative error of restitution and contact time", "")
+        },
         y: Axis::log("Time per impact, one core", "µs"),
         series: series.into(),
         guides: Vec::new(),
@@ -132,7 +136,10 @@ pub fn ratio_table(all: &[Measured]) -> String {
         let time = |contender, threshold| time_to_reach(measurements, contender, threshold);
         let (rk8, dop853) = (Contender::Method(Method::Rk8), Contender::Method(Method::Dop853));
         let ratio = |a: Option<f64>, b: Option<f64>| {
-            a.zip(b).map_or_else(|| "–".into(), |(a, b)| if a / b < 100.0 { format!("{:.1}", a / b) } else { format!("{:.0}", a / b) })
+            a.zip(b).map_or_else(
+                || "–".into(),
+                |(a, b)| if a / b < 100.0 { format!("{:.1}", a / b) } else { format!("{:.0}", a / b) },
+            )
         };
         let _ = writeln!(
             text,

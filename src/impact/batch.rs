@@ -2,6 +2,7 @@
 
 use super::course::{loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
+use super::{Contact, Essentials, ImpactError};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Landing, Sizes, State};
@@ -64,6 +65,21 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
         }
     }
     outcomes
+}
+
+/// The rows of a table, by rk8 at this relative tolerance: impacts of these contacts at these speeds \[m/s\].
+#[must_use]
+pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
+    let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
+    let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
+    let mut outcomes = integrate(&cases, tolerance).into_iter();
+    let rows = scaled.into_iter().zip(impacts).map(|(scaled, (contact, speed))| {
+        let (scales, law, _) = scaled?;
+        // there is one outcome for every case that could be scaled
+        let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
+        Ok(Essentials::new(contact.pair(), *speed, &scales, law, &outcome)?)
+    });
+    rows.collect()
 }
 
 /// Starts the next case, if there is one, in a lane.
