@@ -1,5 +1,6 @@
 //! The command line: its types, and one file for each subcommand.
 
+mod bench;
 mod check;
 mod merge;
 mod run;
@@ -23,6 +24,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Bench(bench::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
     Merge(merge::Arguments),
@@ -51,6 +53,7 @@ impl ScenarioArguments {
 /// What the subcommand reports, ready to be printed.
 pub fn run() -> anyhow::Result<()> {
     match Cli::parse().command {
+        Command::Bench(arguments) => bench::bench(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),

@@ -3,6 +3,7 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 
+pub mod batch;
 pub mod closed_form;
 pub mod course;
 pub mod essentials;
@@ -19,7 +20,7 @@ use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
-use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere};
+use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
 pub use essentials::Essentials;
@@ -54,6 +55,12 @@ impl Method {
         ("verlet", Self::Verlet),
         ("closed_form", Self::ClosedForm),
     ];
+
+    /// The method of this name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
+    }
 
     /// Its name in scenarios and reports.
     #[must_use]
@@ -144,7 +151,11 @@ impl Contact {
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
         static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
         match &self.yielding {
-            Some((scales, law)) if speed > scales.speed => Ok((*scales, law, speed / scales.speed)),
+            Some((scales, law)) if speed > scales.speed => {
+                let ratio = speed / scales.speed;
+                normal("kinetic energy in units of that at first yield", ratio * ratio)?;
+                Ok((*scales, law, ratio))
+            }
             _ => Ok((Scales::of_hertz(&self.pair, speed)?, &HERTZ, 1.0)),
         }
     }

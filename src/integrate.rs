@@ -9,6 +9,7 @@ pub mod exact;
 mod field;
 mod landing;
 mod lanes;
+pub mod lockstep;
 mod nystrom;
 pub mod ode_solvers;
 pub mod rk8;

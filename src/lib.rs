@@ -1,5 +1,68 @@
 //! Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
+//!
+//! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it and without friction. The contact
+//! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
+//! (2024) on the way back:
+//!
+//! ```text
+//! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
+//! ```
+//!
+//! Without gravity and damping the impact has a closed form, which is computed always: it is what tables of e(v) are made
+//! of, and what every integration is compared with.
+//!
+//! # Notation
+//!
+//! | symbol | name in code | unit | meaning |
+//! |---|---|---|---|
+//! | R | `radius` | m | radius of the sphere (not the diameter) |
+//! | E_i* | `plane_strain_modulus` | Pa | E_i/(1 − ν_i²), i = s (sphere), h (half-space) |
+//! | E* | `effective_modulus` | Pa | 1/E* = 1/E_s* + 1/E_h*; E/(2 (1 − ν²)) for equal bodies |
+//! | κ | `sphere_compliance` | 1 | E*/E_s*, the sphere's share of the elastic approach; 0 is a rigid sphere |
+//! | ρ_E | `half_space_compliance` | 1 | E*/E_h* = 1 − κ |
+//! | σ_Y | `yield_strength` | Pa | of the half-space (von Mises), not the contact pressure at which it yields |
+//! | C_ν | `yield_factor` | 1 | largest Hertz pressure at first yield over σ_Y |
+//! | δ, δ_s, δ_h | `indentation`, `sphere_indentation`, `half_space_indentation` | m | approach, δ = δ_s + δ_h |
+//! | δ_Y, F_Y, v_Y | `yield_point` | m, N, m/s | first yield |
+//! | δ_m, F_m, a_m | `peak_indentation`, `peak_force`, `peak_contact_radius` | m, N, m | where compression stops |
+//! | δ_e | `elastic_approach` | m | what of δ is recovered on unloading |
+//! | δ_r | `residual_indentation` | m | depth of the dent |
+//! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
+//! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
+//! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
+//! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
+//!
+//! # Example
+//!
+//! ```
+//! use plm_impact::impact::{Contact, Solver};
+//! use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+//! use plm_impact::material::{HalfSpace, Material, Sphere};
+//!
+//! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+//! let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
+//! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6) };
+//! let contact =
+//!     Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+//!
+//! // integrated, with a trace of 200 rows
+//! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
+//! assert!((impact.restitution - 0.492_463_617).abs() < 1e-8);
+//! assert!(impact.trace.len() >= 200);
+//!
+//! // or exact, without stepping
+//! let exact = contact.closed_form(3.0)?;
+//! assert!((impact.contact_time / exact.contact_time - 1.0).abs() < 1e-9);
+//! # Ok::<(), plm_impact::impact::ImpactError>(())
+//! ```
+//!
+//! # Modules
+//!
+//! Arrows point one way: the command → [`sweep`], [`run`], [`bench`] → [`report`], [`plot`], [`scenario`] → [`impact`] →
+//! [`integrate`], [`law`] → [`material`]. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees
+//! both. SI units at every border; inside an impact everything is dimensionless.
 
+pub mod bench;
 pub mod error;
 pub mod impact;
 pub mod integrate;

@@ -180,7 +180,7 @@ fn bad_values_are_shown_with_line_value_range_and_way_out() {
         (
             "speed = \"3 m/s\"",
             "",
-            &["steel.toml:12:2: impact: the key `speed` is missing: a speed such as speed = \"3 m/s\""],
+            &["steel.toml:12:1: impact: the key `speed` is missing: a speed such as speed = \"3 m/s\""],
         ),
         ("[impact]\nspeed = \"3 m/s\"", "", &["steel.toml: the table [impact] is missing"]),
         (
@@ -190,7 +190,7 @@ fn bad_values_are_shown_with_line_value_range_and_way_out() {
         ),
         ("[impact]", "[law.plm]\n[law.hertz]\n[impact]", &["exactly one law, found plm and hertz", "[law.plm]"]),
         ("[impact]", "[law.pml]\n[impact]", &["steel.toml:12:6: law.pml: unknown law `pml`, did you mean `plm`?"]),
-        ("[impact]", "[law]\n[impact]", &["steel.toml:12:2: law: a scenario has exactly one law, found none"]),
+        ("[impact]", "[law]\n[impact]", &["steel.toml:12:1: law: a scenario has exactly one law, found none"]),
         ("[impact]", "[law.plm]\nunloading_exponent = 1\n[impact]", &["steel.toml:13:22", "> 1 and <= 2"]),
         (
             "[impact]",

@@ -35,18 +35,31 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     let pieces = law.loading.pieces();
     for (i, piece) in pieces.iter().enumerate() {
         // the piece is left at its end, or the sphere turns within it
-        let next = pieces.get(i + 1).filter(|next| next.work <= kinetic);
-        let end = next.map_or(unloading.peak.indentation, |next| next.start);
-        let exit = next.map_or(0.0, |next| (2.0 * ACCELERATION * (kinetic - next.work)).sqrt());
-        loading_time += time_on(piece, end - piece.start, entry, exit);
-        if next.is_none() {
+        let Some(next) = pieces.get(i + 1).filter(|next| next.work <= kinetic) else {
+            loading_time += time_to_turn(piece, unloading.peak.indentation - piece.start, entry);
             break;
-        }
+        };
+        let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
+        loading_time += time_on(piece, next.start - piece.start, entry, exit);
         entry = exit;
     }
     let peak = &unloading.peak;
     let unloading_time = quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed);
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
+}
+
+/// Time from the start of a piece, entered at speed `entry`, to the turning point at `distance` beyond it.
+///
+/// On a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance of a turning point just behind a
+/// knot would not do: it is a difference of nearly equal numbers.
+fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
+    match piece.shape {
+        Shape::Straight { slope } => {
+            let omega = (ACCELERATION * slope).sqrt();
+            (omega * entry / (ACCELERATION * piece.force)).atan() / omega
+        }
+        Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
+    }
 }
 
 /// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.

@@ -5,7 +5,7 @@ use super::scales::ACCELERATION;
 use crate::integrate::verlet::{self, Deceleration};
 use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State, Work};
 use crate::law::curve::{Piece, Shape};
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{ElasticApproach, Law, Peak, Unloading};
 
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,6 +110,39 @@ fn restoring(piece: &Piece) -> Restoring {
     }
 }
 
+/// Sizes of the loading: the depth that the work curve gives (it only scales the error) and the impact speed.
+pub(super) fn loading_sizes(law: &Law, speed: f64) -> Sizes {
+    let pieces = law.loading.pieces();
+    let kinetic = 0.4 * speed * speed;
+    let deepest = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
+    Sizes { distance: pieces[deepest].indentation_at_work(kinetic), speed }
+}
+
+/// The way along a piece of the loading curve.
+pub(super) fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
+    let pieces = law.loading.pieces();
+    let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
+    Path { restoring: restoring(&pieces[index]), leg: Leg::Outward(end), sizes }
+}
+
+/// The unloading branch from where a piece of the loading curve was left.
+pub(super) fn unloading_from(law: &Law, piece: &Piece, distance: f64) -> Unloading {
+    let indentation = piece.start + distance;
+    let force = piece.force_at(indentation);
+    law.unloading(Peak { indentation, force, elastic_approach: law.elastic_approach(indentation, force) })
+}
+
+/// The way back from rest at the peak to separation.
+pub(super) fn way_back(unloading: &Unloading) -> Path {
+    let peak = &unloading.peak;
+    let stored = peak.force * peak.elastic_approach / (unloading.exponent + 1.0);
+    Path {
+        restoring: Restoring::Power { coefficient: ACCELERATION * unloading.stiffness(), exponent: unloading.exponent },
+        leg: Leg::Back,
+        sizes: Sizes { distance: peak.elastic_approach, speed: (2.0 * ACCELERATION * stored).sqrt() },
+    }
+}
+
 /// Integrates an impact at q = v/V from first touch to separation.
 ///
 /// # Errors
@@ -120,72 +153,51 @@ pub fn integrate<I: Integrator>(
     integrator: &mut I,
     mut recorder: Option<&mut Recorder>,
 ) -> Result<Outcome, IntegrationError> {
-    // the size of x only scales the error; its estimate costs one inverse of the work
     let pieces = law.loading.pieces();
-    let kinetic = 0.4 * speed * speed;
-    let deepest = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
-    let sizes = Sizes { distance: pieces[deepest].indentation_at_work(kinetic), speed };
-
+    let sizes = loading_sizes(law, speed);
     let mut state = State { time: 0.0, distance: 0.0, speed };
     let mut index = 0;
     if let Some(recorder) = recorder.as_deref_mut() {
         recorder.points.push(loading_point(law, &pieces[0], on_curve(&pieces[0], state), Some(Event::Touch)));
     }
+    // first yield is no kink of the curve, but an event of a trace: there a leg stops too
+    let mut stops_at_yield = recorder.is_some() && !matches!(law.elastic, ElasticApproach::All);
     let piece = loop {
         let piece = &pieces[index];
-        // first yield is no kink of the curve, but an event of the trace: there the leg stops too
-        let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - piece.start;
-        let passes_yield = recorder.is_some() && !matches!(law.elastic, crate::law::ElasticApproach::All);
-        let landing =
-            if passes_yield && piece.start < 1.0 && state.distance < 1.0 - piece.start && end > 1.0 - piece.start {
-                let path = Path { restoring: restoring(piece), leg: Leg::Outward(1.0 - piece.start), sizes };
-                let landing =
-                    integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-                if landing == Landing::End {
-                    if let Some(recorder) = recorder.as_deref_mut() {
-                        recorder.loading(law, piece);
-                        recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(Event::Yield)));
-                    }
-                    continue;
-                }
-                landing
-            } else {
-                let path = Path { restoring: restoring(piece), leg: Leg::Outward(end), sizes };
-                integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?
-            };
+        let mut path = way_out(law, index, sizes);
+        let mut event = Event::Knot;
+        if let Leg::Outward(end) = path.leg
+            && stops_at_yield
+            && piece.start + end > 1.0
+        {
+            path.leg = Leg::Outward(1.0 - piece.start);
+            event = Event::Yield;
+            stops_at_yield = false;
+        }
+        let landing = integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
         if let Some(recorder) = recorder.as_deref_mut() {
             recorder.loading(law, piece);
         }
         if landing == Landing::Turning {
             break piece;
         }
-        index += 1;
-        state.distance = 0.0;
+        if event == Event::Knot {
+            index += 1;
+            state.distance = 0.0;
+        }
         if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.points.push(loading_point(
-                law,
-                &pieces[index],
-                on_curve(&pieces[index], state),
-                Some(Event::Knot),
-            ));
+            let piece = &pieces[index];
+            recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(event)));
         }
     };
     let loading_time = state.time;
-    let indentation = piece.start + state.distance;
-    let force = piece.force_at(indentation);
-    let peak = Peak { indentation, force, elastic_approach: law.elastic_approach(indentation, force) };
-    let unloading = law.unloading(peak);
+    let unloading = unloading_from(law, piece, state.distance);
     if let Some(recorder) = recorder.as_deref_mut() {
         recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(Event::Peak)));
     }
 
-    let stored = force * peak.elastic_approach / (unloading.exponent + 1.0);
-    let path = Path {
-        restoring: Restoring::Power { coefficient: ACCELERATION * unloading.stiffness(), exponent: unloading.exponent },
-        leg: Leg::Back,
-        sizes: Sizes { distance: peak.elastic_approach, speed: (2.0 * ACCELERATION * stored).sqrt() },
-    };
-    state = State { time: loading_time, distance: peak.elastic_approach, speed: 0.0 };
+    let path = way_back(&unloading);
+    state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };
     integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
     if let Some(recorder) = recorder {
         recorder.unloading(&unloading);

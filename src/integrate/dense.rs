@@ -1,11 +1,12 @@
 //! Dense output of rk8: the polynomial of degree 9 that takes y and its first four derivatives at both ends of a step.
 //!
 //! On a smooth piece these derivatives are known from g, so the interpolant costs no evaluation, and its error, of order
-//! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself.
+//! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself. Where g is a power that is no polynomial, it
+//! lacks these derivatives at y = 0, and a shorter step of its own leads to every sample instead.
 
 use super::field::Variables;
 use super::landing::Node;
-use super::{Sampler, State};
+use super::{Sampler, State, nystrom};
 
 const TERMS: usize = 5;
 
@@ -55,6 +56,13 @@ impl Hermite {
     }
 }
 
+/// y and u after a step of length h from a node.
+fn part_of_step<F: Variables>(field: F, from: &Node<f64>, h: f64) -> (f64, f64) {
+    let square = h * h;
+    let step = nystrom::step(from.y, h * from.u, square * from.g, field.scaled(square));
+    (step.position, if h > 0.0 { step.velocity / h } else { from.u })
+}
+
 /// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`.
 pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node<f64>, to: &Node<f64>, length: f64) {
     if samples.due_before(to.t).is_none() {
@@ -92,7 +100,12 @@ pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node<
                 }
             }
         }
-        let (y, slope) = position.at(theta);
-        samples.take(State { time, distance: field.distance_at(y), speed: slope / length });
+        let (y, speed) = if F::IS_POLYNOMIAL {
+            let (y, slope) = position.at(theta);
+            (y, slope / length)
+        } else {
+            part_of_step(field, from, theta * length)
+        };
+        samples.take(State { time, distance: field.distance_at(y), speed });
     }
 }

@@ -18,6 +18,8 @@ pub(super) trait Field<T: Lane>: Copy {
 pub(super) trait Variables: Field<f64> {
     /// Whether σ is the time.
     const IS_TIME: bool;
+    /// Whether g is a polynomial, also at y = 0.
+    const IS_POLYNOMIAL: bool;
     /// y for a distance d.
     fn y_at(self, distance: f64) -> f64;
     /// d for y.
@@ -56,6 +58,7 @@ impl Field<f64> for Straight {
 
 impl Variables for Straight {
     const IS_TIME: bool = true;
+    const IS_POLYNOMIAL: bool = true;
     #[inline(always)]
     fn y_at(self, distance: f64) -> f64 {
         distance
@@ -123,6 +126,7 @@ impl Field<f64> for Hertz {
 }
 
 impl Variables for Hertz {
+    const IS_POLYNOMIAL: bool = true;
     square_root_variable!();
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
@@ -156,6 +160,7 @@ impl Field<f64> for Power {
 }
 
 impl Variables for Power {
+    const IS_POLYNOMIAL: bool = false;
     square_root_variable!();
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {

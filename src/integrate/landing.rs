@@ -25,8 +25,6 @@ pub(super) struct Target<T> {
     pub(super) u: T,
     /// g there.
     pub(super) g: T,
-    /// y''' there.
-    pub(super) jerk: T,
     /// +1 outward, −1 back.
     pub(super) direction: T,
 }
@@ -38,8 +36,8 @@ pub(super) struct Landed<T> {
     pub(super) node: Node<T>,
     /// What the landing added to the step.
     pub(super) correction: T,
-    /// The first term left out of the series: the miss is mended if this is small.
-    pub(super) left_out: T,
+    /// Square of the first term left out of the series: the miss is mended if this is small.
+    pub(super) left_out_squared: T,
     /// 1 at the end of the piece, 2 at a turning point.
     pub(super) kind: T,
 }
@@ -61,7 +59,7 @@ impl Target<f64> {
         let left = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
         let (y, u) =
             if left > 0.0 { (end, direction * (2.0 * left).sqrt()) } else { (field.at_potential(energy), 0.0) };
-        Self { end, y, u, g: field.g(y), jerk: field.derivatives(y).0 * u, direction }
+        Self { end, y, u, g: field.g(y), direction }
     }
 }
 
@@ -76,31 +74,25 @@ impl<T: Lane> Target<T> {
     /// The step to take, and the way to the target: that way if it is no longer than `h`, half of it if `h` would leave a
     /// tiny step for the end, else `h`.
     #[inline(always)]
-    pub(super) fn limit<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> (T, T) {
-        let last = self.step_from(field, now);
+    pub(super) fn limit(&self, now: &Node<T>, h: T) -> (T, T) {
+        let last = self.step_from(now);
         let shorter = last.if_less(h * 2.0, last * 0.5, h);
         (h.if_less(last, shorter, last), last)
     }
 
-    /// The step that leads from `now` to the target, by the two-point Taylor formula (error of order h⁷); negative if the
+    /// The step that leads from `now` to the target, by the two-point Taylor formula (error of order h⁵); negative if the
     /// target lies behind.
     #[inline(always)]
-    fn step_from<F: Field<T>>(&self, field: F, now: &Node<T>) -> T {
-        let slope = field.derivatives(now.y).0;
+    fn step_from(&self, now: &Node<T>) -> T {
         let gap = self.direction * (self.y - now.y);
         let mean = self.direction * (now.u + self.u) * 0.5;
-        let difference = self.direction * (now.g - self.g) * 0.1;
-        let jerks = self.direction * (slope * now.u + self.jerk) * (1.0 / 120.0);
-        // the cubic without its last term and with the weight of Simpson's rule, then a Newton step
+        let difference = self.direction * (now.g - self.g) * (1.0 / 12.0);
         let zero = gap.all(0.0);
-        let root = (mean * mean + difference * gap * (10.0 / 3.0)).max(zero).sqrt();
-        let h = gap * 2.0 / (mean + root);
-        let value = ((jerks * h + difference) * h + mean) * h - gap;
-        let h = h - value / ((jerks * h * 3.0 + difference * 2.0) * h + mean);
-        // close to a turning point distances vanish before speeds do
-        let turn = -now.u / now.g;
-        let near = (turn * turn * slope.abs()).if_less(gap.all(2.5e-3), turn, h);
-        self.u.abs().if_less(gap.all(f64::MIN_POSITIVE), near, h)
+        let root = (mean * mean + difference * gap * 4.0).max(zero).sqrt();
+        // past a turning point already: back to it
+        let way = zero.if_less(mean, gap * 2.0, -now.u);
+        let pace = zero.if_less(mean, mean + root, now.g);
+        way / pace
     }
 
     /// Moves `node`, the result of a step that should have landed, onto the end by its Taylor series.
@@ -109,50 +101,61 @@ impl<T: Lane> Target<T> {
         let (slope, curvature) = field.derivatives(node.y);
         let Node { y, u, g, t } = *node;
         let zero = y.all(0.0);
-        let j = slope * u;
-        let k = curvature * u * u + slope * g;
-        let position = |d: T| y + d * (u + d * (g * 0.5 + d * (j * (1.0 / 6.0) + d * k * (1.0 / 24.0))));
-        let velocity = |d: T| u + d * (g + d * (j * 0.5 + d * k * (1.0 / 6.0)));
-        let acceleration = |d: T| g + d * (j + d * k * 0.5);
+        let one = y.all(1.0);
+        let series = Series { y, u, g, j: slope * u, k: curvature * u * u + slope * g };
 
-        // where it turns
-        let turn = -u / g;
-        let turn = turn - velocity(turn) / acceleration(turn);
-        let y_turn = position(turn);
-        let beyond = y_turn - self.end;
-        // if that is beyond the end: y_t − y = ½ |g| τ² (1 + g' τ²/12), τ before the turning point
-        let pull = -acceleration(turn);
-        let square = (beyond * 2.0 / pull).max(zero);
-        let tau = (square * (zero.all(1.0) - slope * square * (1.0 / 12.0))).sqrt();
-        let slow = pull * tau * (zero.all(1.0) + slope * tau * tau * (1.0 / 6.0));
-        let turns = |then: T, otherwise: T| zero.if_less(beyond, otherwise, then);
-        let near_d = turns(turn, turn - tau);
-        let near_u = turns(zero, slow);
-        let near_y = turns(y_turn, self.end);
-        let near_kind = turns(zero.all(AT_TURNING), zero.all(AT_END));
-
-        // where it crosses the end with some speed
+        // outward, and the turning point about as near as the end? then to that first, else straight to the end
         let gap = self.end - y;
-        let cross = gap / u;
-        let cross = cross - (position(cross) - self.end) / velocity(cross);
+        let near = (u * u).if_less((g * gap).abs() * 4.0, self.direction, -one);
+        let d = zero.if_less(near, -u, gap) / zero.if_less(near, g, u);
+        let miss = zero.if_less(near, series.velocity(d), series.position(d) - self.end);
+        let d = d - miss / zero.if_less(near, series.acceleration(d), series.velocity(d));
 
-        // outward, and the turning point about as near as the end?
-        let is_near = (u * u).if_less((g * gap).abs() * 4.0, self.direction, -self.direction.all(1.0));
-        let choose = |near: T, crossing: T| zero.if_less(is_near, near, crossing);
-        let d = choose(near_d, cross);
+        // a turning point beyond the end: y_t − y = ½ |g| τ² (1 + g' τ²/12), τ before it
+        let y_turn = series.position(d);
+        let beyond = zero.if_less(near, y_turn - self.end, zero);
+        let pull = -series.acceleration(d);
+        let square = (beyond * 2.0 / pull).max(zero);
+        let tau = (square * (one - slope * square * (1.0 / 12.0))).sqrt();
+        let slow = pull * tau * (one + slope * tau * tau * (1.0 / 6.0));
+        let d = zero.if_less(beyond, d - tau, d);
+
+        let speed = zero.if_less(near, zero.if_less(beyond, slow, zero), series.velocity(d));
+        let turns = zero.if_less(near, zero.if_less(beyond, zero, one), zero);
         let square = d * d;
-        let mean = y + d * (u * 0.5 + d * (g * (1.0 / 6.0) + d * j * (1.0 / 24.0)));
+        let left_out = series.k * square * square * d * (1.0 / 120.0);
+        let mean = y + d * (u * 0.5 + d * (g * (1.0 / 6.0) + d * series.j * (1.0 / 24.0)));
         Landed {
-            node: Node {
-                y: choose(near_y, self.end),
-                u: choose(near_u, velocity(d)),
-                g,
-                t: t + field.duration(d, mean),
-            },
+            node: Node { y: zero.if_less(turns, y_turn, self.end), u: speed, g, t: t + field.duration(d, mean) },
             correction: d,
-            // the fifth derivative, about ω times the fourth, times d⁵/120
-            left_out: (k * square * square * d).abs() * slope.abs().sqrt() * (1.0 / 120.0),
-            kind: choose(near_kind, zero.all(AT_END)),
+            // the fifth derivative is about ω = √−g' times the fourth
+            left_out_squared: left_out * left_out * slope.abs(),
+            kind: zero.if_less(turns, zero.all(AT_TURNING), zero.all(AT_END)),
         }
+    }
+}
+
+/// The Taylor series of y at a node, to the fourth derivative.
+#[derive(Clone, Copy)]
+struct Series<T> {
+    y: T,
+    u: T,
+    g: T,
+    j: T,
+    k: T,
+}
+
+impl<T: Lane> Series<T> {
+    #[inline(always)]
+    fn position(&self, d: T) -> T {
+        self.y + d * (self.u + d * (self.g * 0.5 + d * (self.j * (1.0 / 6.0) + d * self.k * (1.0 / 24.0))))
+    }
+    #[inline(always)]
+    fn velocity(&self, d: T) -> T {
+        self.u + d * (self.g + d * (self.j * 0.5 + d * self.k * (1.0 / 6.0)))
+    }
+    #[inline(always)]
+    fn acceleration(&self, d: T) -> T {
+        self.g + d * (self.j + d * self.k * 0.5)
     }
 }

@@ -80,30 +80,47 @@ pub struct Wide<S: Simd, const K: usize> {
 impl<S: Simd, const K: usize> Wide<S, K> {
     /// From memory.
     #[inline(always)]
-    pub fn load(simd: S, registers: &[S::f64s]) -> Self {
-        Self { simd, registers: std::array::from_fn(|i| registers[i]) }
+    pub fn load(simd: S, row: &[S::f64s]) -> Self {
+        let mut registers = [simd.splat_f64s(0.0); K];
+        registers.copy_from_slice(&row[..K]);
+        Self { simd, registers }
     }
 
     /// To memory.
     #[inline(always)]
-    pub fn store(self, registers: &mut [S::f64s]) {
-        registers[..K].copy_from_slice(&self.registers);
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(S::f64s, S::f64s) -> S::f64s) -> Self {
-        Self { simd: self.simd, registers: std::array::from_fn(|i| f(self.registers[i], other.registers[i])) }
+    pub fn store(self, row: &mut [S::f64s]) {
+        row[..K].copy_from_slice(&self.registers);
     }
 }
 
+// Plain loops and no closures: a function that is not inlined into the dispatched one would lose its instruction set.
+macro_rules! unary {
+    ($method:ident, $simd:ident) => {
+        #[inline(always)]
+        fn $method(mut self) -> Self {
+            for register in &mut self.registers {
+                *register = self.simd.$simd(*register);
+            }
+            self
+        }
+    };
+}
+macro_rules! binary {
+    ($method:ident, $simd:ident) => {
+        #[inline(always)]
+        fn $method(mut self, other: Self) -> Self {
+            for i in 0..K {
+                self.registers[i] = self.simd.$simd(self.registers[i], other.registers[i]);
+            }
+            self
+        }
+    };
+}
 macro_rules! operator {
     ($trait:ident, $method:ident, $simd:ident) => {
         impl<S: Simd, const K: usize> $trait for Wide<S, K> {
             type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.zip(other, |a, b| self.simd.$simd(a, b))
-            }
+            binary!($method, $simd);
         }
     };
 }
@@ -114,10 +131,7 @@ operator!(Div, div, div_f64s);
 
 impl<S: Simd, const K: usize> Neg for Wide<S, K> {
     type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.zip(self, |a, _| self.simd.neg_f64s(a))
-    }
+    unary!(neg, neg_f64s);
 }
 
 impl<S: Simd, const K: usize> Mul<f64> for Wide<S, K> {
@@ -129,34 +143,21 @@ impl<S: Simd, const K: usize> Mul<f64> for Wide<S, K> {
 }
 
 impl<S: Simd, const K: usize> Lane for Wide<S, K> {
+    unary!(abs, abs_f64s);
+    unary!(sqrt, sqrt_f64s);
+    binary!(max, max_f64s);
+    binary!(min, min_f64s);
     #[inline(always)]
     fn all(self, value: f64) -> Self {
         Self { simd: self.simd, registers: [self.simd.splat_f64s(value); K] }
     }
     #[inline(always)]
-    fn abs(self) -> Self {
-        self.zip(self, |a, _| self.simd.abs_f64s(a))
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        self.zip(self, |a, _| self.simd.sqrt_f64s(a))
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.zip(other, |a, b| self.simd.max_f64s(a, b))
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.zip(other, |a, b| self.simd.min_f64s(a, b))
-    }
-    #[inline(always)]
-    fn if_less(self, other: Self, then: Self, otherwise: Self) -> Self {
-        let simd = self.simd;
-        let registers = std::array::from_fn(|i| {
-            let mask = simd.less_than_f64s(self.registers[i], other.registers[i]);
-            simd.select_f64s(mask, then.registers[i], otherwise.registers[i])
-        });
-        Self { simd, registers }
+    fn if_less(mut self, other: Self, then: Self, otherwise: Self) -> Self {
+        for i in 0..K {
+            let mask = self.simd.less_than_f64s(self.registers[i], other.registers[i]);
+            self.registers[i] = self.simd.select_f64s(mask, then.registers[i], otherwise.registers[i]);
+        }
+        self
     }
     #[inline(always)]
     fn inverse_eighth_root(mut self) -> Self {

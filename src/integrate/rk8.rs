@@ -10,8 +10,8 @@
 //! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On a straight piece y = d and σ = t.
 //!
 //! **Landing.** Before a step its landing is predicted: energy gives the speed where the leg will end, and the two-point
-//! Taylor formula Δy = h/2 (u_1 + u_2) + h²/10 (g_1 − g_2) + h³/120 (j_1 + j_2), exact to h⁷, gives the h that ends there.
-//! If that is no longer than the controlled step, it is the last one. What it misses, order h⁷, is mended by the Taylor
+//! Taylor formula Δy = h/2 (u_1 + u_2) + h²/12 (g_1 − g_2), exact to h⁵, gives the h that ends there. If that is no longer
+//! than the controlled step, it is the last one. What it misses, order h⁵, is mended by the Taylor
 //! series at the end: no root finder, no step thrown away, and the distance (or the speed, at a turning point) of the
 //! landed state is exact. Prediction is all energy is used for; the state comes from the integration.
 //!
@@ -62,7 +62,7 @@ impl Rk8 {
         self.work.force_evaluations += 1;
         for _ in 0..MOST_STEPS {
             let is_far = leg.target.reach(&now, h) < (leg.target.y - now.y).abs();
-            let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(field, &now, h) };
+            let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(&now, h) };
             let Stepped { node: mut next, error } = leg.step(field, &now, this);
             self.work.force_evaluations += EVALUATIONS;
             if error > 1.0 {
@@ -78,7 +78,7 @@ impl Rk8 {
             let mut landing = None;
             if last <= h {
                 let landed = leg.target.land(field, &next);
-                if landed.left_out <= leg.left_out {
+                if landed.left_out_squared < leg.left_out_squared {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
                     landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });
@@ -109,7 +109,8 @@ impl Rk8 {
         // −g' is largest at the far end outward, at the start on the way back
         let fastest = if path.leg == Leg::Back { y } else { target.y };
         let h = self.first_step / (-field.derivatives(fastest).0).sqrt();
-        (Constants { target, inverse_y, inverse_u, left_out: 0.1 * self.tolerance * size }, node, h)
+        let left_out = 0.1 * self.tolerance * size;
+        (Constants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
     }
 }
 
@@ -124,8 +125,8 @@ pub(super) struct Constants<T> {
     pub(super) inverse_y: T,
     /// The same for u.
     pub(super) inverse_u: T,
-    /// How much a landing may leave out.
-    pub(super) left_out: T,
+    /// How much a landing may leave out, squared.
+    pub(super) left_out_squared: T,
 }
 
 /// The end of a step and its error relative to the limit.
@@ -141,7 +142,7 @@ impl<T: Lane> Constants<T> {
     pub(super) fn step<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> Stepped<T> {
         let square = h * h;
         let scaled = field.scaled(square);
-        let step = nystrom::step(now.y, h * now.u, square * now.g, |y| scaled.g(y));
+        let step = nystrom::step(now.y, h * now.u, square * now.g, scaled);
         let inverse = h.all(1.0) / h;
         let node = Node {
             y: step.position,

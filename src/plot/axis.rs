@@ -2,6 +2,10 @@
 
 use crate::report::human::{Prefix, power_of_ten, ten_to};
 
+/// Values beyond this are not drawn, nor those below its inverse on a logarithmic axis, so that neither the ends of an
+/// axis nor its length overflow.
+const LARGEST: f64 = 1e200;
+
 /// Linear or logarithmic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
@@ -55,14 +59,14 @@ impl Axis {
     /// Fixes range and prefix for these values.
     pub(super) fn fitted(&self, values: impl Iterator<Item = f64>) -> FittedAxis {
         let is_log = self.scale == Scale::Log;
-        let drawable = |v: &f64| v.is_finite() && (!is_log || *v > 0.0);
-        let (low, high) =
-            self.range.filter(|(low, high)| drawable(low) && drawable(high) && low < high).unwrap_or_else(|| {
-                let (low, high) = values
-                    .filter(drawable)
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-                padded(low, high, is_log)
-            });
+        let drawable = |v: &f64| v.abs() < LARGEST && (!is_log || *v > 1.0 / LARGEST);
+        let is_range = |(low, high): &(f64, f64)| drawable(low) && drawable(high) && !is_one_value(*low, *high);
+        let (low, high) = self.range.filter(is_range).unwrap_or_else(|| {
+            let (low, high) = values
+                .filter(drawable)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            padded(low, high, is_log)
+        });
         let prefix = if self.is_engineering {
             Prefix::of(low.abs().max(high.abs()))
         } else {
@@ -83,16 +87,25 @@ impl Axis {
     }
 }
 
+/// Whether a range is too short to be told from one value (or empty).
+fn is_one_value(low: f64, high: f64) -> bool {
+    high - low <= 1e-9 * high.abs().max(low.abs())
+}
+
 /// A little room beyond the data; zero is included where it is near.
 fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
     if low > high {
         return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
     }
     if is_log {
-        let room = if low < high { (high / low).powf(0.04) } else { 3.0 };
+        let room = if is_one_value(low, high) { 3.0 } else { (0.04 * (high.ln() - low.ln())).exp() };
         return (low / room, high * room);
     }
-    let room = if low < high { 0.06 * (high - low) } else { (0.1 * high.abs()).max(f64::MIN_POSITIVE) };
+    let room = match high - low {
+        _ if low == 0.0 && high == 0.0 => 1.0,
+        _ if is_one_value(low, high) => 0.1 * high.abs(),
+        length => 0.06 * length,
+    };
     if low >= 0.0 && low < 0.5 * high { (0.0, high + room) } else { (low - room, high + room) }
 }
 
@@ -123,14 +136,14 @@ impl FittedAxis {
         self.factor
             * match self.scale {
                 Scale::Linear => self.low + share * (self.high - self.low),
-                Scale::Log => self.low * (self.high / self.low).powf(share),
+                Scale::Log => (self.low.ln() + share * (self.high.ln() - self.low.ln())).exp(),
             }
     }
 
     fn share(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.low) / (self.high - self.low),
-            Scale::Log => (value / self.low).ln() / (self.high / self.low).ln(),
+            Scale::Log => (value.ln() - self.low.ln()) / (self.high.ln() - self.low.ln()),
         }
     }
 
@@ -143,6 +156,8 @@ impl FittedAxis {
         };
         let values = match self.scale {
             Scale::Linear => linear_ticks(self.low, self.high, wanted),
+            // too little of a decade for ticks at powers of ten
+            Scale::Log if self.high / self.low < 3.0 => linear_ticks(self.low, self.high, wanted),
             Scale::Log => log_ticks(self.low, self.high, wanted),
         };
         values.into_iter().filter_map(tick).collect()
@@ -178,11 +193,10 @@ fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
     let decades = high.log10() - low.log10();
     let every = (decades / wanted).ceil().max(1.0) as i32;
     let labelled: &[i32] = match decades {
-        d if d < 0.7 => &[1, 2, 3, 4, 5, 6, 7, 8, 9],
         d if d < 2.0 => &[1, 2, 5],
         _ => &[1],
     };
-    let is_plain = first >= -3 && last <= 4;
+    let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
         _ if is_plain => crate::report::human::number(f64::from(digit) * ten_to(exponent)),
         1 => power_of_ten(exponent),

@@ -9,20 +9,25 @@ use super::{PlotError, SIZE};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::report::human::{number, quantity};
 
+/// Radius of markers, and of the small ones at knots \[px\].
+const MARK: f64 = 9.0;
+const KNOT: f64 = 4.0;
+
 /// One of the three loops.
 struct Loop {
     name: &'static str,
     indentation: fn(&TraceRow) -> f64,
     width: f64,
-    /// Where along each branch markers sit, so that loops on top of each other still show theirs.
+    /// Force over peak force of the markers on loading and unloading: where loops lie on each other, each shows its own.
     marks: [f64; 2],
 }
 
-/// The whole approach is drawn first and widest: with a rigid sphere the half-space's loop lies on it.
+/// Drawn in this order, each narrower than the one before: with a rigid sphere the half-space's loop lies on the whole
+/// approach, with equal elastic bodies on the sphere's.
 const LOOPS: [Loop; 3] = [
-    Loop { name: "Approach δ", indentation: |row| row.indentation, width: 5.5, marks: [0.45, 0.85] },
-    Loop { name: "Sphere δₛ", indentation: |row| row.sphere_indentation, width: 3.0, marks: [0.35, 0.75] },
-    Loop { name: "Half-space δₕ", indentation: |row| row.half_space_indentation, width: 3.0, marks: [0.55, 0.65] },
+    Loop { name: "Approach δ", indentation: |row| row.indentation, width: 7.0, marks: [0.5, 0.7] },
+    Loop { name: "Sphere δₛ", indentation: |row| row.sphere_indentation, width: 5.0, marks: [0.35, 0.85] },
+    Loop { name: "Half-space δₕ", indentation: |row| row.half_space_indentation, width: 3.0, marks: [0.65, 0.45] },
 ];
 
 /// The picture `force-indentation.png`. The trace is drawn as it is: some hundred samples make smooth curves.
@@ -44,32 +49,34 @@ pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
             .fitted(std::iter::empty()),
         y: Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force).fitted(std::iter::empty()),
     };
-    frame.draw_axes(&mut canvas, true)?;
+    frame.draw_axes(&mut canvas)?;
+    frame.draw_title(&mut canvas, &title(impact))?;
 
     let guide = Stroke { color: GREY, width: 2.0, dash: DOTTED };
     let peak = (impact.peak_indentation, impact.peak_force);
     frame.curve(&mut canvas, [(0.0, peak.1), peak, (peak.0, 0.0)].into_iter(), guide)?;
     frame.draw_outline(&mut canvas)?;
-    for (i, one) in LOOPS.iter().enumerate() {
-        let (stroke, mark) = series(i);
+    for (one, (stroke, _)) in LOOPS.iter().zip((0..).map(series)) {
         for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
             let curve = part.iter().map(|row| ((one.indentation)(row), row.force));
             frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke })?;
-            for share in one.marks {
-                if let Some(row) = near_force(part, share * impact.peak_force) {
-                    frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, 9.0, stroke.color)?;
-                }
+        }
+    }
+    for (one, (stroke, mark)) in LOOPS.iter().zip((0..).map(series)) {
+        for (part, share) in [loading, unloading].into_iter().zip(one.marks) {
+            if let Some(row) = near_force(part, share * impact.peak_force) {
+                frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color)?;
             }
         }
     }
     for row in trace.iter().filter(|row| matches!(row.event, Some(Event::Yield | Event::Knot))) {
         let is_yield = row.event == Some(Event::Yield);
-        let (mark, radius) = if is_yield { (Mark::Diamond, 8.0) } else { (Mark::Circle, 4.0) };
+        let (mark, radius) = if is_yield { (Mark::Diamond, MARK) } else { (Mark::Circle, KNOT) };
         frame.mark(&mut canvas, (row.indentation, row.force), mark, radius, INK)?;
     }
-    frame.mark(&mut canvas, peak, Mark::Square, 9.0, INK)?;
+    frame.mark(&mut canvas, peak, Mark::Square, MARK, INK)?;
     if impact.has_dent() {
-        frame.mark(&mut canvas, (impact.residual_indentation, 0.0), Mark::Inverted, 10.0, INK)?;
+        frame.mark(&mut canvas, (impact.residual_indentation, 0.0), Mark::Inverted, MARK, INK)?;
     }
     key::draw(&mut canvas, &entries, &frame)?;
     canvas.to_png()
@@ -88,28 +95,37 @@ fn entries(impact: &Impact) -> Vec<Entry> {
         .map(|(i, one)| {
             let (stroke, mark) = series(i);
             let stroke = Stroke { dash: SOLID, width: one.width, ..stroke };
-            Entry { mark: Some((mark, stroke.color)), ..Entry::line(one.name, stroke) }
+            Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(one.name, stroke) }
         })
         .collect();
     let branch = |dash| Stroke { color: GREY, width: 3.0, dash };
-    entries.push(Entry::line("loading", branch(SOLID)));
-    entries.push(Entry::line("unloading", branch(DASHED)));
+    if impact.has_dent() {
+        entries.push(Entry::line("loading", branch(SOLID)));
+        entries.push(Entry::line("unloading", branch(DASHED)));
+    } else {
+        entries.push(Entry::line("loading and unloading", branch(SOLID)));
+    }
     let at_peak = format!("δₘ = {}", length(impact.peak_indentation));
     entries.push(
-        Entry::mark("Peak", Mark::Square, INK).and(format!("Fₘ = {}", quantity(impact.peak_force, "N"))).and(at_peak),
+        Entry::mark("Peak", Mark::Square, MARK, INK)
+            .and(format!("Fₘ = {}", quantity(impact.peak_force, "N")))
+            .and(at_peak),
     );
     if impact.has_dent() {
         let residual = format!("δᵣ = {}", length(impact.residual_indentation));
-        entries.push(Entry::mark("Residual indentation", Mark::Inverted, INK).and(residual));
+        entries.push(Entry::mark("Residual indentation", Mark::Inverted, MARK, INK).and(residual));
     }
     let has = |event| impact.trace.iter().any(|row| row.event == Some(event));
     if has(Event::Yield) {
-        entries.push(Entry::mark("First yield", Mark::Diamond, INK));
+        entries.push(Entry::mark("First yield", Mark::Diamond, MARK, INK));
     }
     if has(Event::Knot) {
-        entries.push(Entry::mark("Knot of the law", Mark::Circle, INK));
+        entries.push(Entry::mark("Knot of the law", Mark::Circle, KNOT, INK));
     }
-    let speed = format!("impact at {}", quantity(impact.speed, "m/s"));
-    entries.push(Entry::text(&format!("Restitution e = {}", number(impact.restitution))).and(speed));
     entries
+}
+
+/// The title of the pictures of one impact.
+pub(super) fn title(impact: &Impact) -> String {
+    format!("Impact at {}: restitution e = {}", quantity(impact.speed, "m/s"), number(impact.restitution))
 }

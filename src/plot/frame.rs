@@ -5,10 +5,19 @@ use plotters::style::RGBColor;
 use super::PlotError;
 use super::axis::FittedAxis;
 use super::canvas::{Anchor, Canvas, Point, text_width};
-use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, Stroke};
+use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, SOLID, Stroke, TITLE_SIZE};
 
 /// Distance between labels of an axis \[px\] that reads well.
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
+
+/// Labels that an axis has even in a low box.
+const FEWEST: f64 = 4.0;
+const GRID_LINE: Stroke = Stroke { color: GRID, width: 1.5, dash: SOLID };
+const TICK: Stroke = Stroke { color: INK, width: 2.0, dash: SOLID };
+
+fn tick_length(is_major: bool) -> f64 {
+    if is_major { 10.0 } else { 5.0 }
+}
 
 /// Where the box lies on the picture \[px\].
 #[derive(Debug, Clone, Copy)]
@@ -31,38 +40,47 @@ impl Frame {
         (left + self.x.at(x) * (right - left), bottom - self.y.at(y) * (bottom - top))
     }
 
-    /// Grid, ticks and labels; `with_x` is false where another box below shares the axis.
-    pub(super) fn draw_axes(&self, canvas: &mut Canvas, with_x: bool) -> Result<(), PlotError> {
+    /// Grid, ticks, labels and titles of both axes.
+    pub(super) fn draw_axes(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+        self.draw_x(canvas, true)?;
+        self.draw_y(canvas)
+    }
+
+    /// The horizontal axis; without labels where a box below shares it.
+    pub(super) fn draw_x(&self, canvas: &mut Canvas, has_labels: bool) -> Result<(), PlotError> {
         let Bounds { left, top, right, bottom } = self.bounds;
-        let grid = Stroke::solid(GRID, 1.5);
-        let tick = |is_major| Stroke::solid(INK, if is_major { 2.0 } else { 1.5 });
-        let length = |is_major| if is_major { 10.0 } else { 5.0 };
         for mark in self.x.ticks((right - left) / LABEL_DISTANCE.0) {
             let x = left + mark.at * (right - left);
             let is_major = mark.label.is_some();
             if is_major {
-                canvas.polyline(&[(x, top), (x, bottom)], grid)?;
+                canvas.polyline(&[(x, top), (x, bottom)], GRID_LINE)?;
             }
-            canvas.polyline(&[(x, bottom), (x, bottom + length(is_major))], tick(is_major))?;
-            if let Some(label) = mark.label.filter(|_| with_x) {
+            canvas.polyline(&[(x, bottom), (x, bottom + tick_length(is_major))], TICK)?;
+            if let Some(label) = mark.label.filter(|_| has_labels) {
                 canvas.text(&label, (x, bottom + 32.0), LABEL_SIZE, INK, Anchor::Middle)?;
             }
         }
+        if has_labels {
+            canvas.text(&self.x.title, (0.5 * (left + right), bottom + 82.0), AXIS_SIZE, INK, Anchor::Middle)?;
+        }
+        Ok(())
+    }
+
+    /// The vertical axis.
+    pub(super) fn draw_y(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+        let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
-        for mark in self.y.ticks((bottom - top) / LABEL_DISTANCE.1) {
+        for mark in self.y.ticks(((bottom - top) / LABEL_DISTANCE.1).max(FEWEST)) {
             let y = bottom - mark.at * (bottom - top);
             let is_major = mark.label.is_some();
             if is_major {
-                canvas.polyline(&[(left, y), (right, y)], grid)?;
+                canvas.polyline(&[(left, y), (right, y)], GRID_LINE)?;
             }
-            canvas.polyline(&[(left - length(is_major), y), (left, y)], tick(is_major))?;
+            canvas.polyline(&[(left - tick_length(is_major), y), (left, y)], TICK)?;
             if let Some(label) = mark.label {
                 widest = widest.max(text_width(&label, LABEL_SIZE)?);
                 canvas.text(&label, (left - 18.0, y), LABEL_SIZE, INK, Anchor::End)?;
             }
-        }
-        if with_x {
-            canvas.text(&self.x.title, (0.5 * (left + right), bottom + 82.0), AXIS_SIZE, INK, Anchor::Middle)?;
         }
         let title_at = (left - 18.0 - widest - 34.0).max(24.0);
         canvas.text_upward(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK)
@@ -73,6 +91,12 @@ impl Frame {
         let Bounds { left, top, right, bottom } = self.bounds;
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
         canvas.polyline(&corners, Stroke::solid(INK, 2.0))
+    }
+
+    /// The title of the picture, above the box.
+    pub(super) fn draw_title(&self, canvas: &mut Canvas, title: &str) -> Result<(), PlotError> {
+        let at = (0.5 * (self.bounds.left + self.bounds.right), self.bounds.top - 42.0);
+        canvas.text(title, at, TITLE_SIZE, INK, Anchor::Middle)
     }
 
     /// A curve through values; what lies outside the box is cut off.

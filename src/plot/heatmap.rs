@@ -4,10 +4,10 @@ use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
 use super::axis::{Axis, FittedAxis};
-use super::canvas::{Anchor, Canvas};
+use super::canvas::Canvas;
 use super::frame::{Bounds, Frame};
 use super::key::{BOTTOM, LEFT, TOP};
-use super::style::{GRID, INK, TITLE_SIZE};
+use super::style::GRID;
 use super::{PlotError, SIZE};
 
 /// Width of the colour bar and of the room for it \[px\].
@@ -58,7 +58,7 @@ impl Heatmap {
         };
         let frame = Frame { bounds, x: full(&self.x, &x_edges), y: full(&self.y, &y_edges) };
         let color = self.color.fitted(self.values.iter().copied());
-        frame.draw_axes(&mut canvas, true)?;
+        frame.draw_axes(&mut canvas)?;
         for (row, values) in self.values.chunks_exact(columns).enumerate() {
             for (column, value) in values.iter().enumerate() {
                 let from = frame.place(x_edges[column], y_edges[row]);
@@ -68,27 +68,27 @@ impl Heatmap {
             }
         }
         frame.draw_outline(&mut canvas)?;
-        self.draw_bar(&mut canvas, color, bounds)?;
-        canvas.text(&self.title, (0.5 * (bounds.left + bounds.right), 48.0), TITLE_SIZE, INK, Anchor::Middle)?;
+        draw_bar(&mut canvas, color, bounds)?;
+        frame.draw_title(&mut canvas, &self.title)?;
         canvas.to_png()
     }
+}
 
-    fn draw_bar(&self, canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<(), PlotError> {
-        let right = f64::from(SIZE.0) - 30.0;
-        let bar = Frame {
-            bounds: Bounds { left: right - BAR, right, ..bounds },
-            x: Axis::linear("", "").fitted(std::iter::empty()),
-            y: color,
-        };
-        bar.draw_axes(canvas, false)?;
-        for step in 0..STEPS {
-            let (from, to) = (f64::from(step) / f64::from(STEPS), f64::from(step + 1) / f64::from(STEPS));
-            let (low, high) = (bar.place(0.0, bar.y.value_at(from)), bar.place(1.0, bar.y.value_at(to)));
-            let shade = shade(&bar.y, bar.y.value_at(0.5 * (from + to)));
-            canvas.rectangle((bar.bounds.left, high.1), (bar.bounds.right, low.1), shade)?;
-        }
-        bar.draw_outline(canvas)
+fn draw_bar(canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<(), PlotError> {
+    let right = f64::from(SIZE.0) - 30.0;
+    let bar = Frame {
+        bounds: Bounds { left: right - BAR, right, ..bounds },
+        x: Axis::linear("", "").fitted(std::iter::empty()),
+        y: color,
+    };
+    bar.draw_y(canvas)?;
+    for step in 0..STEPS {
+        let (from, to) = (f64::from(step) / f64::from(STEPS), f64::from(step + 1) / f64::from(STEPS));
+        let (low, high) = (bar.place(0.0, bar.y.value_at(from)), bar.place(1.0, bar.y.value_at(to)));
+        let shade = shade(&bar.y, bar.y.value_at(0.5 * (from + to)));
+        canvas.rectangle((bar.bounds.left, high.1), (bar.bounds.right, low.1), shade)?;
     }
+    bar.draw_outline(canvas)
 }
 
 /// Viridis along the axis of the colours; grey for what has no value.

@@ -1,10 +1,10 @@
 //! How often a value came: bars, with lines for mean and quantiles.
 
 use super::axis::Axis;
-use super::canvas::{Anchor, Canvas};
+use super::canvas::Canvas;
 use super::frame::Frame;
 use super::key::{self, Entry};
-use super::style::{INK, PALETTE, PAPER, Stroke, TITLE_SIZE};
+use super::style::{PALETTE, PAPER, Stroke};
 use super::{PlotError, SIZE};
 
 /// Bars over adjoining bins.
@@ -51,7 +51,7 @@ impl Histogram {
             x: x.fitted(self.edges.iter().copied()),
             y: Axis::linear("Count", "").between(0.0, 1.06 * highest).fitted(std::iter::empty()),
         };
-        frame.draw_axes(&mut canvas, true)?;
+        frame.draw_axes(&mut canvas)?;
         for (edges, height) in self.edges.windows(2).zip(&heights) {
             let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
             if high.1 < low.1 {
@@ -67,8 +67,7 @@ impl Histogram {
             frame.curve(&mut canvas, ends.into_iter(), stroke(i))?;
         }
         frame.draw_outline(&mut canvas)?;
-        let middle = 0.5 * (frame.bounds.left + frame.bounds.right);
-        canvas.text(&self.title, (middle, 48.0), TITLE_SIZE, INK, Anchor::Middle)?;
+        frame.draw_title(&mut canvas, &self.title)?;
         key::draw(&mut canvas, &entries, &frame)?;
         canvas.to_png()
     }

@@ -2,15 +2,24 @@
 
 use super::axis::Axis;
 use super::canvas::Canvas;
+use super::force_indentation::title;
 use super::frame::{Bounds, Frame};
 use super::key::{self, Entry};
 use super::style::{DASHED, GREY, INK, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
 use crate::impact::{Impact, TraceRow};
-use crate::report::human::{number, quantity};
+use crate::report::human::quantity;
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
+
+/// Markers along each indentation.
+const MARKS: usize = 5;
+
+/// The whole indentation and its shares, which may lie on it or on each other, are of different widths.
+fn width(series: usize) -> f64 {
+    [7.0, 5.0].get(series).copied().unwrap_or(3.5)
+}
 
 type Quantity = fn(&TraceRow) -> f64;
 
@@ -43,7 +52,8 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
             x: Axis::engineering("Time", "s").between(0.0, 1.03 * impact.contact_time).fitted(std::iter::empty()),
             y: axis.fitted(std::iter::empty()),
         };
-        frame.draw_axes(&mut canvas, i == 2)?;
+        frame.draw_x(&mut canvas, i == 2)?;
+        frame.draw_y(&mut canvas)?;
         for (time, stroke) in [(impact.loading_time, peak), (impact.contact_time, separation)] {
             let (low, high) = (frame.y.value_at(0.0), frame.y.value_at(1.0));
             frame.curve(&mut canvas, [(time, low), (time, high)].into_iter(), stroke)?;
@@ -55,18 +65,20 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
         frame.draw_outline(&mut canvas)?;
         for (j, quantity) in curves.iter().enumerate() {
             let (stroke, mark) = series(first_color + j);
-            let stroke = Stroke { dash: SOLID, width: if curves.len() > 1 && j == 0 { 5.5 } else { 3.5 }, ..stroke };
+            let stroke = Stroke { dash: SOLID, width: width(first_color + j), ..stroke };
             let points = impact.trace.iter().map(|row| (row.time, quantity(row)));
             frame.curve(&mut canvas, points, stroke)?;
             if curves.len() > 1 {
-                // markers of the three shares at different times, as two shares may be one curve
-                let every = (impact.trace.len() / 6).max(1);
-                for row in impact.trace.iter().skip(every * (1 + j) / 3).step_by(every) {
+                // each curve has its markers at its own times, as two of them may lie on each other
+                let rows =
+                    (0..MARKS).filter_map(|k| impact.trace.get(impact.trace.len() * (3 * k + j + 1) / (3 * MARKS + 1)));
+                for row in rows {
                     frame.mark(&mut canvas, (row.time, quantity(row)), mark, 8.0, stroke.color)?;
                 }
             }
         }
         if i == 0 {
+            frame.draw_title(&mut canvas, &title(impact))?;
             key::draw(&mut canvas, &entries, &frame)?;
         }
         top += step;
@@ -77,8 +89,8 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
 fn entries(impact: &Impact, peak: Stroke, separation: Stroke) -> Vec<Entry> {
     let curve = |name: &str, index: usize| {
         let (stroke, mark) = series(index);
-        let entry = Entry::line(name, Stroke { dash: SOLID, width: if index == 0 { 5.5 } else { 3.5 }, ..stroke });
-        Entry { mark: (index < 3).then_some((mark, stroke.color)), ..entry }
+        let entry = Entry::line(name, Stroke { dash: SOLID, width: width(index), ..stroke });
+        Entry { mark: (index < 3).then_some((mark, 8.0, stroke.color)), ..entry }
     };
     let mut left = Entry::line("Separation", separation)
         .and(quantity(impact.contact_time, "s"))
@@ -94,6 +106,5 @@ fn entries(impact: &Impact, peak: Stroke, separation: Stroke) -> Vec<Entry> {
         curve("Speed δ′", 4).and(format!("impact at {}", quantity(impact.speed, "m/s"))),
         Entry::line("Peak", peak).and(quantity(impact.loading_time, "s")),
         left,
-        Entry::text(&format!("Restitution e = {}", number(impact.restitution))),
     ]
 }

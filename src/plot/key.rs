@@ -22,7 +22,7 @@ pub(super) const BOTTOM: f64 = 125.0;
 /// One entry: a sample of line or marker and its text, the first line in ink and the rest in grey.
 pub(super) struct Entry {
     pub line: Option<Stroke>,
-    pub mark: Option<(Mark, RGBColor)>,
+    pub mark: Option<(Mark, f64, RGBColor)>,
     pub text: Vec<String>,
 }
 
@@ -31,8 +31,8 @@ impl Entry {
         Self { line: Some(stroke), mark: None, text: vec![text.into()] }
     }
 
-    pub(super) fn mark(text: &str, mark: Mark, color: RGBColor) -> Self {
-        Self { line: None, mark: Some((mark, color)), text: vec![text.into()] }
+    pub(super) fn mark(text: &str, mark: Mark, radius: f64, color: RGBColor) -> Self {
+        Self { line: None, mark: Some((mark, radius, color)), text: vec![text.into()] }
     }
 
     pub(super) fn text(text: &str) -> Self {
@@ -72,8 +72,8 @@ pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Res
         if let Some(stroke) = entry.line {
             canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke)?;
         }
-        if let Some((mark, color)) = entry.mark {
-            mark.draw(canvas, (left + 0.5 * SAMPLE, y), 8.0, color)?;
+        if let Some((mark, radius, color)) = entry.mark {
+            mark.draw(canvas, (left + 0.5 * SAMPLE, y), radius, color)?;
         }
         for (i, text) in entry.text.iter().enumerate() {
             let color = if i == 0 { INK } else { GREY };

@@ -1,10 +1,10 @@
 //! Curves with names on two axes, linear or logarithmic: work against precision, restitution against speed.
 
-use super::axis::Axis;
-use super::canvas::{Anchor, Canvas};
+use super::axis::{Axis, FittedAxis};
+use super::canvas::Canvas;
 use super::frame::Frame;
 use super::key::{self, Entry};
-use super::style::{GREY, INK, Mark, Stroke, TITLE_SIZE, series};
+use super::style::{GREY, Mark, Stroke, series};
 use super::{PlotError, SIZE};
 
 /// Curves on two axes.
@@ -35,7 +35,8 @@ pub struct Series {
     pub has_marks: bool,
 }
 
-/// A line that is no data. Its label stands in the key; guides of the same label stand there once.
+/// A line that is no data; it does not widen the axes. Its label stands in the key, if the line is in the box; guides of
+/// the same label stand there once.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Guide {
     /// At one x; in the colour of a series, if it belongs to one.
@@ -81,8 +82,8 @@ impl Guide {
         Stroke { color, width: 2.0, dash }
     }
 
-    fn points(&self, frame: &Frame) -> Vec<(f64, f64)> {
-        let (x, y) = (|share| frame.x.value_at(share), |share| frame.y.value_at(share));
+    fn points(&self, x: &FittedAxis, y: &FittedAxis) -> Vec<(f64, f64)> {
+        let (x, y) = (|share| x.value_at(share), |share| y.value_at(share));
         match *self {
             Self::Vertical { at, .. } => vec![(at, y(0.0)), (at, y(1.0))],
             Self::Horizontal { at, .. } => vec![(x(0.0), at), (x(1.0), at)],
@@ -95,7 +96,9 @@ impl Guide {
 }
 
 /// Markers along a curve that has none on its points.
-const SPARSE_MARKS: usize = 6;
+const SPARSE_MARKS: u32 = 6;
+/// Radius of markers \[px\].
+const MARK: f64 = 9.0;
 
 impl Lines {
     /// The picture as PNG.
@@ -103,51 +106,72 @@ impl Lines {
     /// # Errors
     /// What drawing and encoding report.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
-        let entries = self.entries();
         let values = || self.series.iter().flat_map(|series| series.points.iter().copied());
-        let mut canvas = Canvas::try_new(SIZE)?;
-        let frame = Frame {
-            bounds: key::bounds(&entries)?,
-            x: self.x.fitted(values().map(|point| point.0)),
-            y: self.y.fitted(values().map(|point| point.1)),
+        let x = self.x.fitted(values().map(|point| point.0));
+        let y = self.y.fitted(values().map(|point| point.1));
+        let is_visible = |guide: &&Guide| {
+            let mut points = guide.points(&x, &y).into_iter();
+            points.any(|(at_x, at_y)| is_share(x.at(at_x)) && is_share(y.at(at_y)))
         };
-        frame.draw_axes(&mut canvas, true)?;
-        for guide in &self.guides {
-            frame.curve(&mut canvas, guide.points(&frame).into_iter(), guide.stroke())?;
+        let guides: Vec<&Guide> = self.guides.iter().filter(is_visible).collect();
+        let entries = self.entries(&guides);
+        let mut canvas = Canvas::try_new(SIZE)?;
+        let frame = Frame { bounds: key::bounds(&entries)?, x, y };
+        frame.draw_axes(&mut canvas)?;
+        for guide in guides {
+            frame.curve(&mut canvas, guide.points(&frame.x, &frame.y).into_iter(), guide.stroke())?;
         }
         frame.draw_outline(&mut canvas)?;
         for (i, curve) in self.series.iter().enumerate() {
             let (stroke, mark) = series(i);
             frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
-            let every = if curve.has_marks { 1 } else { (curve.points.len() / SPARSE_MARKS).max(1) };
-            // series are shifted against each other, so that markers on a common curve do not hide each other
-            let first = if curve.has_marks { 0 } else { (every / 2 + i * every / SPARSE_MARKS) % every };
-            for &point in curve.points.iter().skip(first).step_by(every) {
-                frame.mark(&mut canvas, point, mark, 9.0, stroke.color)?;
+            let marked = if curve.has_marks { curve.points.clone() } else { self.sparse_marks(&frame, i) };
+            for point in marked {
+                frame.mark(&mut canvas, point, mark, MARK, stroke.color)?;
             }
         }
-        let middle = 0.5 * (frame.bounds.left + frame.bounds.right);
-        canvas.text(&self.title, (middle, 48.0), TITLE_SIZE, INK, Anchor::Middle)?;
+        frame.draw_title(&mut canvas, &self.title)?;
         key::draw(&mut canvas, &entries, &frame)?;
         canvas.to_png()
     }
 
-    fn entries(&self) -> Vec<Entry> {
+    /// Points of a series at even distances along its curve; each series is shifted against the others, so that markers
+    /// on a common curve do not hide each other.
+    fn sparse_marks(&self, frame: &Frame, index: usize) -> Vec<(f64, f64)> {
+        let points = &self.series[index].points;
+        let mut length = 0.0;
+        let lengths: Vec<f64> = std::iter::once(0.0)
+            .chain(points.windows(2).map(|pair| {
+                let (from, to) = (frame.place(pair[0].0, pair[0].1), frame.place(pair[1].0, pair[1].1));
+                let step = (to.0 - from.0).hypot(to.1 - from.1);
+                length += if step.is_finite() { step } else { 0.0 };
+                length
+            }))
+            .collect();
+        #[allow(clippy::cast_precision_loss)] // a handful of series
+        let shift = (index + 1) as f64 / (self.series.len() + 1) as f64;
+        (0..SPARSE_MARKS)
+            .map(|k| length * (f64::from(k) + shift) / f64::from(SPARSE_MARKS))
+            .filter_map(|at| points.get(lengths.partition_point(|length| *length < at)).copied())
+            .collect()
+    }
+
+    fn entries(&self, guides: &[&Guide]) -> Vec<Entry> {
         let mut entries: Vec<Entry> = self
             .series
             .iter()
             .enumerate()
             .map(|(i, curve)| {
                 let (stroke, mark): (Stroke, Mark) = series(i);
-                Entry { mark: Some((mark, stroke.color)), ..Entry::line(&curve.name, stroke) }
+                Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(&curve.name, stroke) }
             })
             .collect();
-        for (i, guide) in self.guides.iter().enumerate() {
-            let same = |other: &Guide| other.label() == guide.label();
-            if guide.label().is_empty() || self.guides[..i].iter().any(same) {
+        for (i, guide) in guides.iter().enumerate() {
+            let same = |other: &&Guide| other.label() == guide.label();
+            if guide.label().is_empty() || guides[..i].iter().any(same) {
                 continue;
             }
-            let is_shared = self.guides.iter().filter(|other| same(other)).count() > 1;
+            let is_shared = guides.iter().filter(|other| same(other)).count() > 1;
             let stroke = guide.stroke();
             let color = if is_shared { GREY } else { stroke.color };
             entries.push(Entry::line(guide.label(), Stroke { color, ..stroke }));
@@ -155,4 +179,9 @@ impl Lines {
         entries.extend(self.notes.iter().map(|note| Entry::text(note)));
         entries
     }
+}
+
+/// Whether a place along an axis is on it, but for rounding.
+fn is_share(at: f64) -> bool {
+    (-1e-9..=1.0 + 1e-9).contains(&at)
 }

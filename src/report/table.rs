@@ -73,10 +73,10 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
 fn aligned(rows: &[(&str, String, String)]) -> String {
     let width = |column: fn(&(&str, String, String)) -> usize| rows.iter().map(column).max().unwrap_or(0);
     let (names, values) = (width(|row| row.0.chars().count()), width(|row| row.1.chars().count()));
-    rows.iter()
-        .map(|(name, value, remark)| {
-            let line = format!("{name:<names$}  {value:<values$}  {remark}");
-            format!("{}\n", line.trim_end())
-        })
-        .collect()
+    let mut text = String::new();
+    for (name, value, remark) in rows {
+        text.push_str(format!("{name:<names$}  {value:<values$}  {remark}").trim_end());
+        text.push('\n');
+    }
+    text
 }

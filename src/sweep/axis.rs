@@ -145,6 +145,12 @@ impl Axis {
         keeps_contact(self.path())
     }
 
+    /// Whether it changes how an impact is computed.
+    #[must_use]
+    pub fn is_of_solver(&self) -> bool {
+        self.path().starts_with("solver.")
+    }
+
     /// Puts value `i` into a scene.
     #[allow(clippy::cast_possible_truncation)] // a list of methods is short
     pub fn put(&self, i: u64, scene: &mut Scene) {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::axis::{Axis, Setting, keeps_contact};
 use super::random::{Draws, Variable};
-use crate::impact::{Contact, Essentials, ImpactError, Method, Solver};
+use crate::impact::{Contact, Essentials, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
 use crate::material::OutOfFloatRange;
 use crate::scenario::Scene;
@@ -174,6 +174,8 @@ pub struct Evaluator<'a> {
     contacts: Vec<Result<Contact, OutOfFloatRange>>,
     /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
     strides: Vec<u64>,
+    /// Tolerance of rk8 in lock step, where every row is integrated by it and the contacts are known.
+    lockstep: Option<f64>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -197,9 +199,14 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        let mut evaluator = Self { plan, contacts: Vec::new(), strides };
+        let mut evaluator = Self { plan, contacts: Vec::new(), strides, lockstep: None };
         if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
+            let solver = &plan.scene.solver;
+            let sweeps_solver = matches!(&plan.cases, Cases::Grid(axes) if axes.iter().any(Axis::is_of_solver));
+            if solver.method == Method::Rk8 && !sweeps_solver {
+                evaluator.lockstep = Some(solver.tolerance);
+            }
         }
         evaluator
     }
@@ -232,14 +239,21 @@ impl<'a> Evaluator<'a> {
             axis.put(*place, &mut scene);
         }
         let mut last: Option<Result<Contact, OutOfFloatRange>> = None;
+        let mut pending = Vec::new();
         for _ in cases {
             let contact = if self.contacts.is_empty() {
                 last.get_or_insert_with(|| scene.contact())
             } else {
                 let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
-                &self.contacts[index as usize]
+                let contact = &self.contacts[index as usize];
+                if self.lockstep.is_some() {
+                    pending.push((contact, scene.speed));
+                }
+                contact
             };
-            rows.results.push(evaluate(contact, scene.speed, &scene.solver));
+            if self.lockstep.is_none() {
+                rows.results.push(evaluate(contact, scene.speed, &scene.solver));
+            }
             rows.swept.extend(places.iter().map(|place| *place as f64));
             // the next combination: the last axis moves, and each before it where the one behind starts over
             for (axis, place) in axes.iter().zip(&mut places).rev() {
@@ -252,6 +266,9 @@ impl<'a> Evaluator<'a> {
                     break;
                 }
             }
+        }
+        if let Some(tolerance) = self.lockstep {
+            integrate_together(&pending, tolerance, &mut rows.results);
         }
     }
 
@@ -303,6 +320,20 @@ fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Sol
     } else {
         Ok(contact.essentials(speed)?)
     }
+}
+
+/// The same for many impacts by rk8 in lock step.
+fn integrate_together(
+    impacts: &[(&Result<Contact, OutOfFloatRange>, f64)],
+    tolerance: f64,
+    results: &mut Vec<Result<Essentials, Failure>>,
+) {
+    let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
+    let mut rows = batch::essentials(&known, tolerance).into_iter();
+    results.extend(impacts.iter().map(|(contact, _)| match contact {
+        Err(error) => Err(Failure::from(*error)),
+        Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),
+    }));
 }
 
 /// Text of a swept value for pictures and messages.

@@ -1,0 +1,177 @@
+//! Impacts that break careless integrators, each with its restitution and where that comes from.
+//!
+//! All are dimensionless: a [`Law`] and a speed ratio. Where a scene in SI units makes the case hard (nanometres, a
+//! modulus ratio of 10¹²), the law and the ratio are those of that scene.
+
+use crate::bench::problems::{kinked_law, steel_speed_ratio};
+use crate::impact::Contact;
+use crate::impact::closed_form::energy_balance;
+use crate::law::curve::Curve;
+use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+
+/// One hard case.
+#[derive(Debug, Clone)]
+pub struct HardCase {
+    /// What is hard.
+    pub name: &'static str,
+    /// Where the restitution comes from.
+    pub origin: &'static str,
+    /// The law.
+    pub law: Law,
+    /// q = v/V.
+    pub speed: f64,
+    /// e, exact.
+    pub restitution: f64,
+}
+
+const BALANCE: &str = "balance of energy, e^2 = f_m eps_m/((n + 1) w_m), without stepping";
+const ELASTIC: &str = "elastic: what was spent comes back, e = 1 exactly";
+const PRINTED: &str = "known to 16 digits from 30-digit arithmetic";
+
+/// A sphere on a half-space, given by the ratios that decide: everything else is steel-like.
+#[derive(Debug, Clone, Copy)]
+struct Scene {
+    radius: f64,
+    /// Young's moduli of sphere and half-space \[Pa\].
+    youngs_moduli: [f64; 2],
+    poissons_ratios: [f64; 2],
+    /// σ_Y/E*.
+    strength_ratio: f64,
+    /// v/v_Y.
+    speed_ratio: f64,
+}
+
+/// Steel on steel, deep in the plastic range.
+const STEEL: Scene = Scene {
+    radius: 5e-3,
+    youngs_moduli: [210e9, 210e9],
+    poissons_ratios: [0.3, 0.3],
+    strength_ratio: 3e-3,
+    speed_ratio: 300.0,
+};
+
+impl Scene {
+    /// Its law and q.
+    fn law(&self) -> Result<(Law, f64), OutOfFloatRange> {
+        let [of_sphere, of_half_space] =
+            [0, 1].map(|i| Material { youngs_modulus: self.youngs_moduli[i], poissons_ratio: self.poissons_ratios[i] });
+        let e_star = 1.0 / (1.0 / of_sphere.plane_strain_modulus() + 1.0 / of_half_space.plane_strain_modulus());
+        let contact = Contact::try_new(
+            Sphere { radius: self.radius, material: of_sphere, density: 7850.0, yield_strength: None },
+            HalfSpace { material: of_half_space, yield_strength: Some(self.strength_ratio * e_star) },
+            PlmCoefficients::built_in(),
+            UnloadingExponent::Paper,
+        )?;
+        let yield_speed = contact.pair().yield_point.map_or(1.0, |point| point.speed);
+        let (_, law, q) = contact.scaled(self.speed_ratio * yield_speed)?;
+        Ok((law.clone(), q))
+    }
+}
+
+/// A case whose restitution is the closed form's.
+fn balanced(name: &'static str, law: Law, speed: f64) -> HardCase {
+    let (_, restitution) = energy_balance(&law, speed);
+    let origin = if restitution == 1.0 { ELASTIC } else { BALANCE };
+    HardCase { name, origin, law, speed, restitution }
+}
+
+/// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
+fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
+    let knots = (0..count).map(|i| 1.7 * ratio.powi(i));
+    let loading = knots.fold(Curve::hertz(), |curve, start| curve.then_straight(start, 2.0 * (start / 1.7).powf(0.2)));
+    Law { loading, ..law.clone() }
+}
+
+/// All of them.
+///
+/// # Errors
+/// [`OutOfFloatRange`], which none of their numbers is near.
+pub fn hard_cases() -> Result<Vec<HardCase>, OutOfFloatRange> {
+    let (steel, _) = STEEL.law()?;
+    let mut cases = Vec::new();
+
+    for (name, offset) in [
+        ("v = v_Y (1 - 1e-3)", -1e-3),
+        ("v = v_Y (1 - 1e-6)", -1e-6),
+        ("v = v_Y (1 - 1e-9)", -1e-9),
+        ("v = v_Y (1 - 1e-12)", -1e-12),
+        ("v = v_Y (1 - 1e-15)", -1e-15),
+        ("v = v_Y", 0.0),
+        ("v = v_Y (1 + 1e-15)", 1e-15),
+        ("v = v_Y (1 + 1e-12)", 1e-12),
+        ("v = v_Y (1 + 1e-9)", 1e-9),
+        ("v = v_Y (1 + 1e-6)", 1e-6),
+        ("v = v_Y (1 + 1e-3)", 1e-3),
+    ] {
+        cases.push(balanced(name, steel.clone(), 1.0 + offset));
+    }
+    for (name, knot) in [
+        ("peak on the knot at x = 1.7", 1.7),
+        ("peak on the knot at x = 9", 9.0),
+        ("peak on the knot at x = 250", 250.0),
+    ] {
+        cases.push(balanced(name, steel.clone(), speed_to(&steel, knot)));
+    }
+    cases.push(balanced("peak 1e-12 before the knot at x = 9", steel.clone(), speed_to(&steel, 9.0 * (1.0 - 1e-12))));
+    cases.push(balanced("peak 1e-12 behind the knot at x = 9", steel.clone(), speed_to(&steel, 9.0 * (1.0 + 1e-12))));
+
+    cases.push(balanced("v = 1e-100 v_Y", steel.clone(), 1e-100));
+    cases.push(balanced("elastic impact of any speed", Law::hertz(), 1.0));
+    cases.push(balanced("v = 1e4 v_Y", steel.clone(), 1e4));
+    cases.push(balanced("v = 1e8 v_Y", steel.clone(), 1e8));
+
+    let stiff = |factor| Law { elastic: ElasticApproach::FixedStiffness(factor), ..kinked_law() };
+    cases.push(balanced("hardly any rebound: unloading 1e12 times as stiff", stiff(1e12), 100.0));
+    cases.push(balanced("hardly any dent: x_r = 2.5e-13", stiff(1.0), speed_to(&stiff(1.0), 1.0 + 1e-6)));
+
+    let many = many_knots(&steel, 200, 1.02);
+    cases.push(balanced("200 knots", many.clone(), 300.0));
+    let close = many_knots(&steel, 5, 1.0 + 1e-12);
+    cases.push(balanced("five knots 1e-12 apart", close.clone(), 30.0));
+    cases.push(balanced(
+        "five knots 1e-12 apart, peak among them",
+        close.clone(),
+        speed_to(&close, 1.7 * (1.0 + 2e-12)),
+    ));
+
+    let [sphere, half_space] = STEEL.youngs_moduli;
+    for (name, scene) in [
+        ("rigid sphere, E_s = inf", Scene { youngs_moduli: [f64::INFINITY, half_space], ..STEEL }),
+        ("rigid sphere, E_s = 1e30 Pa", Scene { youngs_moduli: [1e30, half_space], ..STEEL }),
+        ("E_s/E_h = 1e12", Scene { youngs_moduli: [1e12 * half_space, half_space], ..STEEL }),
+        ("E_s/E_h = 1e-3", Scene { youngs_moduli: [1e-3 * half_space, half_space], ..STEEL }),
+        ("E_s/E_h = 1e-12", Scene { youngs_moduli: [sphere, 1e12 * sphere], ..STEEL }),
+        ("R = 1e-9 m", Scene { radius: 1e-9, ..STEEL }),
+        ("R = 1e3 m", Scene { radius: 1e3, ..STEEL }),
+        ("yield strength 1e-9 E*: plastic throughout", Scene { strength_ratio: 1e-9, speed_ratio: 1e6, ..STEEL }),
+        ("yield strength 10 E*: elastic", Scene { strength_ratio: 10.0, speed_ratio: 1e-3, ..STEEL }),
+        ("Poisson's ratios -0.99", Scene { poissons_ratios: [-0.99, -0.99], ..STEEL }),
+        ("Poisson's ratios 0.4999999", Scene { poissons_ratios: [0.499_999_9, 0.499_999_9], ..STEEL }),
+    ] {
+        let (law, speed) = scene.law()?;
+        cases.push(balanced(name, law, speed));
+    }
+    // in raw SI units these three break peers; the restitution of the first is an independent 30-digit value
+    cases.push(HardCase {
+        name: "P4a: 1 um at 10 m/s",
+        origin: PRINTED,
+        law: kinked_law(),
+        speed: steel_speed_ratio(10.0),
+        restitution: 0.301_220_801_577_325_58,
+    });
+    cases.push(balanced("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
+    cases.push(HardCase {
+        name: "P4c: 1 nm at 100 m/s, Hertz alone",
+        origin: ELASTIC,
+        law: Law::hertz(),
+        speed: steel_speed_ratio(100.0),
+        restitution: 1.0,
+    });
+    Ok(cases)
+}
+
+/// The speed ratio at which the loading curve turns at x.
+fn speed_to(law: &Law, indentation: f64) -> f64 {
+    (2.5 * law.loading.work(indentation)).sqrt()
+}

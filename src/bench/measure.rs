@@ -1,0 +1,233 @@
+//! Time against error: every method over its ladder on one problem, interleaved, best of many.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use super::problems::Problem;
+use crate::impact::{Method, Outcome, batch, closed_form, course};
+use crate::integrate::ode_solvers::{self, OdeSolvers};
+use crate::integrate::rk8::Rk8;
+use crate::integrate::{IntegrationError, Integrator, Work};
+use crate::law::Law;
+
+/// What is measured: the methods of the scenarios, and the batch form of rk8.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Contender {
+    /// A method as in a scenario.
+    Method(Method),
+    /// rk8 in lock step.
+    Batch,
+}
+
+impl Contender {
+    /// All of them, in the order of the report.
+    pub const ALL: [Self; 6] = [
+        Self::Method(Method::Rk8),
+        Self::Batch,
+        Self::Method(Method::Dop853),
+        Self::Method(Method::Dopri5),
+        Self::Method(Method::Verlet),
+        Self::Method(Method::ClosedForm),
+    ];
+
+    /// As in a scenario; the batch form is `rk8_batch`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Method(method) => method.name(),
+            Self::Batch => "rk8_batch",
+        }
+    }
+
+    /// Its ladder.
+    fn rungs(self, is_quick: bool) -> Vec<Rung> {
+        let thinned = |rungs: Vec<Rung>| if is_quick { rungs.into_iter().step_by(3).collect() } else { rungs };
+        match self {
+            Self::Method(Method::ClosedForm) => vec![Rung::Exact],
+            Self::Method(Method::Verlet) => {
+                let steps = [10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000, 2000, 5000, 10_000, 100_000];
+                thinned(steps.map(Rung::Steps).to_vec())
+            }
+            _ => thinned((2..=26).map(|half| Rung::Tolerance(10f64.powf(-0.5 * f64::from(half)))).collect()),
+        }
+    }
+}
+
+/// One setting of a method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rung {
+    /// Relative tolerance.
+    Tolerance(f64),
+    /// Steps over the exact contact time. No code steps a whole number of times over a contact, so the error is the worst
+    /// of five step sizes, T/(steps + phase).
+    Steps(u32),
+    /// Nothing to set.
+    Exact,
+}
+
+/// What is added to the number of steps over a contact.
+const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+
+/// One measured setting.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measurement {
+    /// Which method.
+    pub contender: Contender,
+    /// Its setting.
+    pub rung: Rung,
+    /// |e/e_exact − 1|.
+    pub restitution_error: f64,
+    /// The same for the contact time.
+    pub contact_time_error: f64,
+    /// The same for the peak force.
+    pub peak_force_error: f64,
+    /// Cost of one impact.
+    pub work: Work,
+    /// Best time of one impact \[ns\].
+    pub ns_per_impact: f64,
+}
+
+impl Measurement {
+    /// Whether e is within the threshold, contact time and peak force within 30 times it.
+    #[must_use]
+    pub fn reaches(&self, threshold: f64) -> bool {
+        self.restitution_error <= threshold && self.contact_time_error.max(self.peak_force_error) <= 30.0 * threshold
+    }
+}
+
+/// Impacts of one batch; their speeds differ by up to a thousandth, so that the lanes do not march as one.
+const BATCH: usize = 512;
+
+/// A method ready to run a problem many times.
+enum Runner<'a> {
+    Rk8(Rk8),
+    Library(OdeSolvers),
+    Verlet { step: f64, most_steps: u64 },
+    Exact,
+    Batch { cases: Vec<(&'a Law, f64)>, tolerance: f64 },
+}
+
+impl<'a> Runner<'a> {
+    fn new(contender: Contender, rung: Rung, phase: f64, problem: &'a Problem) -> Self {
+        let tolerance = if let Rung::Tolerance(tolerance) = rung { tolerance } else { 0.0 };
+        match contender {
+            Contender::Method(Method::Dopri5) => Self::Library(OdeSolvers::new(ode_solvers::Method::Dopri5, tolerance)),
+            Contender::Method(Method::Dop853) => Self::Library(OdeSolvers::new(ode_solvers::Method::Dop853, tolerance)),
+            Contender::Method(Method::Verlet) => {
+                let steps = if let Rung::Steps(steps) = rung { steps } else { 1 };
+                let step = problem.exact.contact_time / (f64::from(steps) + phase);
+                Self::Verlet { step, most_steps: 10 * u64::from(steps) }
+            }
+            Contender::Method(Method::ClosedForm) => Self::Exact,
+            Contender::Method(Method::Rk8 | Method::Auto) => Self::Rk8(Rk8::new(tolerance)),
+            Contender::Batch => {
+                #[allow(clippy::cast_precision_loss)]
+                let speed = |i: usize| problem.speed * (1.0 + 1e-3 * (i % 61) as f64 / 61.0);
+                Self::Batch { cases: (0..BATCH).map(|i| (&problem.law, speed(i))).collect(), tolerance }
+            }
+        }
+    }
+
+    /// One impact (of a batch: all, the first of which is the problem's).
+    fn run(&mut self, problem: &Problem) -> Result<Outcome, IntegrationError> {
+        let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
+        match self {
+            Self::Rk8(rk8) => course::integrate(law, speed, rk8, None),
+            Self::Library(library) => course::integrate(law, speed, library, None),
+            Self::Verlet { step, most_steps } => {
+                course::march_verlet(law, speed, *step, *most_steps, &mut Work::default(), None)
+            }
+            Self::Exact => Ok(closed_form::solve(law, speed)),
+            Self::Batch { cases, tolerance } => {
+                let mut outcomes = batch::integrate(black_box(cases), *tolerance);
+                outcomes.swap_remove(0)
+            }
+        }
+    }
+
+    /// Impacts of one run.
+    fn size(&self) -> usize {
+        if let Self::Batch { cases, .. } = self { cases.len() } else { 1 }
+    }
+
+    /// Cost of one impact. The lanes of a batch do what rk8 does alone.
+    fn work(&self, problem: &Problem) -> Work {
+        match self {
+            Self::Rk8(rk8) => rk8.work(),
+            Self::Library(library) => library.work(),
+            Self::Verlet { step, most_steps } => {
+                let mut work = Work::default();
+                let _ = course::march_verlet(&problem.law, problem.speed, *step, *most_steps, &mut work, None);
+                work
+            }
+            Self::Exact => Work::default(),
+            Self::Batch { tolerance, .. } => {
+                let mut alone = Runner::Rk8(Rk8::new(*tolerance));
+                let _ = alone.run(problem);
+                alone.work(problem)
+            }
+        }
+    }
+}
+
+/// Relative errors of e, contact time and peak force, the worst over the phases of a fixed step; `None` if a run fails.
+fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 3]> {
+    let relative = |got: f64, want: f64| (got / want - 1.0).abs();
+    let phases = if matches!(rung, Rung::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
+    let exact = &problem.exact;
+    let mut worst = [0.0_f64; 3];
+    for phase in phases {
+        let outcome = Runner::new(contender, rung, *phase, problem).run(problem).ok()?;
+        let errors = [
+            relative(outcome.restitution, exact.restitution),
+            relative(outcome.contact_time, exact.contact_time),
+            relative(outcome.unloading.peak.force, exact.unloading.peak.force),
+        ];
+        for (worst, error) in worst.iter_mut().zip(errors) {
+            *worst = worst.max(error);
+        }
+    }
+    Some(worst)
+}
+
+/// Measures every method on a problem. Settings that fail (a Verlet step so coarse that the sphere never parts) are left
+/// out; of the rest, each round times every one for about `burst`.
+#[must_use]
+pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
+    let mut entries: Vec<(Runner, u32, Measurement)> = Vec::new();
+    for contender in Contender::ALL {
+        for rung in contender.rungs(is_quick) {
+            let mut runner = Runner::new(contender, rung, PHASES[0], problem);
+            let Some(errors) = errors(contender, rung, problem) else { continue };
+            let _ = runner.run(problem);
+            let work = runner.work(problem);
+            let started = Instant::now();
+            let _ = black_box(runner.run(problem));
+            let once = started.elapsed().max(Duration::from_nanos(20));
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            let repetitions = (burst.as_secs_f64() / once.as_secs_f64()).clamp(1.0, 1e5) as u32;
+            let measurement = Measurement {
+                contender,
+                rung,
+                restitution_error: errors[0],
+                contact_time_error: errors[1],
+                peak_force_error: errors[2],
+                work,
+                ns_per_impact: f64::INFINITY,
+            };
+            entries.push((runner, repetitions, measurement));
+        }
+    }
+    for _ in 0..rounds {
+        for (runner, repetitions, measurement) in &mut entries {
+            let started = Instant::now();
+            for _ in 0..*repetitions {
+                let _ = black_box(runner.run(problem));
+            }
+            #[allow(clippy::cast_precision_loss)]
+            let impacts = f64::from(*repetitions) * runner.size() as f64;
+            measurement.ns_per_impact = measurement.ns_per_impact.min(started.elapsed().as_secs_f64() * 1e9 / impacts);
+        }
+    }
+    entries.into_iter().map(|(.., measurement)| measurement).collect()
+}

@@ -1,0 +1,139 @@
+//! Six impacts with exact solutions, on which speed is measured against error.
+//!
+//! P1, P2 and P3 are a sphere of steel (E 210 GPa, ν 0.3, ρ 7850 kg/m³, R 5 mm, σ_Y 345 MPa) on the same steel, with
+//! laws simple enough for pencil and paper: Hertz up to δ_Y = R (π 1.6 σ_Y/2E*)², then straight pieces, and Hertz-type
+//! unloading √2 times as stiff as the loading. The other three are the PLM at three of its limits.
+
+use std::f64::consts::{PI, SQRT_2};
+
+use crate::impact::closed_form::energy_balance;
+use crate::impact::{Contact, Outcome};
+use crate::law::curve::Curve;
+use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+use crate::power::quarter_period;
+
+/// An impact in dimensionless form, with its exact outcome.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Short name.
+    pub name: &'static str,
+    /// What it is, for a reader of the report.
+    pub about: &'static str,
+    /// The law, in units of the yield indentation and force.
+    pub law: Law,
+    /// q = v/V.
+    pub speed: f64,
+    /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy.
+    pub exact: Outcome,
+}
+
+impl Problem {
+    /// `contact_time` in units of L/V.
+    fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
+        let (unloading, _) = energy_balance(&law, speed);
+        let unloading_time =
+            quarter_period(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
+        let loading_time = contact_time - unloading_time;
+        let exact = Outcome { unloading, restitution, loading_time, contact_time };
+        Self { name, about, law, speed, exact }
+    }
+}
+
+/// Steel of P1 to P4.
+const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+const STEEL_DENSITY: f64 = 7850.0;
+
+/// q = v/V of a steel sphere at `speed` \[m/s\] under the laws of P2 to P4, whatever its radius.
+///
+/// ```text
+/// δ_Y = R (π 1.6 σ_Y/2E*)²,  ½ m V² = (2/5) K δ_Y^2.5,  K = (4/3) E* √R,  m = (4/3) π R³ ρ
+/// V² = (4/5) E*/(π ρ) (δ_Y/R)^2.5
+/// ```
+#[must_use]
+pub fn steel_speed_ratio(speed: f64) -> f64 {
+    let nu = STEEL.poissons_ratio;
+    let e_star = STEEL.youngs_modulus / (2.0 * (1.0 - nu * nu));
+    let contact_radius_ratio = PI * 1.6 * 345e6 / (2.0 * e_star); // √(δ_Y/R)
+    speed / ((0.8 * e_star / (PI * STEEL_DENSITY)).sqrt() * contact_radius_ratio.powf(2.5))
+}
+
+/// Hertz up to x = 1, then straight with Hertz's slope there, 3/2; unloading √2 times as stiff as the loading.
+#[must_use]
+pub fn kinked_law() -> Law {
+    Law {
+        loading: Curve::hertz().then_straight(1.0, 1.5),
+        elastic: ElasticApproach::FixedStiffness(SQRT_2),
+        ..Law::hertz()
+    }
+}
+
+/// The six problems.
+///
+/// # Errors
+/// [`OutOfFloatRange`], which none of their numbers is near.
+pub fn problems() -> Result<Vec<Problem>, OutOfFloatRange> {
+    let p2 = kinked_law();
+    let p3 = Law { loading: p2.loading.clone().then_straight(60.0, 0.75), ..p2.clone() };
+    // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
+    let unit = 1.875_f64.sqrt().recip();
+    let sphere = |radius, youngs_modulus| Sphere {
+        radius,
+        material: Material { youngs_modulus, poissons_ratio: 0.3 },
+        density: STEEL_DENSITY,
+        yield_strength: None,
+    };
+    let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
+        let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength) };
+        let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+        let (scales, law, q) = contact.scaled(speed)?;
+        Ok(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
+    };
+    Ok(vec![
+        Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
+        Problem::new(
+            "P2",
+            "Hertz, then one straight piece; 77 times the yield indentation",
+            p2,
+            steel_speed_ratio(1.0),
+            0.442_128_945_483_069_8,
+            2.388_442_181_292_526_5 * unit,
+        ),
+        Problem::new(
+            "P3",
+            "Hertz, then two straight pieces; 300 times the yield indentation",
+            p3,
+            steel_speed_ratio(3.2),
+            0.279_391_655_146_911_8,
+            2.694_316_983_752_614_8 * unit,
+        ),
+        // restitution and contact time of the PLM: 30-digit energy balance and quadrature, `tests/reference/oracle.csv`
+        plm(
+            "shallow",
+            "PLM, 5 mm steel sphere on steel at 0.1 m/s; 6.7 times the yield indentation",
+            sphere(5e-3, 210e9),
+            345e6,
+            0.1,
+            0.841_635_104_511_053_7,
+            5.319_947_708_299_473e-5,
+        )?,
+        plm(
+            "deep",
+            "PLM, 35 mm sphere (104 GPa) on a half-space of 120 MPa at 5 m/s; 1119 times the yield indentation",
+            sphere(35e-3, 104e9),
+            120e6,
+            5.0,
+            0.296_602_153_707_862_1,
+            2.580_961_199_893_364e-4,
+        )?,
+        plm(
+            "soft sphere",
+            "PLM, 35 mm sphere four times softer than the half-space (kappa = 0.8) at 1 m/s",
+            sphere(35e-3, 52e9),
+            50e6,
+            1.0,
+            0.338_195_850_167_985_4,
+            4.118_779_496_389_435e-4,
+        )?,
+    ])
+}

@@ -1,0 +1,209 @@
+//! The speed-against-error report: CSV, pictures, tables in Markdown.
+
+use std::fmt::Write as _;
+
+use super::hard_cases::HardCase;
+use super::measure::{Contender, Measurement, Rung};
+use super::problems::Problem;
+use crate::impact::{Method, Solver, closed_form, run};
+use crate::integrate::IntegrationError;
+use crate::output::OutputFile;
+use crate::plot::PlotError;
+use crate::plot::axis::Axis;
+use crate::plot::lines::{Lines, Series};
+
+/// One problem with everything measured on it.
+pub type Measured = (Problem, Vec<Measurement>);
+
+/// `speed_vs_error.csv`.
+///
+/// # Errors
+/// What the CSV writer reports.
+pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([
+        "problem",
+        "method",
+        "tolerance",
+        "restitution_error",
+        "contact_time_error",
+        "peak_force_error",
+        "force_evaluations",
+        "steps",
+        "ns_per_impact",
+    ])?;
+    for (problem, measurements) in all {
+        for m in measurements {
+            let tolerance =
+                if let Rung::Tolerance(tolerance) = m.rung { format!("{tolerance:.3e}") } else { String::new() };
+            writer.write_record([
+                problem.name,
+                m.contender.name(),
+                &tolerance,
+                &format!("{:.3e}", m.restitution_error),
+                &format!("{:.3e}", m.contact_time_error),
+                &format!("{:.3e}", m.peak_force_error),
+                &m.work.force_evaluations.to_string(),
+                &m.work.steps.to_string(),
+                &format!("{:.1}", m.ns_per_impact),
+            ])?;
+        }
+    }
+    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+    Ok(OutputFile { name: "speed_vs_error.csv".into(), bytes })
+}
+
+/// Errors below this are rounding; on the logarithmic axis they are drawn here.
+const ROUNDING: f64 = 1e-16;
+
+/// One work-precision picture: time of one impact against the largest of its errors.
+///
+/// # Errors
+/// What drawing reports.
+pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
+    let series = Contender::ALL.map(|contender| Series {
+        name: contender.name().into(),
+        points: measurements
+            .iter()
+            .filter(|m| m.contender == contender)
+            .map(|m| (m.restitution_error.max(m.contact_time_error).max(ROUNDING), 1e-3 * m.ns_per_impact))
+            .collect(),
+        has_marks: true,
+    });
+    let lines = Lines {
+        title: format!("{}: {}", problem.name, problem.about),
+        x: Axis {
+            range: Some((ROUNDING, 1.0)),
+            ..Axis::log("Larger relative error of restitution and contact time", "")
+        },
+        y: Axis::log("Time per impact, one core", "µs"),
+        series: series.into(),
+        guides: Vec::new(),
+        notes: Vec::new(),
+    };
+    let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
+    Ok(OutputFile { name, bytes: lines.to_png()? })
+}
+
+const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
+
+/// The fastest setting that keeps within a threshold.
+#[must_use]
+pub fn time_to_reach(measurements: &[Measurement], contender: Contender, threshold: f64) -> Option<f64> {
+    let reaching = measurements.iter().filter(|m| m.contender == contender && m.reaches(threshold));
+    reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
+}
+
+fn microseconds(ns: f64) -> String {
+    let us = 1e-3 * ns;
+    if us < 0.0995 {
+        format!("{us:.3}")
+    } else if us < 9.95 {
+        format!("{us:.2}")
+    } else {
+        format!("{us:.0}")
+    }
+}
+
+/// Time of one impact \[µs\] to each threshold, and how many times that of `ode_solvers`' Dop853 is.
+#[must_use]
+pub fn time_table(all: &[Measured]) -> String {
+    let mut text = String::from("| problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12 |\n|---|---|---|---|---|---|\n");
+    for (problem, measurements) in all {
+        for contender in Contender::ALL {
+            let _ = write!(text, "| {} | {} |", problem.name, contender.name());
+            for threshold in THRESHOLDS {
+                let reference = time_to_reach(measurements, Contender::Method(Method::Dop853), threshold);
+                let _ = match (time_to_reach(measurements, contender, threshold), reference) {
+                    (Some(ns), Some(of_library)) => write!(text, " {} ({:.1} ×) |", microseconds(ns), of_library / ns),
+                    (Some(ns), None) => write!(text, " {} |", microseconds(ns)),
+                    (None, _) => write!(text, " – |"),
+                };
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// The ratios that the stepper is judged by.
+#[must_use]
+pub fn ratio_table(all: &[Measured]) -> String {
+    let mut text = String::from(
+        "| problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ batch at 1e-9 | rk8 ÷ closed form at 1e-9 | Dop853 ÷ batch at 1e-9 |\n|---|---|---|---|---|---|---|\n",
+    );
+    for (problem, measurements) in all {
+        let time = |contender, threshold| time_to_reach(measurements, contender, threshold);
+        let (rk8, dop853) = (Contender::Method(Method::Rk8), Contender::Method(Method::Dop853));
+        let ratio = |a: Option<f64>, b: Option<f64>| {
+            a.zip(b).map_or_else(
+                || "–".into(),
+                |(a, b)| if a / b < 100.0 { format!("{:.1}", a / b) } else { format!("{:.0}", a / b) },
+            )
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {} |",
+            problem.name,
+            ratio(time(dop853, 1e-9), time(rk8, 1e-9)),
+            ratio(time(dop853, 1e-6), time(rk8, 1e-6)),
+            time(rk8, 1e-12).map_or_else(|| "–".into(), |ns| format!("{} µs", microseconds(ns))),
+            ratio(time(rk8, 1e-9), time(Contender::Batch, 1e-9)),
+            ratio(time(rk8, 1e-9), time(Contender::Method(Method::ClosedForm), 1e-9)),
+            ratio(time(dop853, 1e-9), time(Contender::Batch, 1e-9)),
+        );
+    }
+    text
+}
+
+/// Steps per contact that velocity Verlet needs: the fewest of the ladder from which on every finer setting keeps within
+/// the threshold, for e and for the contact time.
+#[must_use]
+pub fn verlet_table(all: &[Measured]) -> String {
+    let mut text = String::from(
+        "| problem | e within 1 % | e within 0.1 % | contact time within 1 % | contact time within 0.1 % |\n|---|---|---|---|---|\n",
+    );
+    for (problem, measurements) in all {
+        let _ = write!(text, "| {} |", problem.name);
+        let errors: [fn(&Measurement) -> f64; 2] = [|m| m.restitution_error, |m| m.contact_time_error];
+        for error in errors {
+            for threshold in [1e-2, 1e-3] {
+                let ladder = measurements.iter().filter(|m| m.contender == Contender::Method(Method::Verlet));
+                let last_bad = ladder.clone().filter(|m| error(m) > threshold).filter_map(steps).max().unwrap_or(0);
+                let needed = ladder.filter_map(steps).filter(|steps| *steps > last_bad).min();
+                let _ = match needed {
+                    Some(steps) => write!(text, " {steps} |"),
+                    None => write!(text, " more than {last_bad} |"),
+                };
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn steps(measurement: &Measurement) -> Option<u32> {
+    if let Rung::Steps(steps) = measurement.rung { Some(steps) } else { None }
+}
+
+/// The larger relative error of e and contact time of each stepping method at its default tolerance on every hard case.
+///
+/// # Errors
+/// What a method reports: none is expected to.
+pub fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
+    let methods = [Method::Rk8, Method::Dop853, Method::Dopri5];
+    let mut text = String::from("| hard case | e | rk8 | dop853 | dopri5 |\n|---|---|---|---|---|\n");
+    for case in cases {
+        let exact = closed_form::solve(&case.law, case.speed);
+        let _ = write!(text, "| {} | {:.4} |", case.name, case.restitution);
+        for method in methods {
+            let solver = Solver { method, ..Solver::default() };
+            let (outcome, _) = run(&case.law, case.speed, &exact, &solver, None)?;
+            let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
+            let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
+            let _ = write!(text, " {:.0e} |", of_restitution.max(of_time));
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}

@@ -1,0 +1,66 @@
+//! An impact is computed without the heap.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use std::hint::black_box;
+
+use allocation_counter::measure;
+use common::Scene;
+use plm_impact::impact::{batch, closed_form, course};
+use plm_impact::integrate::Integrator;
+use plm_impact::integrate::rk8::Rk8;
+use plm_impact::law::{Law, UnloadingExponent};
+
+/// Elastic; deep, over every knot of the law; an unloading exponent that is none of the simple ones.
+fn cases() -> [(&'static str, Law, f64); 3] {
+    let pressure_shape = Scene { exponent: UnloadingExponent::PressureShape, ..Scene::steel() };
+    [
+        ("elastic", Law::hertz(), 1.0),
+        ("deep", Scene::steel().law(), 1000.0),
+        ("pressure-shape", pressure_shape.law(), 100.0),
+    ]
+}
+
+#[test]
+fn the_counter_counts() {
+    let counted = measure(|| drop(black_box(Vec::<f64>::with_capacity(10))));
+    assert_eq!((counted.count_total, counted.bytes_total), (1, 80));
+}
+
+#[test]
+fn rk8_allocates_nothing() {
+    for (name, law, speed) in cases() {
+        for tolerance in [1e-3, 1e-9, 1e-13] {
+            let mut rk8 = Rk8::new(tolerance);
+            let mut outcome = None;
+            let counted = measure(|| outcome = Some(course::integrate(black_box(&law), speed, &mut rk8, None)));
+            assert_eq!(counted.count_total, 0, "{name} at {tolerance:e}");
+            assert!(outcome.unwrap().unwrap().restitution > 0.0 && rk8.work().steps > 0, "{name} at {tolerance:e}");
+        }
+    }
+}
+
+#[test]
+fn the_closed_form_allocates_nothing() {
+    for (name, law, speed) in cases() {
+        let mut outcome = None;
+        let counted = measure(|| outcome = Some(closed_form::solve(black_box(&law), speed)));
+        assert_eq!(counted.count_total, 0, "{name}");
+        assert!(outcome.unwrap().restitution > 0.0, "{name}");
+    }
+}
+
+#[test]
+fn a_batch_allocates_its_outcomes_and_nothing_per_step_or_impact() {
+    let cases = cases();
+    let many: Vec<(&Law, f64)> = cases.iter().cycle().map(|(_, law, speed)| (law, *speed)).take(300).collect();
+    let count = |cases: &[(&Law, f64)], tolerance| {
+        measure(|| assert!(black_box(batch::integrate(cases, tolerance)).iter().all(Result::is_ok))).count_total
+    };
+    let few = count(&many[..1], 1e-3);
+    assert!(few > 0);
+    assert_eq!(count(&many, 1e-3), few);
+    assert_eq!(count(&many, 1e-13), few);
+}

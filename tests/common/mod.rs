@@ -1,0 +1,97 @@
+//! What several test files share: methods, scenes, relative errors.
+#![allow(dead_code)]
+
+use plm_impact::impact::{Contact, Impact, Method, Outcome, Solver, closed_form};
+use plm_impact::integrate::{IntegrationError, Work};
+use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
+use plm_impact::material::{HalfSpace, Material, Sphere};
+
+/// Every adaptive stepping method, with the largest error at the end of an impact in units of its tolerance: a controller
+/// holds the error of a step, and the sum over an impact depends on the method. Measured over the hard cases and the
+/// random scenes (tolerances 1e-6 to 1e-13), rounded up.
+pub const STEPPING: [(Method, f64); 3] = [(Method::Rk8, 10.0), (Method::Dopri5, 100.0), (Method::Dop853, 100.0)];
+
+/// A solver.
+pub fn solver(method: Method, tolerance: f64) -> Solver {
+    Solver { method, tolerance, ..Solver::default() }
+}
+
+/// One dimensionless impact.
+pub fn run(law: &Law, speed: f64, method: Method, tolerance: f64) -> Result<(Outcome, Work), IntegrationError> {
+    let exact = closed_form::solve(law, speed);
+    plm_impact::impact::run(law, speed, &exact, &solver(method, tolerance), None)
+}
+
+/// |got/want − 1|.
+pub fn off(got: f64, want: f64) -> f64 {
+    (got / want - 1.0).abs()
+}
+
+/// The worst of restitution, contact time, loading time and peak force.
+pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
+    [
+        off(got.restitution, want.restitution),
+        off(got.contact_time, want.contact_time),
+        off(got.loading_time, want.loading_time),
+        off(got.unloading.peak.force, want.unloading.peak.force),
+    ]
+    .into_iter()
+    .fold(0.0, f64::max)
+}
+
+/// A sphere on a half-space, SI units.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene {
+    pub radius: f64,
+    pub density: f64,
+    pub sphere: Material,
+    pub half_space: Material,
+    pub yield_strength: Option<f64>,
+    pub exponent: UnloadingExponent,
+}
+
+impl Scene {
+    /// Materials of Table 1 of Xie et al. 2024, case 3: E_h 210, E_s 208 GPa, σ_Y 345 MPa, ν 0.3, R = 35 mm.
+    pub fn case_3() -> Self {
+        let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+        Self {
+            radius: 35e-3,
+            density: 7850.0,
+            sphere: material(208e9),
+            half_space: material(210e9),
+            yield_strength: Some(345e6),
+            exponent: UnloadingExponent::Paper,
+        }
+    }
+
+    /// 5 mm sphere of steel on the same steel.
+    pub fn steel() -> Self {
+        let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+        Self { radius: 5e-3, sphere: steel, half_space: steel, ..Self::case_3() }
+    }
+
+    pub fn contact(&self) -> Contact {
+        self.try_contact().unwrap()
+    }
+
+    pub fn try_contact(&self) -> Result<Contact, plm_impact::material::OutOfFloatRange> {
+        let sphere = Sphere { radius: self.radius, material: self.sphere, density: self.density, yield_strength: None };
+        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength };
+        Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), self.exponent)
+    }
+
+    pub fn yield_speed(&self) -> f64 {
+        self.contact().pair().yield_point.unwrap().speed
+    }
+
+    /// The PLM law of the scene, in units of its yield point.
+    pub fn law(&self) -> Law {
+        let contact = self.contact();
+        let (_, law, _) = contact.scaled(10.0 * self.yield_speed()).unwrap();
+        law.clone()
+    }
+
+    pub fn impact(&self, speed: f64, method: Method, tolerance: f64, samples: Option<usize>) -> Impact {
+        self.contact().impact(speed, &solver(method, tolerance), samples).unwrap()
+    }
+}

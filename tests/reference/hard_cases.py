@@ -1,0 +1,166 @@
+"""Restitution and contact time (units of L/V) of the hard cases in `src/bench/hard_cases.rs`, with 50 digits (mpmath):
+energy balance for the peak and e, quadrature for the time. The law is written down anew here, from its definition
+(`src/law/plm.rs`), so that nothing is shared with what it checks. Prints: name, e, T."""
+from mpmath import asin, atan, inf, mp, mpf, pi, quad, sqrt
+
+mp.dps = 50
+FIFTHS = mpf(2) / 5
+STARTS = ["1.7", "2.4", "3.4", "5", "9", "18", "36", "80", "250"]
+SLOPES = ["2.00", "2.29", "2.62", "3.04", "3.66", "4.32", "4.84", "5.60", "6.51"]
+PER_KAPPA_SQUARED = ["0.03", "0.07", "0.15", "0.25", "0.44", "0.88", "1.76", "1.44", "0.93"]
+
+
+def loading(starts, slopes):
+    """Pieces (x, f, w, slope), the first with Hertz (slope None)."""
+    pieces = [(mpf(0), mpf(0), mpf(0), None)]
+    for start, slope in zip(starts, slopes):
+        x, f, w, s = pieces[-1]
+        d = start - x
+        force, work = (d ** 1.5, FIFTHS * d ** 2.5) if s is None else (f + s * d, w + f * d + s * d * d / 2)
+        pieces.append((start, force, work, slope))
+    return pieces
+
+
+def plm(kappa, a_over_r):
+    pieces = loading(
+        [mpf(x) for x in STARTS], [mpf(s) + mpf(k) * kappa ** 2 for s, k in zip(SLOPES, PER_KAPPA_SQUARED)]
+    )
+    return pieces, elastic_line(kappa, a_over_r)
+
+
+def elastic_line(kappa, a_over_r):
+    plastic_from = 1 + mpf("8.6") * (1 - kappa)
+    geometry = [(max(1, mpf(a) / a_over_r), mpf(k)) for a, k in (("0.11", "0.883"), ("0.30", "0.66"))]
+
+    def slope(a):
+        s = mpf("2.04") + mpf("0.03") * kappa ** 2 if a >= plastic_from else min(mpf("1.61") + mpf("0.90") * kappa ** 2, mpf("2.2"))
+        for start, factor in geometry:
+            s *= factor if a >= start else 1
+        return s
+
+    knots = sorted({mpf(1), plastic_from, *(g for g, _ in geometry)})
+
+    def approach(x, f):
+        if x <= 1:
+            return x
+        a, eps = mpf(1), mpf(1)
+        for i, knot in enumerate(knots):
+            s = slope(knot)
+            end = knots[i + 1] if i + 1 < len(knots) else inf
+            # eps = eps_i + s (A - A_i) with A = f/eps
+            b = eps - s * knot
+            found = (b + sqrt(b * b + 4 * s * f)) / 2
+            if f / found <= end:
+                return min(x, found)
+            eps += s * (end - knot)
+        raise AssertionError
+
+    return approach
+
+
+def stiffness(k):
+    return lambda x, f: x if x <= 1 else min(x, (f / k) ** (mpf(2) / 3))
+
+
+def work_at(pieces, x):
+    start, f, w, s = [piece for piece in pieces if piece[0] <= x][-1]
+    d = x - start
+    return FIFTHS * d ** 2.5 if s is None else w + f * d + s * d * d / 2
+
+
+def solve(law, q):
+    pieces, approach = law
+    kinetic = mpf(2) / 5 * q * q
+    time = mpf(0)
+    for i, (start, f, w, s) in enumerate(pieces):
+        after = pieces[i + 1] if i + 1 < len(pieces) else None
+        turns = after is None or after[2] >= kinetic
+        entry = sqrt(2.5 * (kinetic - w))
+        exit = mpf(0) if turns else sqrt(2.5 * (kinetic - after[2]))
+        if s is None:
+            # (x/q^0.8)^2.5 = sin^2 phi: t = (4/5) q^-0.2 int sin^-0.2 phi dphi, made smooth by phi = p^(5/4)
+            x_m = q ** mpf("0.8")
+            top = pi / 2 if turns else asin(sqrt((after[0] / x_m) ** 2.5))
+            g = lambda p: (mp.sin(p ** 1.25) / p ** 1.25) ** mpf("-0.2") if p else mpf(1)
+            time += mpf("0.8") * x_m / q * 1.25 * quad(g, [0, top ** mpf("0.8")])
+            x, force = x_m, x_m ** 1.5
+        else:
+            omega = sqrt(1.25 * s)
+            # u = U cos(phase): phases of entry and exit
+            time += (atan(1.25 * (f + s * ((after[0] - start) if not turns else 0)) / (omega * exit)) if not turns else pi / 2) / omega
+            time -= atan(1.25 * f / (omega * entry)) / omega if entry else pi / 2 / omega
+            rest = kinetic - w
+            x = start + 2 * rest / (f + sqrt(f * f + 2 * s * rest))
+            force = f + s * (x - start)
+        if turns:
+            break
+    eps = approach(x, force)
+    e = sqrt(force * eps / 2.5 / kinetic) if x > 1 else mpf(1)
+    hertz = mpf("0.8") * 1.25 * quad(lambda p: (mp.sin(p ** 1.25) / p ** 1.25) ** mpf("-0.2") if p else mpf(1), [0, (pi / 2) ** mpf("0.8")])
+    return e, time + hertz * eps / (e * q)
+
+
+def yield_factor(nu):
+    return mpf("1.30075") + mpf("0.87825") * nu + mpf("0.54373") * nu ** 2
+
+
+def scene(kappa=mpf(1) / 2, nu=mpf("0.3"), strength=mpf("3e-3")):
+    return plm(kappa, pi * yield_factor(nu) * strength / 2)
+
+
+def speed_to(law, x):
+    return sqrt(2.5 * work_at(law[0], x))
+
+
+def many_knots(count, ratio):
+    starts = [mpf("1.7") * ratio ** i for i in range(count)]
+    return loading(starts, [2 * (x / mpf("1.7")) ** mpf("0.2") for x in starts]), STEEL[1]
+
+
+def steel_speed_ratio(v):
+    e_star = mpf("210e9") / (2 * (1 - mpf("0.09")))
+    a = pi * mpf("1.6") * mpf("345e6") / (2 * e_star)
+    return v / (sqrt(mpf("0.8") * e_star / (pi * 7850)) * a ** 2.5)
+
+
+STEEL = scene()
+KINKED = loading([mpf(1)], [mpf("1.5")])
+STIFF = (KINKED, stiffness(mpf("1e12")))
+DENT = (KINKED, stiffness(mpf(1)))
+HERTZ = ([(mpf(0), mpf(0), mpf(0), None)], lambda x, f: x)
+CLOSE = many_knots(5, 1 + mpf("1e-12"))
+CASES = [
+    *((f"v = v_Y (1 {o[0]} {o[1:]})", STEEL, mpf(1.0 + float(o))) for o in "-1e-3 -1e-6 -1e-9 -1e-12 -1e-15".split()),
+    ("v = v_Y", STEEL, mpf(1)),
+    *((f"v = v_Y (1 + {o})", STEEL, mpf(1.0 + float(o))) for o in "1e-15 1e-12 1e-9 1e-6 1e-3".split()),
+    *((f"peak on the knot at x = {x}", STEEL, speed_to(STEEL, mpf(x))) for x in ("1.7", "9", "250")),
+    ("peak 1e-12 before the knot at x = 9", STEEL, speed_to(STEEL, 9 * (1 - mpf("1e-12")))),
+    ("peak 1e-12 behind the knot at x = 9", STEEL, speed_to(STEEL, 9 * (1 + mpf("1e-12")))),
+    ("v = 1e-100 v_Y", STEEL, mpf("1e-100")),
+    ("elastic impact of any speed", HERTZ, mpf(1)),
+    ("v = 1e4 v_Y", STEEL, mpf(10) ** 4),
+    ("v = 1e8 v_Y", STEEL, mpf(10) ** 8),
+    ("hardly any rebound: unloading 1e12 times as stiff", STIFF, mpf(100)),
+    ("hardly any dent: x_r = 2.5e-13", DENT, speed_to(DENT, 1 + mpf("1e-6"))),
+    ("200 knots", many_knots(200, mpf("1.02")), mpf(300)),
+    ("five knots 1e-12 apart", CLOSE, mpf(30)),
+    ("five knots 1e-12 apart, peak among them", CLOSE, speed_to(CLOSE, mpf("1.7") * (1 + 2 * mpf("1e-12")))),
+    ("rigid sphere, E_s = inf", scene(mpf(0)), mpf(300)),
+    ("rigid sphere, E_s = 1e30 Pa", scene(1 / (1 + mpf("1e30") / mpf("210e9"))), mpf(300)),
+    ("E_s/E_h = 1e12", scene(1 / (1 + mpf("1e12"))), mpf(300)),
+    ("E_s/E_h = 1e-3", scene(1 / (1 + mpf("1e-3"))), mpf(300)),
+    ("E_s/E_h = 1e-12", scene(1 / (1 + mpf("1e-12"))), mpf(300)),
+    ("R = 1e-9 m", STEEL, mpf(300)),
+    ("R = 1e3 m", STEEL, mpf(300)),
+    ("yield strength 1e-9 E*: plastic throughout", scene(strength=mpf("1e-9")), mpf(10) ** 6),
+    ("yield strength 10 E*: elastic", HERTZ, mpf(1)),
+    ("Poisson's ratios -0.99", scene(nu=mpf("-0.99")), mpf(300)),
+    ("Poisson's ratios 0.4999999", scene(nu=mpf("0.4999999")), mpf(300)),
+    ("P4a: 1 um at 10 m/s", (KINKED, stiffness(sqrt(mpf(2)))), steel_speed_ratio(10)),
+    ("P4b: 1 m at 1e-6 m/s", (KINKED, stiffness(sqrt(mpf(2)))), steel_speed_ratio(mpf("1e-6"))),
+    ("P4c: 1 nm at 100 m/s, Hertz alone", HERTZ, steel_speed_ratio(100)),
+]
+if __name__ == "__main__":
+    for name, law, q in CASES:
+        e, t = solve(law, q)
+        print(f"{name}\t{mp.nstr(e, 17)}\t{mp.nstr(t, 17)}")
