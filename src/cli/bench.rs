@@ -7,6 +7,8 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::bench::{hard_cases, measure, problems, report};
 use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::scenario::Scenario;
+use plm_impact::sweep::throughput::throughput;
 
 /// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
 #[derive(Debug, Args)]
@@ -30,14 +32,18 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
         all.push((problem, measurements));
     }
     let cases = hard_cases::hard_cases().context("hard cases")?;
+    eprintln!("measuring tables");
+    let rates = table_rates(&directory, arguments.quick)?;
     let text = format!(
         "# Speed against error\n\n## Time of one impact in µs to reach an error (and how many times slower ode_solvers' Dop853 is)\n\n{}\n\
          ## Ratios\n\n{}\n## Steps per contact that velocity Verlet needs\n\n{}\n\
-         ## Hard cases: larger relative error of e and contact time at the default tolerance\n\n{}",
+         ## Hard cases: larger relative error of e and contact time at the default tolerance\n\n{}\n\
+         ## Tables: rows a second on {} threads\n\n{rates}",
         report::time_table(&all),
         report::ratio_table(&all),
         report::verlet_table(&all),
         report::hard_case_table(&cases).context("hard cases")?,
+        std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
     );
     let mut files = vec![report::csv(&all)?, OutputFile { name: "report.md".into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
@@ -48,4 +54,31 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     super::print(&text).context("standard output")?;
     eprintln!("wrote {} files to {}", files.len(), path.display());
     Ok(())
+}
+
+/// Speed × strength, as in `scenarios/restitution-vs-speed.toml`, with enough rows to measure.
+const TABLE: &str = r#"
+sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = "7850 kg/m^3" }
+half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
+impact = { speed = "1 m/s" }
+[sweep]
+"half_space.yield_strength" = ["200 MPa", "345 MPa", "550 MPa", "900 MPa"]
+"impact.speed" = { logspace = ["0.1 mm/s", "100 m/s"], points = 500_000 }
+"#;
+
+/// How fast tables are computed and written, as Markdown.
+fn table_rates(directory: &OutputDirectory, is_quick: bool) -> anyhow::Result<String> {
+    let overrides = if is_quick { vec!["sweep.\"impact.speed\".points=5000".to_owned()] } else { Vec::new() };
+    let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
+    let plan = scenario.plan()?.context("the table of the bench is a sweep")?;
+    let scratch = directory.path().join("throughput");
+    std::fs::create_dir_all(&scratch)?;
+    let rates = throughput(&plan, &scratch, if is_quick { 1 } else { 7 });
+    std::fs::remove_dir_all(&scratch)?;
+    let rates = rates?;
+    let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
+    Ok(format!(
+        "| computing e, contact time, peak, dent | CSV, end to end | Parquet, end to end |\n|---|---|---|\n| {:.2e} | {:.2e} | {parquet} |\n",
+        rates.compute, rates.csv
+    ))
 }

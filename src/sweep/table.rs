@@ -1,7 +1,6 @@
 //! Rows as text, CSV or JSON, and back.
 //!
-//! The `csv` crate writes a field at a time through a checked buffer and formats no numbers: about a third of the speed of
-//! writing the digits straight into the block's buffer (measured). No field here needs a quote: numbers, snake_case names.
+//! Digits are written straight into the block's buffer. No field needs a quote: they are numbers and snake_case names.
 
 use super::axis::{Axis, Setting};
 use super::plan::{Cases, Plan, Rows};
