@@ -88,7 +88,7 @@ pub fn arctangent(t: f64) -> f64 {
         return t.atan();
     }
     let s = t * t;
-    let series = 1.0 / 3.0 - s * (0.2 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s / 13.0))));
+    let series = 1.0 / 3.0 - s * (0.2 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s * (1.0 / 13.0)))));
     t - t * s * series
 }
 

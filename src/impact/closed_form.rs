@@ -13,62 +13,79 @@ use crate::power::{arctangent, power_time, quarter_period};
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 #[must_use]
 pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
+    let balance = balance(law, speed);
+    (balance.unloading, balance.restitution)
+}
+
+/// What the balance of energy gives.
+struct Balance {
+    unloading: Unloading,
+    restitution: f64,
+    /// (2/5) q².
+    kinetic: f64,
+    /// Index of the piece that the sphere turns on.
+    last: usize,
+}
+
+#[inline]
+fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let pieces = law.loading.pieces();
-    let last = &pieces[pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1)];
-    let indentation = last.indentation_at_work(kinetic);
-    let force = last.force_at(indentation);
+    let last = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
+    let indentation = pieces[last].indentation_at_work(kinetic);
+    let force = pieces[last].force_at(indentation);
     let elastic_approach = law.elastic_approach(indentation, force);
     let unloading = law.unloading(crate::law::Peak { indentation, force, elastic_approach });
     let recovered = force * elastic_approach / (unloading.exponent + 1.0);
     let is_elastic = indentation <= 1.0;
-    (unloading, if is_elastic { 1.0 } else { (recovered / kinetic).sqrt() })
+    let restitution = if is_elastic { 1.0 } else { (recovered / kinetic).sqrt() };
+    Balance { unloading, restitution, kinetic, last }
 }
 
 /// The whole outcome of an impact at q = v/V, exact to rounding.
 #[must_use]
 pub fn solve(law: &Law, speed: f64) -> Outcome {
-    let (unloading, restitution) = energy_balance(law, speed);
-    let kinetic = 0.4 * speed * speed;
+    let Balance { unloading, restitution, kinetic, last } = balance(law, speed);
+    let pieces = &law.loading.pieces()[..=last];
     let mut loading_time = 0.0;
     let mut entry = speed;
-    let pieces = law.loading.pieces();
-    for (i, piece) in pieces.iter().enumerate() {
-        // the piece is left at its end, or the sphere turns within it
-        let Some(next) = pieces.get(i + 1).filter(|next| next.work <= kinetic) else {
-            loading_time += time_to_turn(piece, unloading.peak.indentation - piece.start, entry);
-            break;
-        };
+    for (piece, next) in pieces.iter().zip(&pieces[1..]) {
         let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
         loading_time += time_on(piece, next.start - piece.start, entry, exit);
         entry = exit;
     }
     let peak = &unloading.peak;
+    loading_time += time_to_turn(&pieces[last], peak.indentation - pieces[last].start, entry);
     let unloading_time = quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed);
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
 }
+
+/// √c, so that ω = √c √s on a straight piece of slope s.
+const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
 
 /// Time from the start of a piece, entered at speed `entry`, to the turning point at `distance` beyond it.
 ///
 /// On a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance of a turning point just behind a
 /// knot would not do: it is a difference of nearly equal numbers.
+#[inline]
 fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
     match piece.shape {
-        Shape::Straight { slope } => {
-            let omega = (ACCELERATION * slope).sqrt();
-            (omega * entry / (ACCELERATION * piece.force)).atan() / omega
+        Shape::Straight { slope, inverse_root } => {
+            let omega = ROOT_ACCELERATION * slope * inverse_root;
+            (omega * entry / (ACCELERATION * piece.force)).atan() * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
     }
 }
 
 /// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.
+#[inline]
 fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
     match piece.shape {
         // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
-        Shape::Straight { slope } => {
-            let omega = (ACCELERATION * slope).sqrt();
-            2.0 / omega * arctangent(omega * distance / (entry + exit))
+        Shape::Straight { slope, inverse_root } => {
+            let omega = ROOT_ACCELERATION * slope * inverse_root;
+            arctangent(omega * distance / (entry + exit)) * inverse_root * (2.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, exit),
     }

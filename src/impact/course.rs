@@ -104,7 +104,7 @@ fn unloading_point(unloading: &Unloading, state: State, event: Option<Event>) ->
 fn restoring(piece: &Piece) -> Restoring {
     match piece.shape {
         Shape::Power { stiffness, exponent } => Restoring::Power { coefficient: ACCELERATION * stiffness, exponent },
-        Shape::Straight { slope } => {
+        Shape::Straight { slope, .. } => {
             Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
         }
     }

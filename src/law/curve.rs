@@ -19,6 +19,8 @@ pub enum Shape {
     Straight {
         /// s > 0.
         slope: f64,
+        /// 1/√s, which every time on the piece needs.
+        inverse_root: f64,
     },
 }
 
@@ -43,7 +45,7 @@ impl Piece {
         let d = x - self.start;
         match self.shape {
             Shape::Power { stiffness, exponent } => stiffness * power(d, exponent),
-            Shape::Straight { slope } => self.force + slope * d,
+            Shape::Straight { slope, .. } => self.force + slope * d,
         }
     }
 
@@ -54,7 +56,7 @@ impl Piece {
         let d = x - self.start;
         match self.shape {
             Shape::Power { stiffness, exponent } => self.work + stiffness * power(d, exponent) * d / (exponent + 1.0),
-            Shape::Straight { slope } => self.work + d * (self.force + 0.5 * slope * d),
+            Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
         }
     }
 
@@ -69,7 +71,7 @@ impl Piece {
                     ((exponent + 1.0) / stiffness * rest).powf(1.0 / (exponent + 1.0))
                 }
                 // the root of ½ s d² + f_i d = rest, in the form that does not cancel
-                Shape::Straight { slope } => {
+                Shape::Straight { slope, .. } => {
                     2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
                 }
             }
@@ -94,7 +96,12 @@ impl Curve {
     #[must_use]
     pub fn then_straight(mut self, start: f64, slope: f64) -> Self {
         let (force, work) = self.pieces.last().map_or((0.0, 0.0), |last| (last.force_at(start), last.work_at(start)));
-        self.pieces.push(Piece { start, force, work, shape: Shape::Straight { slope } });
+        self.pieces.push(Piece {
+            start,
+            force,
+            work,
+            shape: Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() },
+        });
         self
     }
 
