@@ -4,7 +4,7 @@ use crate::impact::Method;
 use crate::scenario::{Key, Scene};
 
 /// Axes of up to this many points are tabulated, and their texts rendered once.
-const TABULATED: u64 = 65_536;
+const TABULATED: u64 = 1 << 20;
 
 /// The numbers an axis runs through, in SI.
 #[derive(Debug, Clone, PartialEq)]

@@ -108,7 +108,7 @@ impl Job<'_> {
             file.write_all(&text.header()).map_err(&unwritable)?;
         }
         self.append(&mut file, &part, &text, &sidecar.layout(), &mut tally)?;
-        file.write_all(text.footer()).and_then(|()| file.sync_all()).map_err(&unwritable)?;
+        file.write_all(text.footer()).map_err(&unwritable)?;
         fs::rename(&part, &table).map_err(SweepError::file("cannot be renamed", &part))?;
         if self.shard.is_whole() {
             let path = sidecar_path(&table);
