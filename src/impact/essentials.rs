@@ -1,4 +1,4 @@
-//! The numbers of an impact that a table holds, without the rest of an [`Impact`](super::Impact).
+//! The numbers of an impact that a table holds, without the rest of an [`Impact`].
 
 use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
