@@ -103,6 +103,8 @@ pub struct Contact {
     sphere: Sphere,
     half_space: HalfSpace,
     pair: Pair,
+    /// Of the sphere \[kg\].
+    mass: f64,
     /// Law and scales of the yielding contact.
     yielding: Option<(Scales, Law)>,
 }
@@ -118,12 +120,13 @@ impl Contact {
         coefficients: &PlmCoefficients,
         exponent: UnloadingExponent,
     ) -> Result<Self, OutOfFloatRange> {
-        let pair = Pair::try_new(&sphere, &half_space)?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
+        let mass = normal("sphere mass (kg)", sphere.mass())?;
         let yielding = pair.yield_point.map(|point| {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
-            (Scales::of_yield(&point), law)
+            Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self { sphere, half_space, pair, yielding })
+        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()? })
     }
 
     /// The sphere.
@@ -138,10 +141,22 @@ impl Contact {
         &self.half_space
     }
 
-    /// Effective modulus, mass, yield point.
+    /// Effective modulus, shares of compliance, yield point.
     #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
+    }
+
+    /// Mass of the sphere \[kg\].
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// v_Y \[m/s\]: the slowest impact that yields; `None` for a half-space that stays elastic.
+    #[must_use]
+    pub fn yield_speed(&self) -> Option<f64> {
+        self.yielding.as_ref().map(|(scales, _)| scales.speed)
     }
 
     /// Units, law and dimensionless speed of an impact: an elastic one is the same for every scene.
@@ -156,7 +171,7 @@ impl Contact {
                 normal("kinetic energy in units of that at first yield", ratio * ratio)?;
                 Ok((*scales, law, ratio))
             }
-            _ => Ok((Scales::of_hertz(&self.pair, speed)?, &HERTZ, 1.0)),
+            _ => Ok((Scales::of_hertz(&self.pair, self.mass, speed)?, &HERTZ, 1.0)),
         }
     }
 
@@ -182,7 +197,7 @@ impl Contact {
             ElasticApproach::All if q == 1.0 => *ELASTIC,
             _ => closed_form::solve(law, q),
         };
-        Essentials::new(&self.pair, speed, &scales, law, &outcome)
+        Essentials::new(self.mass, speed, &scales, law, &outcome)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

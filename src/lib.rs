@@ -41,7 +41,7 @@
 //!
 //! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
-//! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6) };
+//! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
 //! let contact =
 //!     Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
 //!

@@ -1,5 +1,5 @@
-//! The two bodies and what their pairing fixes before any law is chosen: effective modulus, compliance
-//! shares, first yield, mass.
+//! The two bodies and what their pairing fixes before any law is chosen: effective modulus, compliance shares, first
+//! yield. Nothing here but the densities knows of motion.
 
 use thiserror::Error;
 
@@ -48,6 +48,8 @@ pub struct HalfSpace {
     pub material: Material,
     /// Yield strength σ_Y \[Pa\] (von Mises); `None`: the half-space stays elastic.
     pub yield_strength: Option<f64>,
+    /// Density \[kg/m³\]; `None`: nothing is said of elastic waves.
+    pub density: Option<f64>,
 }
 
 /// First yield of the half-space under the sphere (Xie et al. 2024, Eqs. 17-18).
@@ -61,8 +63,16 @@ pub struct YieldPoint {
     pub force: f64,
     /// a_Y = π C_ν σ_Y R / 2E* \[m\].
     pub contact_radius: f64,
-    /// v_Y \[m/s\], from ½ m v_Y² = (2/5) F_Y δ_Y: the slowest impact that yields.
-    pub speed: f64,
+}
+
+impl YieldPoint {
+    /// v_Y \[m/s\] of a sphere of this mass \[kg\], from ½ m v_Y² = (2/5) F_Y δ_Y: the slowest impact that yields.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where it over- or underflows.
+    pub fn speed(&self, mass: f64) -> Result<f64, OutOfFloatRange> {
+        normal("yield speed (m/s)", (0.8 * (self.force / mass) * self.indentation).sqrt())
+    }
 }
 
 /// A quantity of the pair that double precision cannot hold.
@@ -87,8 +97,6 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
 pub struct Pair {
     /// Effective radius \[m\]: the sphere's, as the half-space is flat (Eq. 9).
     pub radius: f64,
-    /// Mass of the sphere \[kg\].
-    pub mass: f64,
     /// E* \[Pa\], 1/E* = (1 − ν_s²)/E_s + (1 − ν_h²)/E_h (Eq. 11). With two equal bodies this is E/(2(1 − ν²)).
     pub effective_modulus: f64,
     /// κ = E*/E_s* in \[0, 1): share of the sphere in the elastic compliance; 0 is a rigid sphere.
@@ -100,16 +108,14 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// Pairs the two bodies.
+    /// Pairs a sphere of this radius \[m\] and material with a half-space.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where mass, effective modulus or yield point over- or underflow.
-    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, OutOfFloatRange> {
-        let of_sphere = 1.0 / sphere.material.plane_strain_modulus();
+    /// [`OutOfFloatRange`] where effective modulus or yield point over- or underflow.
+    pub fn try_new(radius: f64, sphere: &Material, half_space: &HalfSpace) -> Result<Self, OutOfFloatRange> {
+        let of_sphere = 1.0 / sphere.plane_strain_modulus();
         let of_half_space = 1.0 / half_space.material.plane_strain_modulus();
         let effective_modulus = normal("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
-        let mass = normal("sphere mass (kg)", sphere.mass())?;
-        let radius = sphere.radius;
         let yield_point = half_space
             .yield_strength
             .map(|strength| {
@@ -119,18 +125,11 @@ impl Pair {
                 let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
                 let a_y = a_over_r * radius;
                 let force = normal("yield force (N)", 2.0 / 3.0 * pressure * a_y * a_y)?;
-                Ok(YieldPoint {
-                    factor,
-                    indentation,
-                    force,
-                    contact_radius: a_y,
-                    speed: normal("yield speed (m/s)", (0.8 * (force / mass) * indentation).sqrt())?,
-                })
+                Ok(YieldPoint { factor, indentation, force, contact_radius: a_y })
             })
             .transpose()?;
         Ok(Self {
             radius,
-            mass,
             effective_modulus,
             sphere_compliance: of_sphere * effective_modulus,
             half_space_compliance: of_half_space * effective_modulus,

@@ -70,7 +70,7 @@ fn every_passed_knot_is_there_once_and_in_order() {
         let law = scene.law();
         for share in SPEEDS {
             for (method, _) in TRACING {
-                let impact = scene.impact(share * yield_point.speed, method, 1e-10, Some(50));
+                let impact = scene.impact(share * contact.yield_speed().unwrap(), method, 1e-10, Some(50));
                 let x_m = impact.peak_indentation / yield_point.indentation;
                 let passed = law.loading.pieces().iter().skip(1).filter(|piece| piece.start < x_m);
                 let mut want: Vec<(Event, f64)> = vec![(Event::Touch, 0.0)];

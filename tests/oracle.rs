@@ -32,6 +32,7 @@ fn rows() -> Vec<Row> {
             let half_space = HalfSpace {
                 material: Material { youngs_modulus: number(5), poissons_ratio: number(6) },
                 yield_strength: Some(number(7)),
+                density: None,
             };
             let exponent = match &record[9] {
                 "pressure-shape" => UnloadingExponent::PressureShape,
@@ -59,7 +60,7 @@ fn compare(row: &Row, impact: &Impact, tolerance: f64) {
         impact.residual_indentation,
         impact.elastic_approach,
         impact.unloading_radius,
-        point.speed,
+        row.contact.yield_speed().unwrap(),
         point.indentation,
         point.force,
     ];

@@ -78,7 +78,7 @@ impl Picture {
 fn impact(sphere_modulus: f64, yield_strength: Option<f64>, speed: f64) -> Impact {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let sphere = Sphere { radius: 5e-3, material: material(sphere_modulus), density: 7850.0, yield_strength: None };
-    let half_space = HalfSpace { material: material(210e9), yield_strength };
+    let half_space = HalfSpace { material: material(210e9), yield_strength, density: None };
     let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper).unwrap();
     contact.impact(speed, &Solver::default(), Some(400)).unwrap()
 }

@@ -59,11 +59,11 @@ impl Scene {
         let e_star = 1.0 / (1.0 / of_sphere.plane_strain_modulus() + 1.0 / of_half_space.plane_strain_modulus());
         let contact = Contact::try_new(
             Sphere { radius: self.radius, material: of_sphere, density: 7850.0, yield_strength: None },
-            HalfSpace { material: of_half_space, yield_strength: Some(self.strength_ratio * e_star) },
+            HalfSpace { material: of_half_space, yield_strength: Some(self.strength_ratio * e_star), density: None },
             PlmCoefficients::built_in(),
             UnloadingExponent::Paper,
         )?;
-        let yield_speed = contact.pair().yield_point.map_or(1.0, |point| point.speed);
+        let yield_speed = contact.yield_speed().unwrap_or(1.0);
         let (_, law, q) = contact.scaled(self.speed_ratio * yield_speed)?;
         Ok((law.clone(), q))
     }

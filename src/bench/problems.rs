@@ -84,7 +84,7 @@ pub fn problems() -> Result<Vec<Problem>, OutOfFloatRange> {
         yield_strength: None,
     };
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
-        let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength) };
+        let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength), density: None };
         let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
         let (scales, law, q) = contact.scaled(speed)?;
         Ok(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))

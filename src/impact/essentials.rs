@@ -3,7 +3,7 @@
 use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use crate::law::Law;
-use crate::material::{OutOfFloatRange, Pair, normal};
+use crate::material::{OutOfFloatRange, normal};
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,12 +27,12 @@ pub struct Essentials {
 }
 
 impl Essentials {
-    /// In SI units.
+    /// In SI units; `mass` is the sphere's \[kg\].
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where energy, force or time leave double precision.
     pub(super) fn new(
-        pair: &Pair,
+        mass: f64,
         speed: f64,
         scales: &Scales,
         law: &Law,
@@ -40,7 +40,7 @@ impl Essentials {
     ) -> Result<Self, OutOfFloatRange> {
         let peak = outcome.unloading.peak;
         let residual = peak.residual();
-        let kinetic_in = normal("kinetic energy (J)", 0.5 * pair.mass * speed * speed)?;
+        let kinetic_in = normal("kinetic energy (J)", 0.5 * mass * speed * speed)?;
         let lost = law.loading.work(peak.indentation) - outcome.unloading.stored(peak.indentation);
         Ok(Self {
             restitution: outcome.restitution,

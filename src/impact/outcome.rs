@@ -157,7 +157,7 @@ impl Impact {
         let pair = contact.pair();
         let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
         let peak = unloading.peak;
-        let essentials = Essentials::new(pair, speed, scales, law, outcome)?;
+        let essentials = Essentials::new(contact.mass(), speed, scales, law, outcome)?;
         let Essentials { kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
         let has_dent = essentials.has_dent();
         // kinetic energy in units of Φ L

@@ -23,19 +23,19 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Yield scales.
+    /// Yield scales; `speed` is v_Y of the sphere.
     #[must_use]
-    pub fn of_yield(point: &YieldPoint) -> Self {
-        Self { length: point.indentation, force: point.force, speed: point.speed, contact_radius: point.contact_radius }
+    pub fn of_yield(point: &YieldPoint, speed: f64) -> Self {
+        Self { length: point.indentation, force: point.force, speed, contact_radius: point.contact_radius }
     }
 
-    /// Hertz scales of an elastic impact at `speed`: L = (5 m v²/(4 K))^(2/5), Φ = K L^1.5, V = v.
+    /// Hertz scales of an elastic impact of `mass` at `speed`: L = (5 m v²/(4 K))^(2/5), Φ = K L^1.5, V = v.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
-    pub fn of_hertz(pair: &Pair, speed: f64) -> Result<Self, OutOfFloatRange> {
+    pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let length = normal("peak indentation (m)", (1.25 * pair.mass / stiffness).powf(0.4) * speed.powf(0.8))?;
+        let length = normal("peak indentation (m)", (1.25 * mass / stiffness).powf(0.4) * speed.powf(0.8))?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
     }

@@ -67,7 +67,7 @@ struct Plastic {
     unloading_radius_m: f64,
     residual_radius_m: Option<f64>,
     dent_radius_m: Option<f64>,
-    yield_speed_m_per_s: f64,
+    yield_speed_m_per_s: Option<f64>,
     yield_indentation_m: f64,
     #[serde(rename = "yield_force_N")]
     yield_force: f64,
@@ -152,7 +152,7 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
         unloading_radius_m: impact.unloading_radius,
         residual_radius_m: impact.residual_radius,
         dent_radius_m: impact.dent_radius,
-        yield_speed_m_per_s: point.speed,
+        yield_speed_m_per_s: contact.yield_speed(),
         yield_indentation_m: point.indentation,
         yield_force: point.force,
     });
@@ -184,7 +184,7 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
         warnings: impact.warnings.iter().map(ToString::to_string).collect(),
         effective_modulus: pair.effective_modulus,
         sphere_compliance: pair.sphere_compliance,
-        sphere_mass_kg: pair.mass,
+        sphere_mass_kg: contact.mass(),
         unloading_exponent: impact.unloading_exponent,
         inputs: Inputs::of(contact, impact.speed),
         provenance,

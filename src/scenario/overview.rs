@@ -52,7 +52,7 @@ fn derived(contact: &Contact) -> Vec<(String, String)> {
     let pair = contact.pair();
     let mut rows = Vec::new();
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    row("sphere mass", describe(pair.mass, Dimension::Mass));
+    row("sphere mass", describe(contact.mass(), Dimension::Mass));
     row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
     row("share of the sphere kappa", number(pair.sphere_compliance));
     match pair.yield_point {
@@ -60,7 +60,10 @@ fn derived(contact: &Contact) -> Vec<(String, String)> {
             row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
             row("yield force F_Y", describe(point.force, Dimension::Force));
             row("yield contact radius a_Y", describe(point.contact_radius, Dimension::Length));
-            row("yield speed v_Y", describe(point.speed, Dimension::Speed));
+            row(
+                "yield speed v_Y",
+                contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed)),
+            );
         }
         None => row("yield point", "none: the half-space has no yield_strength and stays elastic".to_owned()),
     }

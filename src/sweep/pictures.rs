@@ -127,7 +127,7 @@ fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
     if let Some(second) = axes.get(1) {
         second.put(place, &mut scene);
     }
-    scene.contact().ok()?.pair().yield_point.map(|point| point.speed)
+    scene.contact().ok()?.yield_speed()
 }
 
 fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {

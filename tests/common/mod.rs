@@ -76,12 +76,12 @@ impl Scene {
 
     pub fn try_contact(&self) -> Result<Contact, plm_impact::material::OutOfFloatRange> {
         let sphere = Sphere { radius: self.radius, material: self.sphere, density: self.density, yield_strength: None };
-        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength };
+        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength, density: None };
         Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), self.exponent)
     }
 
     pub fn yield_speed(&self) -> f64 {
-        self.contact().pair().yield_point.unwrap().speed
+        self.contact().yield_speed().unwrap()
     }
 
     /// The PLM law of the scene, in units of its yield point.
