@@ -120,8 +120,8 @@ impl Contact {
         coefficients: &PlmCoefficients,
         exponent: UnloadingExponent,
     ) -> Result<Self, OutOfFloatRange> {
-        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
         let mass = normal("sphere mass (kg)", sphere.mass())?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
         let yielding = pair.yield_point.map(|point| {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))

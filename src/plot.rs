@@ -23,7 +23,7 @@ pub use force_indentation::force_indentation;
 pub use heatmap::Heatmap;
 pub use histogram::Histogram;
 pub use history::history;
-pub use lines::{Guide, Lines, Series};
+pub use lines::{Guide, Lines, Look, Series};
 pub use style::Mark;
 
 /// Size of every picture \[px\].

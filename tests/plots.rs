@@ -154,11 +154,8 @@ fn an_impact_without_trace_makes_no_picture() {
 }
 
 fn lines(x: Axis, y: Axis, curves: Vec<Vec<(f64, f64)>>) -> Lines {
-    let series = curves.into_iter().zip(["first", "second", "third"]).map(|(points, name)| Series {
-        name: name.into(),
-        points,
-        has_marks: true,
-    });
+    let series = curves.into_iter().zip(["first", "second", "third"]);
+    let series = series.map(|(points, name)| Series::marked_line(name, points));
     Lines { title: "Title".into(), x, y, series: series.collect(), guides: vec![], notes: vec!["note".into()] }
 }
 

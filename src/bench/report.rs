@@ -61,14 +61,13 @@ const ROUNDING: f64 = 1e-16;
 /// # Errors
 /// What drawing reports.
 pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
-    let series = Contender::ALL.map(|contender| Series {
-        name: contender.name().into(),
-        points: measurements
+    let series = Contender::ALL.map(|contender| {
+        let points = measurements
             .iter()
             .filter(|m| m.contender == contender)
             .map(|m| (m.restitution_error.max(m.contact_time_error).max(ROUNDING), 1e-3 * m.ns_per_impact))
-            .collect(),
-        has_marks: true,
+            .collect();
+        Series::marked_line(contender.name(), points)
     });
     let lines = Lines {
         title: format!("{}: {}", problem.name, problem.about),

@@ -49,6 +49,15 @@ impl Piece {
         }
     }
 
+    /// df/dx at x, the tangent stiffness.
+    #[must_use]
+    pub fn slope_at(&self, x: f64) -> f64 {
+        match self.shape {
+            Shape::Power { stiffness, exponent } => stiffness * exponent * power(x - self.start, exponent - 1.0),
+            Shape::Straight { slope, .. } => slope,
+        }
+    }
+
     /// Work from first touch to x.
     #[inline]
     #[must_use]

@@ -16,7 +16,7 @@ pub struct Lines {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// In the order of the key; colour, dash and marker go by this order.
+    /// In the order of the key.
     pub series: Vec<Series>,
     /// Thin lines that are no data.
     pub guides: Vec<Guide>,
@@ -31,8 +31,47 @@ pub struct Series {
     pub name: String,
     /// In the units of the axes. A point that is not finite, or not positive on a logarithmic axis, breaks the curve.
     pub points: Vec<(f64, f64)>,
-    /// Whether each point has a marker (for few, measured points); if not, a few markers along the curve tell it apart.
-    pub has_marks: bool,
+    /// Line, markers, or both.
+    pub look: Look,
+    /// Colour, dash and marker are those of this index of the palette; `None`: of its place in the list.
+    pub style: Option<usize>,
+}
+
+/// What of a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// A line; a few markers along it tell it apart.
+    Line,
+    /// A line with a marker on every point, for few, computed points.
+    MarkedLine,
+    /// Markers alone: measured points.
+    Points,
+}
+
+impl Series {
+    /// A curve.
+    #[must_use]
+    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { name: name.into(), points, look: Look::Line, style: None }
+    }
+
+    /// A curve through few points, each with a marker.
+    #[must_use]
+    pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { look: Look::MarkedLine, ..Self::line(name, points) }
+    }
+
+    /// Points that no curve joins.
+    #[must_use]
+    pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { look: Look::Points, ..Self::line(name, points) }
+    }
+
+    /// The same in the colour, dash and marker of another: points that belong to a curve.
+    #[must_use]
+    pub fn styled(self, style: usize) -> Self {
+        Self { style: Some(style), ..self }
+    }
 }
 
 /// A line that is no data; it does not widen the axes. Its label stands in the key, if the line is in the box; guides of
@@ -123,9 +162,11 @@ impl Lines {
         }
         frame.draw_outline(&mut canvas)?;
         for (i, curve) in self.series.iter().enumerate() {
-            let (stroke, mark) = series(i);
-            frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
-            let marked = if curve.has_marks { curve.points.clone() } else { self.sparse_marks(&frame, i) };
+            let (stroke, mark) = series(curve.style.unwrap_or(i));
+            if curve.look != Look::Points {
+                frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
+            }
+            let marked = if curve.look == Look::Line { self.sparse_marks(&frame, i) } else { curve.points.clone() };
             for point in marked {
                 frame.mark(&mut canvas, point, mark, MARK, stroke.color)?;
             }
@@ -162,8 +203,13 @@ impl Lines {
             .iter()
             .enumerate()
             .map(|(i, curve)| {
-                let (stroke, mark): (Stroke, Mark) = series(i);
-                Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(&curve.name, stroke) }
+                let (stroke, mark): (Stroke, Mark) = series(curve.style.unwrap_or(i));
+                let entry = if curve.look == Look::Points {
+                    Entry::mark(&curve.name, mark, MARK, stroke.color)
+                } else {
+                    Entry::line(&curve.name, stroke)
+                };
+                Entry { mark: Some((mark, MARK, stroke.color)), ..entry }
             })
             .collect();
         for (i, guide) in guides.iter().enumerate() {

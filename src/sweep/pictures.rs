@@ -87,7 +87,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
                 series: Some(number),
             }));
         }
-        series.push(Series { name, points, has_marks: false });
+        series.push(Series::line(name, points));
     }
     if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
         // through the fastest point of the first curve: there the slope is nearest to fully plastic
