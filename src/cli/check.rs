@@ -4,6 +4,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::overview::overview;
+use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
 
@@ -16,7 +17,13 @@ pub struct Arguments {
 
 pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
-    let (scene, contact) = plm_impact::run::prepare(&scenario)?;
+    match scenario.kind().map_err(Error::from)? {
+        Kind::Impact | Kind::Sweep | Kind::MonteCarlo => impact(&scenario),
+    }
+}
+
+fn impact(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contact) = plm_impact::run::prepare(scenario)?;
     for warning in &scene.warnings {
         eprintln!("warning: {warning}");
     }
