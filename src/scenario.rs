@@ -21,6 +21,7 @@
 //! # Ok::<(), plm_impact::scenario::ScenarioError>(())
 //! ```
 
+mod columns;
 mod document;
 mod explain;
 pub mod file;
