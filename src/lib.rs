@@ -75,5 +75,6 @@ pub mod power;
 pub mod report;
 pub mod run;
 pub mod scenario;
+pub mod smooth;
 pub mod sweep;
 pub mod units;
