@@ -45,6 +45,8 @@ pub enum Failure {
     TooManySteps,
     /// The state was not finite.
     NotFinite,
+    /// The law has no answer there.
+    OutsideLaw,
 }
 
 impl Failure {
@@ -56,6 +58,7 @@ impl Failure {
             Self::StepUnderflow => "step_underflow",
             Self::TooManySteps => "too_many_steps",
             Self::NotFinite => "not_finite",
+            Self::OutsideLaw => "outside_law",
         }
     }
 }
@@ -70,6 +73,7 @@ impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
+            ImpactError::Law(_) => Self::OutsideLaw,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
