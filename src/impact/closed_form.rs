@@ -80,9 +80,17 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             (omega * entry / (ACCELERATION * piece.force)).atan() * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
+        // just behind a knot as on the tangent there, for the same reason
+        Shape::Smooth(_) if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start => {
+            let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
+            (omega * entry / (ACCELERATION * piece.force)).atan() / omega
+        }
         Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
     }
 }
+
+/// A turning point nearer to a knot than this share of the indentation (halved) has lost digits of its distance.
+const NEAR_KNOT: f64 = 1e-6;
 
 /// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.
 #[inline]

@@ -26,7 +26,7 @@ use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | a, R | | m | contact radius, sphere radius |
 /// | x_m | | 1 | δ_m/δ_y |
 ///
-/// The printed force jumps by +0.5 % at x = 1.9 (`jumps`: kept, or Hertz goes on until the fit falls below it, x = 2.2).
+/// The printed force jumps by +0.5 % at x = 1.9 (`jumps`: kept, or Hertz goes on until the fit falls below it, x = 2.0).
 /// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
 /// there the law has no answer. Fitted for a/R ≤ 0.412 and σ_Y/E* from 0.00105 to 0.0081, a deformable sphere on a rigid flat.
 ///

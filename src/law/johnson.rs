@@ -19,8 +19,8 @@ use super::published::{Loading, Recovered, RecoveryRule};
 /// |---|---|---|---|
 /// | p_d | `dynamic_pressure` | Pa | mean pressure of the dent; 3 σ_Y if not given |
 ///
-/// There is no elastic regime: near yield the formula gives e > 1 (below x of about 15 for steel), and there the law has no
-/// answer. As an unloading law behind another loading it is "Hertz from the contact radius", with a_m of that loading.
+/// There is no elastic regime: near yield the rebound would be deeper than the indentation (below x of about 15 for steel),
+/// then e above 1, and there the law has no answer. As an unloading law behind another loading it is "Hertz from the contact radius", with a_m of that loading.
 ///
 /// Johnson (1985), Contact Mechanics, Cambridge University Press, ch. 11.5; the coefficient 3.549 follows from the two lines
 /// above.

@@ -23,8 +23,9 @@ use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | s | | 1 | 1.792 at Hertz's first yield for ν = 0.3 |
 /// | p_m, A | | Pa, m² | mean pressure, contact area |
 ///
-/// The fit begins where Hertz reaches s = 1.78 with a fall of the force of about 0.3 % for ν = 0.3; the force jumps by +3.2 %
-/// at s = 21 (pressure +3.9 %, area −0.7 %). `jumps` = crossed lets each piece go on until the next one crosses it, where it does.
+/// The fit begins where Hertz reaches s = 1.78 (x = 0.987 for ν = 0.3) with a force 1.3 % above Hertz's, and jumps by +3.2 %
+/// at s = 21 (pressure +3.9 %, area −0.7 %). `jumps` = crossed lets each piece go on until the next one falls below it:
+/// x = 1.16, and s = 22.
 /// Beyond δ = R/2 the cut of the sphere no longer grows like a contact: there the law has no answer.
 ///
 /// **Its own unloading is not public** (a fit of δ_r to δ_m and E*/σ_Y). Here it unloads by the paper's law with the elastic
