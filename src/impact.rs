@@ -190,6 +190,15 @@ impl Contact {
         (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
     }
 
+    /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
+    #[must_use]
+    pub fn yields_at(&self) -> Option<(f64, f64)> {
+        let (scales, law) = self.yielding.as_ref()?;
+        self.yield_speed()?;
+        let until = law.elastic_until();
+        Some((scales.length * until, scales.force * crate::power::power(until, 1.5)))
+    }
+
     /// Units, law and dimensionless speed of an impact: an elastic one is the same for every scene.
     ///
     /// # Errors

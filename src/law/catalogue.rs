@@ -94,7 +94,7 @@ impl LawChoice {
         self.get().about()
     }
 
-    /// Whether it says how a contact loads.
+    /// Whether it says how a contact loads. What loads here also unloads, if need be by the paper's law.
     #[must_use]
     pub fn has_loading(&self) -> bool {
         self.about().loading != NONE
