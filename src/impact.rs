@@ -19,7 +19,7 @@ use crate::integrate::exact::Exact;
 use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
+use crate::law::{Bodies, ContactLaw, ElasticApproach, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
@@ -95,6 +95,9 @@ pub enum ImpactError {
     /// The integrator gave up.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
+    /// The law has no answer for this impact.
+    #[error(transparent)]
+    Law(#[from] OutsideLaw),
 }
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
@@ -107,6 +110,8 @@ pub struct Contact {
     mass: f64,
     /// Law and scales of the yielding contact.
     yielding: Option<(Scales, Law)>,
+    /// The slowest impact that yields \[m/s\]; infinite without one.
+    yield_speed: f64,
 }
 
 impl Contact {
@@ -126,7 +131,32 @@ impl Contact {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()? })
+        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?))
+    }
+
+    /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength). A law that lacks loading
+    /// or unloading is taken for Hertz: see [`crate::law::LawChoice::has_loading`].
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
+    pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, OutOfFloatRange> {
+        let mass = normal("sphere mass (kg)", sphere.mass())?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
+        let yielding = Bodies::new(&pair, &half_space).map(|bodies| {
+            let point = bodies.yield_point;
+            let law = law.law(&bodies).unwrap_or_else(Law::hertz);
+            Ok((Scales::of_yield(&point, point.speed(mass)?), law))
+        });
+        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?))
+    }
+
+    fn new(sphere: Sphere, half_space: HalfSpace, pair: Pair, mass: f64, yielding: Option<(Scales, Law)>) -> Self {
+        // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
+        let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
+            let until = law.elastic_until();
+            if until == 1.0 { scales.speed } else { scales.speed * until.powf(1.25) }
+        });
+        Self { sphere, half_space, pair, mass, yielding, yield_speed }
     }
 
     /// The sphere.
@@ -153,10 +183,20 @@ impl Contact {
         self.mass
     }
 
-    /// v_Y \[m/s\]: the slowest impact that yields; `None` for a half-space that stays elastic.
+    /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, and for
+    /// a law without an elastic regime.
     #[must_use]
     pub fn yield_speed(&self) -> Option<f64> {
-        self.yielding.as_ref().map(|(scales, _)| scales.speed)
+        (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
+    }
+
+    /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
+    #[must_use]
+    pub fn yields_at(&self) -> Option<(f64, f64)> {
+        let (scales, law) = self.yielding.as_ref()?;
+        self.yield_speed()?;
+        let until = law.elastic_until();
+        Some((scales.length * until, scales.force * crate::power::power(until, 1.5)))
     }
 
     /// Units, law and dimensionless speed of an impact: an elastic one is the same for every scene.
@@ -166,7 +206,7 @@ impl Contact {
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
         static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
         match &self.yielding {
-            Some((scales, law)) if speed > scales.speed => {
+            Some((scales, law)) if speed > self.yield_speed => {
                 let ratio = speed / scales.speed;
                 normal("kinetic energy in units of that at first yield", ratio * ratio)?;
                 Ok((*scales, law, ratio))
@@ -182,14 +222,15 @@ impl Contact {
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
+        law.accept(&exact.unloading.peak)?;
         Impact::new(self, speed, Method::ClosedForm, &scales, law, &exact, &exact, Work::default(), &[])
     }
 
     /// What a table holds of the closed form, without the rest of an [`Impact`].
     ///
     /// # Errors
-    /// [`OutOfFloatRange`], see [`Contact::scaled`].
-    pub fn essentials(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+    /// [`OutOfFloatRange`], see [`Contact::scaled`]; [`OutsideLaw`] where the law has no answer.
+    pub fn essentials(&self, speed: f64) -> Result<Essentials, ImpactError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
         let (scales, law, q) = self.scaled(speed)?;
@@ -197,7 +238,8 @@ impl Contact {
             ElasticApproach::All if q == 1.0 => *ELASTIC,
             _ => closed_form::solve(law, q),
         };
-        Essentials::new(self.mass, speed, &scales, law, &outcome)
+        law.accept(&outcome.unloading.peak)?;
+        Ok(Essentials::new(self.mass, speed, &scales, law, &outcome)?)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first
@@ -208,6 +250,7 @@ impl Contact {
     pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
+        law.accept(&exact.unloading.peak)?;
         let mut recorder = samples.map(|samples| Recorder::new(samples, exact.contact_time));
         let method = match (solver.method, samples) {
             (Method::Auto, None) => Method::ClosedForm,

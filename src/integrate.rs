@@ -1,7 +1,7 @@
 //! Integrators for one smooth piece of motion, d'' = −g(d), landed on its end.
 //!
-//! Nothing here knows contact mechanics. A piece is a power law g = k d^n measured from its zero, or a straight line; a
-//! [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
+//! Nothing here knows contact mechanics. A piece is a power law g = k d^n measured from its zero, a straight line, or any
+//! other smooth force; a [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
 //! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
 
 mod dense;
@@ -34,6 +34,15 @@ pub enum Restoring {
         /// s > 0.
         slope: f64,
     },
+    /// g = c f.
+    Smooth {
+        /// f.
+        force: crate::smooth::Smooth,
+        /// Where the piece begins in the variable of f.
+        start: f64,
+        /// c > 0.
+        factor: f64,
+    },
 }
 
 impl Restoring {
@@ -44,6 +53,7 @@ impl Restoring {
         match *self {
             Self::Power { coefficient, exponent } => coefficient * crate::power::power(distance, exponent),
             Self::Straight { at_start, slope } => at_start + slope * distance,
+            Self::Smooth { force, start, factor } => factor * force.value(start, distance),
         }
     }
 }

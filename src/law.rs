@@ -9,15 +9,37 @@
 //! * Weng, Yin, Hu et al. (2021), Tribology International 162, 107114, doi 10.1016/j.triboint.2021.107114: the
 //!   piecewise-linear loading model (PLM). Its coefficients are in no public text; the built-in ones were fitted anew to
 //!   finite-element curves, see [`plm`].
+//! * The other published laws, one file each, name theirs; [`catalogue`] lists them, and those that are not public.
 
+pub mod brake;
+pub mod catalogue;
+pub mod combined;
+pub mod contact_law;
 pub mod curve;
+pub mod hertz;
+pub mod jackson_green;
+pub mod johnson;
+pub mod kogut_etsion;
+pub mod kogut_komvopoulos;
+pub mod ma_liu;
+pub mod mesarovic_johnson;
+pub mod paper;
 pub mod plm;
+pub mod published;
+pub mod stronge;
+pub mod thornton;
 pub mod unloading;
+pub mod walton_braun;
+pub mod yigit_christoforou;
 
+pub use catalogue::LawChoice;
+pub use contact_law::{About, Bodies, ContactLaw};
+pub use paper::Plm;
 use curve::Curve;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
-pub use unloading::{Peak, Unloading};
+pub use published::{Loading, OutsideLaw, Published};
+pub use unloading::{Peak, Unloading, UnloadingShape};
 
 /// Which exponent n the unloading branch has.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,6 +62,8 @@ pub enum ElasticApproach {
     Line(ElasticLine),
     /// Hertz-type unloading of fixed stiffness k: ε = (f/k)^(2/3), as in the test problems of the speed report.
     FixedStiffness(f64),
+    /// By the rules of a published law.
+    Published(Box<Published>),
 }
 
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
@@ -73,6 +97,7 @@ impl Law {
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
             ElasticApproach::All => x,
+            ElasticApproach::Published(law) => law.elastic_approach(&self.loading, x, force),
             _ if x <= 1.0 => x,
             ElasticApproach::Line(line) => line.at(force).min(x),
             ElasticApproach::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
@@ -90,6 +115,9 @@ impl Law {
     #[inline]
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
+        if let ElasticApproach::Published(law) = &self.elastic {
+            return law.unloading(peak);
+        }
         let exponent = match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
@@ -97,12 +125,38 @@ impl Law {
             }
             _ => 1.5,
         };
-        Unloading { peak, exponent }
+        Unloading { peak, exponent, shape: UnloadingShape::Power }
+    }
+
+    /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
+    #[inline]
+    #[must_use]
+    pub fn elastic_until(&self) -> f64 {
+        match &self.elastic {
+            ElasticApproach::All => f64::INFINITY,
+            ElasticApproach::Line(_) | ElasticApproach::FixedStiffness(_) => 1.0,
+            ElasticApproach::Published(law) => law.elastic_until,
+        }
+    }
+
+    /// Whether the law says anything of a peak.
+    ///
+    /// # Errors
+    /// [`OutsideLaw`] where a published law has no answer there.
+    #[inline]
+    pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
+        match &self.elastic {
+            ElasticApproach::Published(law) => law.accept(&self.loading, peak),
+            _ => Ok(()),
+        }
     }
 
     /// Contact radius a/a_L at a peak, a = â/Λ(A) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
     #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
+        if let ElasticApproach::Published(law) = &self.elastic {
+            return law.contact_radius(peak);
+        }
         let equivalent = peak.force / peak.elastic_approach;
         equivalent / self.radius_ratio.at(equivalent)
     }

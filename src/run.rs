@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::impact::{Contact, Impact};
+use crate::law::LawChoice;
 use crate::output::{OutputDirectory, OutputFile};
 use crate::plot;
 use crate::report::{self, Provenance};
@@ -70,7 +71,9 @@ impl Run {
 }
 
 fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Result<Provenance, Error> {
-    let coefficients = scene.half_space.yield_strength.map(|_| &scene.coefficients.provenance);
+    let is_plm = matches!(scene.law, LawChoice::Plm(_));
+    let can_yield = scene.half_space.yield_strength.is_some();
+    let coefficients = (is_plm && can_yield).then_some(&scene.coefficients.provenance);
     Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
@@ -78,7 +81,8 @@ fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str
         command: command.to_owned(),
         method: impact.method.name().to_owned(),
         tolerance: scene.solver.tolerance,
-        law: if coefficients.is_some() { "plm" } else { "hertz" }.to_owned(),
+        law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
+        law_source: (can_yield && !is_plm).then(|| scene.law.source()),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
     })

@@ -27,6 +27,7 @@ mod explain;
 pub mod file;
 pub mod keys;
 mod kind;
+pub mod law;
 pub mod overview;
 mod place;
 pub mod quantity;
@@ -38,11 +39,12 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use crate::impact::{Contact, Solver, Warning};
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
-use file::{LawTable, PlmTable, ScenarioFile, SphereTable};
+use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
+use law::LawTable;
 pub use kind::Kind;
 pub use place::{Place, Refusal};
 
@@ -98,6 +100,8 @@ pub struct Scene {
     pub half_space: HalfSpace,
     /// Impact speed \[m/s\].
     pub speed: f64,
+    /// The law; of the PLM, exponent and coefficients are those below.
+    pub law: LawChoice,
     /// Exponent of the unloading branch.
     pub exponent: UnloadingExponent,
     /// Coefficients of the PLM.
@@ -116,7 +120,12 @@ impl Scene {
     /// # Errors
     /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
     pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
-        Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
+        match &self.law {
+            LawChoice::Plm(_) => {
+                Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
+            }
+            law => Contact::with_law(self.sphere, self.half_space, law.get()),
+        }
     }
 }
 
@@ -163,7 +172,10 @@ impl Scenario {
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
-        let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
+        let plm = match law {
+            Some(LawTable::Plm(plm)) => plm.clone(),
+            _ => PlmTable::default(),
+        };
         let defaults = Solver::default();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let impact = impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
@@ -185,6 +197,7 @@ impl Scenario {
             sphere,
             half_space,
             speed: impact.speed.0,
+            law: self.law()?,
             exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
             coefficients: self.coefficients(&plm)?,
             solver: Solver {
@@ -193,7 +206,7 @@ impl Scenario {
                 steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
             },
             samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
-            warnings: unused(&plm, &half_space),
+            warnings: unused(law.as_ref(), &half_space),
         })
     }
 
@@ -238,14 +251,17 @@ impl Scenario {
     }
 }
 
-/// Keys of the law that an elastic half-space does not need.
-fn unused(plm: &PlmTable, half_space: &HalfSpace) -> Vec<Warning> {
-    let given = [
-        ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
-        ("law.plm.coefficients", plm.coefficients.is_some()),
-    ];
-    given
-        .into_iter()
+/// A law that an elastic half-space does not need.
+fn unused(law: Option<&LawTable>, half_space: &HalfSpace) -> Vec<Warning> {
+    let keys: Vec<(&'static str, bool)> = match law {
+        None | Some(LawTable::Hertz(_)) => Vec::new(),
+        Some(LawTable::Plm(plm)) => vec![
+            ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
+            ("law.plm.coefficients", plm.coefficients.is_some()),
+        ],
+        Some(_) => vec![("law", true)],
+    };
+    keys.into_iter()
         .filter(|(_, is_given)| *is_given && half_space.yield_strength.is_none())
         .map(|(key, _)| Warning::UnusedKey { key })
         .collect()

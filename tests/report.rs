@@ -29,6 +29,7 @@ fn provenance() -> Provenance {
         command: "plm-impact run scenarios/steel.toml".into(),
         method: "dop853".into(),
         tolerance: 1e-10,
+        law_source: None,
         law: "plm".into(),
         coefficients: Some("built-in".into()),
         coefficients_source: Some("finite elements".into()),

@@ -1,11 +1,12 @@
 //! Many impacts in lock step: the batch form of rk8, for sweeps of scenes that need stepping.
 
-use super::course::{loading_sizes, unloading_from, way_back, way_out};
+use super::course::{self, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
 use super::{Contact, Essentials, ImpactError};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Landing, Sizes, State};
+use crate::law::curve::Shape;
 use crate::law::{Law, Unloading};
 
 /// Where the impact of a lane is.
@@ -38,6 +39,9 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
     let mut next = 0;
     let mut under_way = 0;
     let mut steps = 0;
+    for ((law, speed), outcome) in cases.iter().zip(&mut outcomes).filter(|((law, _), _)| !fits_lanes(law)) {
+        *outcome = course::integrate(law, *speed, &mut alone, None);
+    }
     for (lane, flight) in flights.iter_mut().enumerate() {
         *flight = launch(&mut lockstep, lane, cases, &mut next, steps);
         under_way += usize::from(flight.is_some());
@@ -77,19 +81,28 @@ pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Ess
         let (scales, law, _) = scaled?;
         // there is one outcome for every case that could be scaled
         let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
+        law.accept(&outcome.unloading.peak)?;
         Ok(Essentials::new(contact.mass(), *speed, &scales, law, &outcome)?)
     });
     rows.collect()
 }
 
-/// Starts the next case, if there is one, in a lane.
+/// Whether lanes can do the loading curve: Hertz and straight pieces.
+fn fits_lanes(law: &Law) -> bool {
+    law.loading.pieces().iter().all(|piece| match piece.shape {
+        Shape::Power { exponent, .. } => exponent == 1.5,
+        Shape::Straight { .. } => true,
+        Shape::Smooth(_) => false,
+    })
+}
+
+/// Starts the next case that fits, if there is one, in a lane.
 fn launch(lockstep: &mut Lockstep, lane: usize, cases: &[(&Law, f64)], next: &mut usize, begun: u64) -> Option<Flight> {
-    let case = *next;
-    let (law, speed) = cases.get(case)?;
-    *next += 1;
-    let sizes = loading_sizes(law, *speed);
-    // the pieces of a loading curve are Hertz and straight ones: lanes can do them
-    let started = lockstep.start(lane, &way_out(law, 0, sizes), &State { time: 0.0, distance: 0.0, speed: *speed });
+    let case = *next + cases.get(*next..)?.iter().position(|(law, _)| fits_lanes(law))?;
+    let (law, speed) = cases[case];
+    *next = case + 1;
+    let sizes = loading_sizes(law, speed);
+    let started = lockstep.start(lane, &way_out(law, 0, sizes), &State { time: 0.0, distance: 0.0, speed });
     started.then_some(Flight { case, phase: Phase::Loading { piece: 0, sizes }, begun })
 }
 

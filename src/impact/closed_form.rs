@@ -2,12 +2,12 @@
 //!
 //! Without gravity and damping the motion is conservative on each branch, u² = q² − (5/2) w(x), so the peak is where the
 //! work is the kinetic energy, w(x_m) = (2/5) q², and e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an
-//! arctangent, on a power piece an incomplete beta function.
+//! arctangent, on a power piece an incomplete beta function, on any other a quadrature.
 
 use super::outcome::Outcome;
 use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
-use crate::law::{Law, Unloading};
+use crate::law::{Law, Unloading, UnloadingShape};
 use crate::power::{arctangent, power_time, quarter_period};
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
@@ -37,7 +37,7 @@ fn balance(law: &Law, speed: f64) -> Balance {
     let elastic_approach = law.elastic_approach(indentation, force);
     let unloading = law.unloading(crate::law::Peak { indentation, force, elastic_approach });
     let recovered = force * elastic_approach / (unloading.exponent + 1.0);
-    let is_elastic = indentation <= 1.0;
+    let is_elastic = indentation <= law.elastic_until();
     let restitution = if is_elastic { 1.0 } else { (recovered / kinetic).sqrt() };
     Balance { unloading, restitution, kinetic, last }
 }
@@ -56,7 +56,12 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     }
     let peak = &unloading.peak;
     loading_time += time_to_turn(&pieces[last], peak.indentation - pieces[last].start, entry);
-    let unloading_time = quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed);
+    let unloading_time = match unloading.shape {
+        UnloadingShape::Power => {
+            quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
+        }
+        _ => time_to_turn(&unloading.branch(), peak.elastic_approach, restitution * speed),
+    };
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
 }
 
@@ -75,8 +80,17 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             (omega * entry / (ACCELERATION * piece.force)).atan() * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
+        // just behind a knot as on the tangent there, for the same reason
+        Shape::Smooth(_) if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start => {
+            let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
+            (omega * entry / (ACCELERATION * piece.force)).atan() / omega
+        }
+        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
     }
 }
+
+/// A turning point nearer to a knot than this share of the indentation (halved) has lost digits of its distance.
+const NEAR_KNOT: f64 = 1e-6;
 
 /// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.
 #[inline]
@@ -88,5 +102,6 @@ fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
             arctangent(omega * distance / (entry + exit)) * inverse_root * (2.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, exit),
+        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, exit, ACCELERATION),
     }
 }

@@ -5,7 +5,7 @@ use super::scales::ACCELERATION;
 use crate::integrate::verlet::{self, Deceleration};
 use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State, Work};
 use crate::law::curve::{Piece, Shape};
-use crate::law::{ElasticApproach, Law, Peak, Unloading};
+use crate::law::{Law, Peak, Unloading};
 
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,7 +87,7 @@ fn loading_point(law: &Law, piece: &Piece, state: State, event: Option<Event>) -
 
 fn unloading_point(unloading: &Unloading, state: State, event: Option<Event>) -> Point {
     let residual = unloading.peak.residual();
-    let force = unloading.stiffness() * crate::power::power(state.distance.max(0.0), unloading.exponent);
+    let force = unloading.force_after(state.distance.max(0.0));
     let (time, speed) = (state.time, state.speed);
     Point {
         time,
@@ -107,6 +107,7 @@ fn restoring(piece: &Piece) -> Restoring {
         Shape::Straight { slope, .. } => {
             Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
         }
+        Shape::Smooth(force) => Restoring::Smooth { force, start: piece.start, factor: ACCELERATION },
     }
 }
 
@@ -137,7 +138,7 @@ pub(super) fn way_back(unloading: &Unloading) -> Path {
     let peak = &unloading.peak;
     let stored = peak.force * peak.elastic_approach / (unloading.exponent + 1.0);
     Path {
-        restoring: Restoring::Power { coefficient: ACCELERATION * unloading.stiffness(), exponent: unloading.exponent },
+        restoring: restoring(&unloading.branch()),
         leg: Leg::Back,
         sizes: Sizes { distance: peak.elastic_approach, speed: (2.0 * ACCELERATION * stored).sqrt() },
     }
@@ -161,16 +162,17 @@ pub fn integrate<I: Integrator>(
         recorder.points.push(loading_point(law, &pieces[0], on_curve(&pieces[0], state), Some(Event::Touch)));
     }
     // first yield is no kink of the curve, but an event of a trace: there a leg stops too
-    let mut stops_at_yield = recorder.is_some() && !matches!(law.elastic, ElasticApproach::All);
+    let elastic_until = law.elastic_until();
+    let mut stops_at_yield = recorder.is_some() && elastic_until > 0.0;
     let piece = loop {
         let piece = &pieces[index];
         let mut path = way_out(law, index, sizes);
         let mut event = Event::Knot;
         if let Leg::Outward(end) = path.leg
             && stops_at_yield
-            && piece.start + end > 1.0
+            && piece.start + end > elastic_until
         {
-            path.leg = Leg::Outward(1.0 - piece.start);
+            path.leg = Leg::Outward(elastic_until - piece.start);
             event = Event::Yield;
             stops_at_yield = false;
         }
@@ -184,6 +186,10 @@ pub fn integrate<I: Integrator>(
         if event == Event::Knot {
             index += 1;
             state.distance = 0.0;
+            if stops_at_yield && pieces[index].start == elastic_until {
+                event = Event::Yield;
+                stops_at_yield = false;
+            }
         }
         if let Some(recorder) = recorder.as_deref_mut() {
             let piece = &pieces[index];

@@ -235,7 +235,7 @@ impl Ledger<'_> {
     fn row(&self, point: &Point, scales: &Scales, sphere_compliance: f64) -> TraceRow {
         let speed_ratio = point.speed * self.unit_of_speed;
         let potential = if point.is_unloading {
-            point.force * point.elastic_approach / (self.unloading.exponent + 1.0) + self.lost
+            self.unloading.stored_after(point.elastic_approach, point.force) + self.lost
         } else {
             self.law.loading.work(point.indentation)
         };

@@ -1,8 +1,9 @@
 //! The exact motion on a piece, behind the same seam as the steppers: harmonic on a straight line, an incomplete beta
-//! function on a power law. For traces without integration error, and as the reference of all others.
+//! function on a power law, quadrature on any other. For traces without integration error, and as the reference of all others.
 
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
 use crate::power::{power_state, power_time, quarter_period};
+use crate::smooth::Smooth;
 
 /// Energy and closed-form times instead of steps.
 #[derive(Debug, Clone, Default)]
@@ -79,6 +80,37 @@ impl Integrator for Exact {
                 });
                 (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
             }
+            (Restoring::Smooth { force, start: x, factor: c }, leg) => {
+                let way = SmoothWay { force, start: x, c };
+                let (from, begin) = (start.distance, start.speed);
+                let square = |d: f64| begin * begin - 2.0 * c * force.work(x, from, d);
+                match leg {
+                    Leg::Outward(end) if end.is_finite() && square(end) > 0.0 => {
+                        let exit = square(end).sqrt();
+                        let lasted = force.time(x, from, end, exit, c);
+                        take(begun + lasted, &|t| way.before_end(from, end, t, &|d| square(d).max(0.0).sqrt()));
+                        (Landing::End, State { time: begun + lasted, distance: end, speed: exit })
+                    }
+                    Leg::Outward(_) => {
+                        let so_far = force.work(x, 0.0, from);
+                        // as on a straight line from x = 0 so far: it only starts the search
+                        let before = 0.5 * x * force.value(x, 0.0);
+                        let farthest = force.distance_at_work(x, before, so_far + 0.5 * begin * begin / c);
+                        let lasted = force.time(x, from, farthest, 0.0, c);
+                        take(begun + lasted, &|t| way.from_rest(from, farthest, lasted - t));
+                        (Landing::Turning, State { time: begun + lasted, distance: farthest, speed: 0.0 })
+                    }
+                    Leg::Back => {
+                        let exit = (2.0 * c * force.work(x, 0.0, from)).sqrt();
+                        let lasted = force.time(x, 0.0, from, 0.0, c);
+                        take(begun + lasted, &|t| {
+                            let (distance, speed) = way.from_rest(0.0, from, t);
+                            (distance, -speed)
+                        });
+                        (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
+                    }
+                }
+            }
         };
         *state = end;
         Ok(landing)
@@ -86,6 +118,52 @@ impl Integrator for Exact {
 
     fn work(&self) -> Work {
         Work::default()
+    }
+}
+
+/// A smooth force on the way: states at times, by Newton's method on the time integral.
+struct SmoothWay {
+    force: Smooth,
+    start: f64,
+    c: f64,
+}
+
+impl SmoothWay {
+    /// Distance and speed at `time` after rest at `farthest` (or before it): the time is almost straight in the root of
+    /// the way.
+    fn from_rest(&self, lowest: f64, farthest: f64, time: f64) -> (f64, f64) {
+        let Self { force, start, c } = *self;
+        let speed = |d: f64| (2.0 * c * force.work(start, d, farthest)).max(0.0).sqrt();
+        let deepest = (farthest - lowest).sqrt();
+        let mut root = (time * (0.5 * c * force.value(start, farthest)).sqrt()).min(deepest);
+        for _ in 0..50 {
+            let d = farthest - root * root;
+            let miss = force.time(start, d, farthest, 0.0, c) - time;
+            let next = (root - miss * speed(d) / (2.0 * root)).clamp(0.0, deepest);
+            let change = next - root;
+            root = next;
+            if !(change.abs() > 1e-15 * deepest) {
+                break;
+            }
+        }
+        let d = farthest - root * root;
+        (d, speed(d))
+    }
+
+    /// Distance and speed at `time` after leaving `from` on the way to `end`; the time is convex in the distance.
+    fn before_end(&self, from: f64, end: f64, time: f64, speed: &dyn Fn(f64) -> f64) -> (f64, f64) {
+        let Self { force, start, c } = *self;
+        let mut d = end;
+        for _ in 0..50 {
+            let miss = force.time(start, from, d, speed(d), c) - time;
+            let next = (d - miss * speed(d)).clamp(from, end);
+            let change = next - d;
+            d = next;
+            if !(change.abs() > 1e-15 * end) {
+                break;
+            }
+        }
+        (d, speed(d))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The pieces as rk8 sees them: y'' = g(y) in variables in which g is smooth (see [`super::rk8`]).
 
 use super::lanes::Lane;
+use crate::smooth::{Jet, Smooth};
 
 /// g(y) of one smooth piece in its own variables, with what stepping, landing and dense output need.
 pub(super) trait Field<T: Lane>: Copy {
@@ -18,7 +19,7 @@ pub(super) trait Field<T: Lane>: Copy {
 pub(super) trait Variables: Field<f64> {
     /// Whether σ is the time.
     const IS_TIME: bool;
-    /// Whether g is a polynomial, also at y = 0.
+    /// Whether g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
     /// y for a distance d.
     fn y_at(self, distance: f64) -> f64;
@@ -169,6 +170,83 @@ impl Variables for Power {
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         ((self.p + 1.0) * potential / self.c).powf(1.0 / (self.p + 1.0))
+    }
+}
+
+/// Any smooth force, y = d: g = −c f(start + y).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plain {
+    pub(super) force: Smooth,
+    pub(super) start: f64,
+    pub(super) c: f64,
+}
+
+impl Field<f64> for Plain {
+    fn scaled(self, factor: f64) -> Self {
+        Self { c: self.c * factor, ..self }
+    }
+    fn g(self, y: f64) -> f64 {
+        -self.c * self.force.at_variable(self.start + y)
+    }
+    fn derivatives(self, y: f64) -> (f64, f64) {
+        let Jet { slope, curvature, .. } = self.force.jet(self.start + y);
+        (-self.c * slope, -self.c * curvature)
+    }
+    fn duration(self, h: f64, _: f64) -> f64 {
+        h
+    }
+}
+
+impl Variables for Plain {
+    const IS_TIME: bool = true;
+    const IS_POLYNOMIAL: bool = true;
+    fn y_at(self, distance: f64) -> f64 {
+        distance
+    }
+    fn distance_at(self, y: f64) -> f64 {
+        y
+    }
+    fn potential(self, y: f64) -> f64 {
+        self.c * self.force.work(self.start, 0.0, y)
+    }
+    fn at_potential(self, potential: f64) -> f64 {
+        // the force so far is about that of a straight line from x = 0
+        let before = 0.5 * self.start * self.force.at_variable(self.start);
+        self.force.distance_at_work(self.start, before, potential / self.c)
+    }
+}
+
+/// A force that is smooth in y = √d and odd: g = −c y f(y) with c = 2 k.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OfRoot {
+    pub(super) force: Smooth,
+    pub(super) c: f64,
+}
+
+impl Field<f64> for OfRoot {
+    fn scaled(self, factor: f64) -> Self {
+        Self { c: self.c * factor, ..self }
+    }
+    fn g(self, y: f64) -> f64 {
+        -self.c * y * self.force.at_variable(y)
+    }
+    fn derivatives(self, y: f64) -> (f64, f64) {
+        let Jet { value, slope, curvature } = self.force.jet(y);
+        (-self.c * (value + y * slope), -self.c * (2.0 * slope + y * curvature))
+    }
+    fn duration(self, h: f64, mean: f64) -> f64 {
+        2.0 * mean * h
+    }
+}
+
+impl Variables for OfRoot {
+    const IS_POLYNOMIAL: bool = true;
+    square_root_variable!();
+    fn potential(self, y: f64) -> f64 {
+        0.5 * self.c * self.force.work(0.0, 0.0, y * y)
+    }
+    fn at_potential(self, potential: f64) -> f64 {
+        self.force.distance_at_work(0.0, 0.0, 2.0 * potential / self.c).sqrt()
     }
 }
 

@@ -80,7 +80,7 @@ impl Lockstep {
         Self { rows: Box::new(rows), paths: [None; LANES], rk8: Rk8::new(tolerance), arch: Arch::new() }
     }
 
-    /// Puts a leg into a lane. `false` if it is none that lanes can do: power laws other than Hertz's.
+    /// Puts a leg into a lane. `false` if it is none that lanes can do: power laws other than Hertz's, and formulas.
     #[must_use]
     pub fn start(&mut self, lane: usize, path: &Path, state: &State) -> bool {
         let rows = &mut *self.rows;
@@ -94,7 +94,7 @@ impl Lockstep {
                 (rows.a[lane], rows.b[lane], rows.c[lane], rows.is_time[lane]) = (0.0, 0.0, c, 0.0);
                 self.rk8.begin(Hertz { c }, path, state)
             }
-            Restoring::Power { .. } => return false,
+            Restoring::Power { .. } | Restoring::Smooth { .. } => return false,
         };
         (rows.y[lane], rows.u[lane], rows.g[lane], rows.t[lane], rows.h[lane]) = (node.y, node.u, node.g, node.t, h);
         let target = leg.target;
@@ -130,6 +130,8 @@ impl Lockstep {
                 Restoring::Power { coefficient, .. } => {
                     landed_state(Hertz { c: 2.0 * coefficient }, path.leg, landing, &node)
                 }
+                // never started
+                Restoring::Smooth { .. } => return None,
             },
         ))
     }

@@ -7,7 +7,7 @@
 //! s' = u,   u' = −2 k s^(2n+1),   t' = 2 s        (' = d/dσ; u is the speed d' = dd/dt)
 //! ```
 //!
-//! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On a straight piece y = d and σ = t.
+//! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On straight and other smooth pieces y = d and σ = t.
 //!
 //! **Landing.** Before a step its landing is predicted: energy gives the speed where the leg will end, and the two-point
 //! Taylor formula Δy = h/2 (u_1 + u_2) + h²/12 (g_1 − g_2), exact to h⁵, gives the h that ends there. If that is no longer
@@ -19,11 +19,12 @@
 //! error of the propagated order 8 falls in proportion to the tolerance.
 
 use super::dense::sample;
-use super::field::{Field, Hertz, Power, Straight, Variables};
+use super::field::{Field, Hertz, OfRoot, Plain, Power, Straight, Variables};
 use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use crate::smooth::Variable;
 
 /// The stepper.
 #[derive(Debug, Clone)]
@@ -197,6 +198,12 @@ impl Integrator for Rk8 {
                 let field = Power { c: 2.0 * coefficient, p: 2.0 * exponent + 1.0 };
                 self.traverse_field(field, path, state, samples)
             }
+            Restoring::Smooth { force, start, factor } => match force.variable() {
+                Variable::Indentation => self.traverse_field(Plain { force, start, c: factor }, path, state, samples),
+                Variable::RootOfDistance => {
+                    self.traverse_field(OfRoot { force, c: 2.0 * factor }, path, state, samples)
+                }
+            },
         }
     }
 

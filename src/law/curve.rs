@@ -1,9 +1,11 @@
-//! A loading curve as a list of smooth pieces: power (Hertz) and straight, each with force and work in closed form.
+//! A loading curve as a list of smooth pieces: power (Hertz) and straight, with force and work in closed form, and any other
+//! smooth force by its formula.
 //!
 //! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
 use crate::power::power;
+use crate::smooth::Smooth;
 
 /// How the force goes on from the start of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +24,8 @@ pub enum Shape {
         /// 1/√s, which every time on the piece needs.
         inverse_root: f64,
     },
+    /// Anything else that is smooth and increases.
+    Smooth(Smooth),
 }
 
 /// One smooth piece; it holds from `start` to the start of the next one.
@@ -46,6 +50,7 @@ impl Piece {
         match self.shape {
             Shape::Power { stiffness, exponent } => stiffness * power(d, exponent),
             Shape::Straight { slope, .. } => self.force + slope * d,
+            Shape::Smooth(smooth) => smooth.value(self.start, d),
         }
     }
 
@@ -55,6 +60,7 @@ impl Piece {
         match self.shape {
             Shape::Power { stiffness, exponent } => stiffness * exponent * power(x - self.start, exponent - 1.0),
             Shape::Straight { slope, .. } => slope,
+            Shape::Smooth(smooth) => smooth.slope(self.start, x - self.start),
         }
     }
 
@@ -66,6 +72,7 @@ impl Piece {
         match self.shape {
             Shape::Power { stiffness, exponent } => self.work + stiffness * power(d, exponent) * d / (exponent + 1.0),
             Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
+            Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
         }
     }
 
@@ -83,11 +90,13 @@ impl Piece {
                 Shape::Straight { slope, .. } => {
                     2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
                 }
+                Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
             }
     }
 }
 
-/// A continuous, increasing loading curve from (0, 0) on; its last piece has no end.
+/// An increasing loading curve from (0, 0) on; its last piece has no end. Where a published law jumps, the next piece begins
+/// with another force; the work is continuous.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pieces: Vec<Piece>,
@@ -101,10 +110,23 @@ impl Curve {
         Self { pieces: vec![Piece { start: 0.0, force: 0.0, work: 0.0, shape }] }
     }
 
+    /// f = s x without end.
+    #[must_use]
+    pub fn straight(slope: f64) -> Self {
+        Self { pieces: Vec::with_capacity(1) }.then_straight(0.0, slope)
+    }
+
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
     #[must_use]
-    pub fn then_straight(mut self, start: f64, slope: f64) -> Self {
-        let (force, work) = self.pieces.last().map_or((0.0, 0.0), |last| (last.force_at(start), last.work_at(start)));
+    pub fn then_straight(self, start: f64, slope: f64) -> Self {
+        let force = self.pieces.last().map_or(0.0, |last| last.force_at(start));
+        self.then_straight_from(start, force, slope)
+    }
+
+    /// The same curve, going on from (`start`, `force`) as a straight line.
+    #[must_use]
+    pub fn then_straight_from(mut self, start: f64, force: f64, slope: f64) -> Self {
+        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
         self.pieces.push(Piece {
             start,
             force,
@@ -112,6 +134,21 @@ impl Curve {
             shape: Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() },
         });
         self
+    }
+
+    /// The same curve, going on from `start` as a formula says; the force may jump there.
+    #[must_use]
+    pub fn then_smooth(mut self, start: f64, smooth: Smooth) -> Self {
+        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
+        self.pieces.push(Piece { start, force: smooth.value(start, 0.0), work, shape: Shape::Smooth(smooth) });
+        self
+    }
+
+    /// The same curve, going on from `start` along its tangent there.
+    #[must_use]
+    pub fn then_tangent(self, start: f64) -> Self {
+        let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
+        self.then_straight(start, slope)
     }
 
     /// The pieces in order; never empty.

@@ -209,7 +209,7 @@ impl PlmCoefficients {
         Law { loading, elastic, radius_ratio: self.contact_radius.clone(), exponent }
     }
 
-    fn elastic_line(&self, pair: &Pair, kappa_squared: f64, yield_radius_ratio: f64) -> ElasticLine {
+    pub(super) fn elastic_line(&self, pair: &Pair, kappa_squared: f64, yield_radius_ratio: f64) -> ElasticLine {
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
         let plastic = table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared;

@@ -1,6 +1,11 @@
-//! Unloading and reloading, Xie et al. (2024), Eqs. 19-25, for any exponent n in (1, 2].
+//! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n in (1, 2], and the shapes of
+//! published laws that are no power.
 
+use super::mesarovic_johnson::UNIFORM_PRESSURE;
+use super::curve::{Piece, Shape};
+use super::yigit_christoforou::SHIFTED_HERTZ;
 use crate::power::power;
+use crate::smooth::Smooth;
 
 /// The largest state a contact has seen: all the memory the law has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,22 +33,60 @@ impl Peak {
     }
 }
 
-/// The unloading branch that leaves a peak.
+/// How the force falls between the peak and the residual indentation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum UnloadingShape {
+    /// f = f_m (d/ε_m)^n.
+    #[default]
+    Power,
+    /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε_m: unloading from uniform pressure (Mesarovic and Johnson 2000).
+    UniformPressure,
+    /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved (Yigit and Christoforou 1994).
+    ShiftedHertz,
+}
+
+/// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.
 ///
 /// ```text
 /// f = f_m ((x − x_r)/ε_m)^n,   x_r ≤ x ≤ x_m        (Eq. 19 for n = 3/2)
 /// ```
 ///
-/// Reloading runs back up the same curve. Meets the loading curve at (x_m, f_m), with a kink; zero at x_r.
+/// or another [`UnloadingShape`]. Reloading runs back up the same curve. Meets the loading curve at (x_m, f_m), with a kink;
+/// zero at x_r.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unloading {
     /// Where it starts.
     pub peak: Peak,
-    /// n in (1, 2].
+    /// n in (1, 2]; for other shapes that of the power law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
+    /// The shape.
+    pub shape: UnloadingShape,
 }
 
+/// n of the power law that gives back as much as unloading from uniform pressure: 3π/4 − 1.
+pub const UNIFORM_PRESSURE_EXPONENT: f64 = 0.75 * std::f64::consts::PI - 1.0;
+
 impl Unloading {
+    /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.
+    #[must_use]
+    pub fn new(peak: Peak, exponent: f64, shape: UnloadingShape) -> Self {
+        let exponent = match shape {
+            UnloadingShape::Power => exponent,
+            // not moved at all: Hertz itself
+            UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => {
+                return Self { peak, exponent: 1.5, shape: UnloadingShape::Power };
+            }
+            UnloadingShape::UniformPressure => UNIFORM_PRESSURE_EXPONENT,
+            UnloadingShape::ShiftedHertz => {
+                let (low, high) = (peak.residual().max(0.0), peak.indentation);
+                // f_m ε_m over the energy, less 1
+                let energy = Smooth::new(&SHIFTED_HERTZ, shifted_hertz(&peak)).work(low, 0.0, high - low);
+                peak.force * peak.elastic_approach / energy - 1.0
+            }
+        };
+        Self { peak, exponent, shape }
+    }
+
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
@@ -51,18 +94,67 @@ impl Unloading {
         if recovered <= 0.0 {
             return 0.0;
         }
-        self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent)
+        match self.shape {
+            UnloadingShape::Power => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
+            _ => self.branch().force_at(x),
+        }
     }
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
-        self.force(x) * (x - self.peak.residual()) / (self.exponent + 1.0)
+        let recovered = x - self.peak.residual();
+        match self.shape {
+            UnloadingShape::Power => self.force(x) * recovered / (self.exponent + 1.0),
+            _ if x == self.peak.indentation => {
+                self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
+            }
+            _ => self.branch().work_at(x),
+        }
     }
 
-    /// k of f = k d^n with d = x − x_r, the recovered approach still stored.
+    /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
+    #[must_use]
+    pub fn force_after(&self, recovered: f64) -> f64 {
+        match self.shape {
+            UnloadingShape::Power => self.stiffness() * power(recovered, self.exponent),
+            _ => self.branch().force_at(self.peak.residual() + recovered),
+        }
+    }
+
+    /// Elastic energy stored there; `force` is the force there.
+    #[must_use]
+    pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
+        match self.shape {
+            UnloadingShape::Power => force * recovered / (self.exponent + 1.0),
+            _ => self.branch().work_at(self.peak.residual() + recovered),
+        }
+    }
+
+    /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power
+    /// law that gives back the same energy; [`Unloading::branch`] is the branch itself.
     #[must_use]
     pub fn stiffness(&self) -> f64 {
         self.peak.force / power(self.peak.elastic_approach, self.exponent)
     }
+
+    /// The branch as a piece that begins at x_r without force: what reloading runs along.
+    #[must_use]
+    pub fn branch(&self) -> Piece {
+        let Peak { force, elastic_approach, .. } = self.peak;
+        let shape = match self.shape {
+            UnloadingShape::Power => Shape::Power { stiffness: self.stiffness(), exponent: self.exponent },
+            UnloadingShape::UniformPressure => {
+                Shape::Smooth(Smooth::new(&UNIFORM_PRESSURE, [force, elastic_approach, 0.0]))
+            }
+            UnloadingShape::ShiftedHertz => Shape::Smooth(Smooth::new(&SHIFTED_HERTZ, shifted_hertz(&self.peak))),
+        };
+        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, shape }
+    }
+}
+
+/// Stiffness and residual indentation of a moved Hertz curve.
+fn shifted_hertz(peak: &Peak) -> [f64; 3] {
+    let residual = peak.residual().max(0.0);
+    [peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5)), residual, 0.0]
 }

@@ -25,6 +25,9 @@ pub struct Provenance {
     pub tolerance: f64,
     /// Contact law.
     pub law: String,
+    /// Where it was published; `None` for the PLM, whose coefficients say it, and for an elastic contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law_source: Option<String>,
     /// Name of its table of coefficients; `None` for a law without one.
     pub coefficients: Option<String>,
     /// What those coefficients were determined from.
@@ -68,9 +71,9 @@ struct Plastic {
     residual_radius_m: Option<f64>,
     dent_radius_m: Option<f64>,
     yield_speed_m_per_s: Option<f64>,
-    yield_indentation_m: f64,
+    yield_indentation_m: Option<f64>,
     #[serde(rename = "yield_force_N")]
-    yield_force: f64,
+    yield_force: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -147,14 +150,14 @@ impl Inputs {
 /// [`ReportError::Json`], which numbers and text do not give.
 pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> Result<String, ReportError> {
     let pair = contact.pair();
-    let plastic = pair.yield_point.map(|point| Plastic {
+    let plastic = pair.yield_point.map(|_| Plastic {
         residual_indentation_m: impact.residual_indentation,
         unloading_radius_m: impact.unloading_radius,
         residual_radius_m: impact.residual_radius,
         dent_radius_m: impact.dent_radius,
         yield_speed_m_per_s: contact.yield_speed(),
-        yield_indentation_m: point.indentation,
-        yield_force: point.force,
+        yield_indentation_m: contact.yields_at().map(|(indentation, _)| indentation),
+        yield_force: contact.yields_at().map(|(_, force)| force),
     });
     let (energy, accuracy, work) = (&impact.energy, &impact.accuracy, &impact.work);
     let summary = Summary {

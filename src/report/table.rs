@@ -30,7 +30,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
             quantity(impact.peak_indentation - impact.peak_sphere_indentation, "m")
         ),
     );
-    if let (Some(point), Some(speed)) = (contact.pair().yield_point, contact.yield_speed()) {
+    if contact.pair().yield_point.is_some() {
         if let Some(radius) = impact.dent_radius {
             let curvature = impact
                 .residual_radius
@@ -40,7 +40,9 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         } else {
             row("dent", "none".into(), String::new());
         }
-        row("yield speed", quantity(speed, "m/s"), format!("first yield at {}", quantity(point.force, "N")));
+        if let (Some(speed), Some((_, force))) = (contact.yield_speed(), contact.yields_at()) {
+            row("yield speed", quantity(speed, "m/s"), format!("first yield at {}", quantity(force, "N")));
+        }
     }
     let energy = &impact.energy;
     let split = match energy.plastic {

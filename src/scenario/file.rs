@@ -8,6 +8,7 @@ use super::quantity::{
     Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
     Tolerance,
 };
+use super::law::LawTable;
 use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.
@@ -70,14 +71,6 @@ pub struct HalfSpaceTable {
 pub struct ImpactTable {
     /// Impact speed.
     pub speed: Speed,
-}
-
-/// `[law]`: exactly one table, named by its law.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LawTable {
-    /// `[law.plm]`
-    Plm(PlmTable),
 }
 
 /// `[law.plm]`

@@ -3,9 +3,10 @@
 
 use super::Scene;
 use super::quantity::{
-    DENSITY, EXPONENT, Exponent, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE,
+    AREA_FACTOR, DENSITY, EXPONENT, Exponent, FACTOR, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SHARE, SPEED,
+    SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
 };
-use crate::law::UnloadingExponent;
+use crate::law::{LawChoice, UnloadingExponent};
 
 /// A numeric key.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +33,25 @@ impl Key {
     pub fn column(&self) -> String {
         format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
     }
+}
+
+/// A key of a published law: there only in a scene under that law.
+macro_rules! of_law {
+    ($path:literal, $quantity:expr, $law:ident, |$l:ident| $get:expr, |$m:ident, $value:ident| $set:expr) => {
+        Key {
+            path: $path,
+            quantity: $quantity,
+            get: |scene| match &scene.law {
+                LawChoice::$law($l) => $get,
+                _ => None,
+            },
+            set: |scene, $value| {
+                if let LawChoice::$law($m) = &mut scene.law {
+                    $set;
+                }
+            },
+        }
+    };
 }
 
 /// All numeric keys, in the order of the file.
@@ -99,13 +119,25 @@ pub const KEYS: &[Key] = &[
     Key {
         path: "law.plm.unloading_exponent",
         quantity: &EXPONENT,
-        get: |scene| match scene.exponent {
-            UnloadingExponent::Paper => Some(1.5),
-            UnloadingExponent::Fixed(value) => Some(value),
-            UnloadingExponent::PressureShape => None,
+        get: |scene| match (&scene.law, scene.exponent) {
+            (LawChoice::Plm(_), UnloadingExponent::Paper) => Some(1.5),
+            (LawChoice::Plm(_), UnloadingExponent::Fixed(value)) => Some(value),
+            _ => None,
         },
         set: |scene, value| scene.exponent = Exponent::from(value).0,
     },
+    of_law!("law.thornton.yield_pressure", &STRENGTH, Thornton, |law| law.yield_pressure, |law, value| law.yield_pressure = Some(value)),
+    of_law!("law.stronge.yield_pressure_ratio", &FACTOR, Stronge, |law| Some(law.yield_pressure_ratio), |law, value| law.yield_pressure_ratio = value),
+    of_law!("law.stronge.unloading_factor", &FACTOR, Stronge, |law| Some(law.unloading_factor), |law, value| law.unloading_factor = value),
+    of_law!("law.jackson_green.yield_factor", &FACTOR, JacksonGreen, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
+    of_law!("law.kogut_etsion.yield_factor", &FACTOR, KogutEtsion, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
+    of_law!("law.yigit_christoforou.yield_factor", &FACTOR, YigitChristoforou, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
+    of_law!("law.ma_liu.hardness_ratio", &FACTOR, MaLiu, |law| Some(law.hardness_ratio), |law, value| law.hardness_ratio = value),
+    of_law!("law.ma_liu.transition_ratio", &TRANSITION_RATIO, MaLiu, |law| Some(law.transition_ratio), |law, value| law.transition_ratio = value),
+    of_law!("law.mesarovic_johnson.area_factor", &AREA_FACTOR, MesarovicJohnson, |law| Some(law.area_factor), |law, value| law.area_factor = value),
+    of_law!("law.walton_braun.loading_stiffness", &FACTOR, WaltonBraun, |law| Some(law.loading_stiffness), |law, value| law.loading_stiffness = value),
+    of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, |law| Some(law.stiffness_ratio), |law, value| law.stiffness_ratio = value),
+    of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, |law| law.dynamic_pressure, |law, value| law.dynamic_pressure = Some(value)),
     Key {
         path: "solver.tolerance",
         quantity: &TOLERANCE,

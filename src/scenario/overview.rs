@@ -33,7 +33,14 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
         })
         .collect();
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    if can_yield {
+    let is_plm = matches!(scene.law, crate::law::LawChoice::Plm(_));
+    if can_yield && !is_plm {
+        let about = scene.law.about();
+        row("law", format!("{} ({})", scene.law.name(), scene.law.source()));
+        row("law.validity", about.validity.to_owned());
+        row("law.confidence", about.confidence.to_owned());
+    }
+    if can_yield && is_plm {
         if scene.exponent == crate::law::UnloadingExponent::PressureShape {
             row("law.plm.unloading_exponent", "pressure-shape".to_owned());
         }

@@ -74,6 +74,19 @@ pub const EXPONENT: Quantity = Quantity {
     example: "1.5",
     hint: "",
 };
+const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
+    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "" }
+}
+
+/// A factor of a published law, such as a pressure over the yield strength.
+pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
+/// True contact area over that of the cut of sphere and surface: from sink-in to pile-up.
+pub const AREA_FACTOR: Quantity = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
+/// Indentation at full plasticity over that at yield.
+pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
+/// A share of something that may be all of it.
+pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
+
 /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps carry no meaning.
 pub const TOLERANCE: Quantity = Quantity {
     name: "a tolerance",
@@ -280,6 +293,14 @@ checked! {
     PoissonsRatio: POISSONS_RATIO;
     /// A relative tolerance.
     Tolerance: TOLERANCE;
+    /// A factor of a published law.
+    Factor: FACTOR;
+    /// An area factor.
+    AreaFactor: AREA_FACTOR;
+    /// A transition ratio.
+    TransitionRatio: TRANSITION_RATIO;
+    /// A ratio of at most 1.
+    Share: SHARE;
 }
 
 /// The sphere's Young's modulus; infinite if "rigid".

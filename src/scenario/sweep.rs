@@ -9,14 +9,17 @@ use super::keys::{KEYS, Key};
 use super::quantity::{Quantity, Reader};
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Method;
+use crate::law::LawChoice;
 use crate::nearest::nearest;
 use crate::sweep::axis::{Axis, Values};
 use crate::sweep::plan::{Cases, Plan};
 use crate::sweep::random::{Distribution, Variable};
 use crate::units;
 
-/// The one key of a sweep that is no number.
+/// The keys of a sweep that are no numbers.
 pub const METHOD: &str = "solver.method";
+/// The law, by name.
+pub const LAW: &str = "law";
 
 /// `[sweep]`: axes in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +32,8 @@ pub enum AxisEntry {
     Numbers(Values),
     /// Methods.
     Methods(Vec<Method>),
+    /// Laws.
+    Laws(Vec<LawChoice>),
 }
 
 /// `[monte_carlo]`
@@ -60,9 +65,12 @@ impl Scenario {
         let (cases, table) = match (&self.file.sweep, &self.file.monte_carlo) {
             (None, None) => return Ok(None),
             (Some(SweepTable(axes)), _) => {
+                // the law that the scenario names has its parameters from there
+                let own = |law: &LawChoice| if law.name() == scene.law.name() { scene.law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
+                    AxisEntry::Laws(laws) => Some(Axis::of_laws(laws.iter().map(own).collect())),
                 });
                 let axes: Vec<Axis> = axes.collect();
                 for axis in &axes {
@@ -105,9 +113,9 @@ impl Scenario {
 const LEAST_KEPT: f64 = 1e-3;
 
 /// The known key of that path.
-fn known<E: Error>(path: &str, has_methods: bool) -> Result<&'static str, E> {
-    if has_methods && path == METHOD {
-        return Ok(METHOD);
+fn known<E: Error>(path: &str, has_words: bool) -> Result<&'static str, E> {
+    if let Some(word) = [METHOD, LAW].into_iter().find(|word| has_words && path == *word) {
+        return Ok(word);
     }
     if let Some(key) = Key::find(path) {
         return Ok(key.path);
@@ -151,6 +159,7 @@ impl<'de> Visitor<'de> for Table<SweepTable> {
             let path = known(&path, true)?;
             let entry = match quantity(path) {
                 Some(quantity) => AxisEntry::Numbers(map.next_value_seed(AxisSeed(quantity))?),
+                None if path == LAW => AxisEntry::Laws(laws(&map.next_value::<Vec<String>>()?)?),
                 None => AxisEntry::Methods(methods(&map.next_value::<Vec<String>>()?)?),
             };
             axes.push((path, entry));
@@ -161,6 +170,13 @@ impl<'de> Visitor<'de> for Table<SweepTable> {
             Ok(SweepTable(axes))
         }
     }
+}
+
+fn laws<E: Error>(names: &[String]) -> Result<Vec<LawChoice>, E> {
+    if names.is_empty() {
+        return Err(E::custom("an axis needs at least one value"));
+    }
+    names.iter().map(|name| super::law::named(name).map_err(E::custom)).collect()
 }
 
 fn methods<E: Error>(names: &[String]) -> Result<Vec<Method>, E> {

@@ -1,6 +1,7 @@
 //! An axis of a sweep: a key of the scene and the values it takes.
 
 use crate::impact::Method;
+use crate::law::LawChoice;
 use crate::scenario::{Key, Scene};
 
 /// Axes of up to this many points are tabulated, and their texts rendered once.
@@ -81,6 +82,8 @@ pub enum Setting {
     },
     /// `solver.method`.
     Method(Vec<Method>),
+    /// `law`.
+    Law(Vec<LawChoice>),
 }
 
 /// An axis.
@@ -106,12 +109,19 @@ impl Axis {
         Self { setting: Setting::Method(methods), is_logarithmic: false }
     }
 
+    /// An axis of `law`.
+    #[must_use]
+    pub fn of_laws(laws: Vec<LawChoice>) -> Self {
+        Self { setting: Setting::Law(laws), is_logarithmic: false }
+    }
+
     /// The key, as in the file.
     #[must_use]
     pub fn path(&self) -> &'static str {
         match &self.setting {
             Setting::Number { key, .. } => key.path,
             Setting::Method(_) => "solver.method",
+            Setting::Law(_) => "law",
         }
     }
 
@@ -121,6 +131,7 @@ impl Axis {
         match &self.setting {
             Setting::Number { key, .. } => key.column(),
             Setting::Method(_) => "solver_method".to_owned(),
+            Setting::Law(_) => "law".to_owned(),
         }
     }
 
@@ -130,6 +141,17 @@ impl Axis {
         match &self.setting {
             Setting::Number { values, .. } => values.len(),
             Setting::Method(methods) => methods.len() as u64,
+            Setting::Law(laws) => laws.len() as u64,
+        }
+    }
+
+    /// The words it runs through; `None` for an axis of numbers.
+    #[must_use]
+    pub fn words(&self) -> Option<Vec<String>> {
+        match &self.setting {
+            Setting::Number { .. } => None,
+            Setting::Method(methods) => Some(methods.iter().map(|method| method.name().to_owned()).collect()),
+            Setting::Law(laws) => Some(laws.iter().map(LawChoice::name).collect()),
         }
     }
 
@@ -152,21 +174,22 @@ impl Axis {
     }
 
     /// Puts value `i` into a scene.
-    #[allow(clippy::cast_possible_truncation)] // a list of methods is short
+    #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn put(&self, i: u64, scene: &mut Scene) {
         match &self.setting {
             Setting::Number { key, values } => (key.set)(scene, values.at(i)),
             Setting::Method(methods) => scene.solver.method = methods[i as usize],
+            Setting::Law(laws) => scene.law = laws[i as usize].clone(),
         }
     }
 
-    /// Value `i`; for a method its place in the list.
+    /// Value `i`; for a word its place in the list.
     #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
             Setting::Number { values, .. } => values.at(i),
-            Setting::Method(_) => i as f64,
+            Setting::Method(_) | Setting::Law(_) => i as f64,
         }
     }
 }

@@ -56,8 +56,9 @@ fn columns(plan: &Plan) -> Vec<Column> {
             .zip(axes)
             .map(|(place, axis)| match &axis.setting {
                 Setting::Number { .. } => Column::Number(place, axis.clone()),
-                Setting::Method(methods) => {
-                    Column::Name(place, methods.iter().map(|method| ByteArray::from(method.name())).collect())
+                Setting::Method(_) | Setting::Law(_) => {
+                    let words = axis.words().unwrap_or_default();
+                    Column::Name(place, words.iter().map(|word| ByteArray::from(word.as_str())).collect())
                 }
             })
             .collect(),

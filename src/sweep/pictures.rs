@@ -3,12 +3,15 @@
 use super::axis::{Axis, Setting};
 use super::plan::{Cases, Evaluator, Plan, Rows, label};
 use super::sidecar::Tally;
+use crate::law::Bodies;
 use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
+use crate::reference;
 
 /// Points of a curve: more than there are pixels.
 const MOST_POINTS: u64 = 2000;
-/// Curves in one picture, as many as can be told apart.
+/// Curves in one picture, as many as can be told apart, and names of words as many as the key has room for.
 const MOST_CURVES: u64 = 8;
+const MOST_WORDS: u64 = 13;
 /// Cells a side of a map; two axes of at least `LONG` values get one.
 const MOST_CELLS: u64 = 200;
 const LONG: u64 = 8;
@@ -65,7 +68,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
     }
     let unit = match &axis.setting {
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
-        Setting::Method(_) => "",
+        Setting::Method(_) | Setting::Law(_) => "",
     };
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
 }
@@ -74,20 +77,26 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
     let evaluator = Evaluator::new(plan);
     let first = &axes[0];
     let at = some_places(first, MOST_POINTS);
-    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let most = |axis: &Axis| if axis.words().is_some() { MOST_WORDS } else { MOST_CURVES };
+    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
+    // laws yield at about the same speed
+    let is_by_law = axes.get(1).is_some_and(|second| matches!(second.setting, Setting::Law(_)));
     let (mut series, mut guides) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =
             at.iter().map(|place| (first.number(*place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| label(second, *curve));
-        if first.path() == "impact.speed" {
+        if first.path() == "impact.speed" && !(is_by_law && number > 0) {
             guides.extend(yield_speed(plan, axes, *curve).map(|at| Guide::Vertical {
                 at,
                 label: "yield speed".to_owned(),
-                series: Some(number),
+                series: (!is_by_law).then_some(number),
             }));
         }
         series.push(Series::line(name, points));
+    }
+    if first.path() == "impact.speed" && is_by_law {
+        series.extend(finite_elements(plan, &series));
     }
     if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
         // through the fastest point of the first curve: there the slope is nearest to fully plastic
@@ -107,6 +116,26 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
     };
     Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.to_png()
 }
+
+/// e of the finite-element unloadings of this scene's materials, at the speed whose energy they took; within the speeds of
+/// the curves.
+fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
+    let scene = &plan.scene;
+    let contact = scene.contact().ok()?;
+    let bodies = Bodies::new(contact.pair(), contact.half_space())?;
+    let energy = bodies.yield_point.force * bodies.yield_point.indentation;
+    let speeds = || curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed);
+    let (low, high) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
+    let points: Vec<_> = reference::unloadings(scene.sphere.material.youngs_modulus, &bodies)
+        .into_iter()
+        .map(|row| ((2.0 * row.spent * energy / contact.mass()).sqrt(), row.restitution))
+        .filter(|(speed, _)| (low..=high).contains(speed))
+        .collect();
+    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(BLACK))
+}
+
+/// The place of black in the palette of curves.
+const BLACK: usize = 6;
 
 /// The range of the data, so that a guide does not stretch it.
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {

@@ -6,6 +6,7 @@ use super::axis::{Axis, Setting, keeps_contact};
 use super::random::{Draws, Variable};
 use crate::impact::{Contact, Essentials, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
+use crate::law::LawChoice;
 use crate::material::OutOfFloatRange;
 use crate::scenario::Scene;
 
@@ -47,6 +48,8 @@ pub enum Failure {
     TooManySteps,
     /// The state was not finite.
     NotFinite,
+    /// The law has no answer there.
+    OutsideLaw,
 }
 
 impl Failure {
@@ -58,6 +61,7 @@ impl Failure {
             Self::StepUnderflow => "step_underflow",
             Self::TooManySteps => "too_many_steps",
             Self::NotFinite => "not_finite",
+            Self::OutsideLaw => "outside_law",
         }
     }
 }
@@ -72,6 +76,7 @@ impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
+            ImpactError::Law(_) => Self::OutsideLaw,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
@@ -143,7 +148,7 @@ impl Plan {
         let is_stepped = match &self.cases {
             Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
                 Setting::Method(methods) => Some(methods.iter().any(|method| method_is_stepped(*method))),
-                Setting::Number { .. } => None,
+                Setting::Number { .. } | Setting::Law(_) => None,
             }),
             Cases::MonteCarlo { .. } => None,
         };
@@ -156,8 +161,14 @@ impl Plan {
                 }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
-                "law.plm.unloading_exponent" if !self.is_plastic() => {
+                path if (path == "law" || path.starts_with("law.")) && !self.is_plastic() => {
                     "is not used: without half_space.yield_strength the contact stays elastic"
+                }
+                path if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") => {
+                    "cannot vary together with \"law\": give it in the table of its law"
+                }
+                path if path.starts_with("law.") && !self.has_law_of(path) => {
+                    "is not used: no case is under that law"
                 }
                 path if path.starts_with("solver.") && path != "solver.method" && !is_stepped => {
                     "is not used: the closed form takes no steps; give solver.method too"
@@ -166,6 +177,19 @@ impl Plan {
             };
             Some((path, problem))
         })
+    }
+
+    /// Whether any case is under the law that a key belongs to.
+    fn has_law_of(&self, path: &str) -> bool {
+        let is_its = |law: &LawChoice| path.split('.').nth(1) == Some(law.about().name);
+        let swept = match &self.cases {
+            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
+                Setting::Law(laws) => Some(laws.iter().any(is_its)),
+                _ => None,
+            }),
+            Cases::MonteCarlo { .. } => None,
+        };
+        swept.unwrap_or_else(|| is_its(&self.scene.law))
     }
 
     /// Whether the half-space can yield: without, nothing plastic is reported.
@@ -366,6 +390,6 @@ pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => crate::units::human(values.at(place), key.quantity.dimension),
         #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-        Setting::Method(methods) => methods[place as usize].name().to_owned(),
+        Setting::Method(_) | Setting::Law(_) => axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize)),
     }
 }

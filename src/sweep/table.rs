@@ -189,9 +189,10 @@ impl TextTable {
 fn swept(axis: &Axis, is_json: bool) -> Swept {
     let render = |value: f64| zmij::Buffer::new().format(value).as_bytes().to_vec();
     match &axis.setting {
-        Setting::Method(methods) => {
+        Setting::Method(_) | Setting::Law(_) => {
             let quote = if is_json { "\"" } else { "" };
-            Swept::Rendered(methods.iter().map(|method| format!("{quote}{}{quote}", method.name()).into()).collect())
+            let words = axis.words().unwrap_or_default();
+            Swept::Rendered(words.iter().map(|word| format!("{quote}{word}{quote}").into()).collect())
         }
         Setting::Number { values: super::axis::Values::List(values), .. } => {
             Swept::Rendered(values.iter().copied().map(render).collect())

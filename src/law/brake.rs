@@ -1,0 +1,48 @@
+//! Brake (2015): unloading only.
+
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::published::{Loading, Recovered, RecoveryRule};
+
+/// The unloading of Brake.
+///
+/// ```text
+/// δ_r = δ_m (1 − F_m/((4/3) E* √R δ_m^1.5)),   F = (4/3) E* √R_e (δ − δ_r)^1.5,   R_e = F_m²/(((4/3) E*)² (δ_m − δ_r)³)
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | δ_m, F_m | `indentation`, `force` | m, N | peak |
+/// | δ_m − δ_r | `elastic_approach` | m | δ_m F_m/F_Hertz(δ_m): ε = f/√x |
+///
+/// Made for Brake's own loading law, which is not public in full: behind the loading of Jackson and Green it leaves far less
+/// of a dent than finite elements. Name a loading under `[law.combined]`.
+///
+/// Brake (2015), Int. J. Solids Struct. 62, 104.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Brake;
+
+static ABOUT: About = About {
+    name: "brake",
+    title: "Brake 2015",
+    source: "Int. J. Solids Struct. 62, 104",
+    loading: "none",
+    unloading: "Hertz with delta_m - delta_r = delta_m F_m/F_Hertz(delta_m)",
+    validity: "behind its own loading, which is not public in full",
+    confidence: "high (unloading)",
+};
+
+impl ContactLaw for Brake {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, _: &Bodies) -> Option<Loading> {
+        None
+    }
+
+    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+        Some(Arc::new(|peak| Recovered::hertzian(peak.force / peak.indentation.sqrt())))
+    }
+}

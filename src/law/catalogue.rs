@@ -1,0 +1,166 @@
+//! The list of laws: the only place that names them all, and those that are not public.
+
+use super::About;
+use super::brake::Brake;
+use super::combined::Combined;
+use super::contact_law::ContactLaw;
+use super::hertz::Hertz;
+use super::jackson_green::JacksonGreen;
+use super::johnson::Johnson;
+use super::kogut_etsion::KogutEtsion;
+use super::kogut_komvopoulos::KogutKomvopoulos;
+use super::ma_liu::MaLiu;
+use super::mesarovic_johnson::MesarovicJohnson;
+use super::paper::Plm;
+use super::stronge::Stronge;
+use super::thornton::Thornton;
+use super::walton_braun::WaltonBraun;
+use super::yigit_christoforou::YigitChristoforou;
+
+macro_rules! laws {
+    ($($law:ident),* $(,)?) => {
+        /// A law with its parameters.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum LawChoice {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*
+            /// Two halves.
+            Combined(Combined),
+        }
+
+        impl LawChoice {
+            /// Every law but combinations, with its default parameters.
+            #[must_use]
+            pub fn all() -> Vec<Self> {
+                vec![$(Self::$law($law::default())),*]
+            }
+
+            /// What it is.
+            #[must_use]
+            pub fn get(&self) -> &dyn ContactLaw {
+                match self {
+                    $(Self::$law(law) => law,)*
+                    Self::Combined(law) => law,
+                }
+            }
+        }
+    };
+}
+
+laws!(
+    Plm,
+    Hertz,
+    Thornton,
+    Stronge,
+    JacksonGreen,
+    KogutEtsion,
+    KogutKomvopoulos,
+    YigitChristoforou,
+    MaLiu,
+    Brake,
+    MesarovicJohnson,
+    WaltonBraun,
+    Johnson,
+);
+
+impl Default for LawChoice {
+    fn default() -> Self {
+        Self::Plm(Plm::default())
+    }
+}
+
+impl LawChoice {
+    /// The law of that name with its default parameters: "thornton", or "jackson_green + brake" for the loading of one with
+    /// the unloading of the other.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        if let Some((loading, unloading)) = name.split_once('+') {
+            let half = |name: &str| Self::from_name(name.trim()).map(Box::new);
+            let (loading, unloading) = (half(loading)?, half(unloading)?);
+            let is_whole = loading.has_loading() && unloading.has_unloading();
+            return is_whole.then_some(Self::Combined(Combined { loading, unloading }));
+        }
+        Self::all().into_iter().find(|law| law.about().name == name)
+    }
+
+    /// Names of all laws.
+    #[must_use]
+    pub fn names() -> Vec<&'static str> {
+        Self::all().iter().map(|law| law.about().name).collect()
+    }
+
+    /// Where it comes from.
+    #[must_use]
+    pub fn about(&self) -> &'static About {
+        self.get().about()
+    }
+
+    /// Whether it says how a contact loads. What loads here also unloads, if need be by the paper's law.
+    #[must_use]
+    pub fn has_loading(&self) -> bool {
+        self.about().loading != NONE
+    }
+
+    /// Whether it says how a contact unloads.
+    #[must_use]
+    pub fn has_unloading(&self) -> bool {
+        self.about().unloading != NONE
+    }
+
+    /// Its name in tables: of a combination "loading + unloading".
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self {
+            Self::Combined(Combined { loading, unloading }) => format!("{} + {}", loading.name(), unloading.name()),
+            law => law.about().name.to_owned(),
+        }
+    }
+
+    /// Where it was published.
+    #[must_use]
+    pub fn source(&self) -> String {
+        match self {
+            Self::Combined(Combined { loading, unloading }) => {
+                format!("loading: {}; unloading: {}", loading.source(), unloading.source())
+            }
+            law => law.about().source.to_owned(),
+        }
+    }
+}
+
+/// What [`About`] says of a half that a law lacks.
+const NONE: &str = "none";
+
+/// A law that is not here, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NotPublic {
+    /// Authors and year.
+    pub title: &'static str,
+    /// Why.
+    pub reason: &'static str,
+}
+
+/// The laws that Xie et al. (2024) name and that could not be implemented.
+pub const NOT_PUBLIC: &[NotPublic] = &[
+    NotPublic {
+        title: "PLM's own unloading (Weng et al. 2021)",
+        reason: "Tribol. Int. 162, 107114: no public text states it; the loading is fitted anew, the unloading is the paper's",
+    },
+    NotPublic {
+        title: "Kogut and Komvopoulos 2004, unloading",
+        reason: "a fit of the residual indentation whose constants are in no public text; its loading is here",
+    },
+    NotPublic {
+        title: "MYC (Majeed, Yigit, Christoforou 2012)",
+        reason: "no public text; its ancestor of 1994 is here as yigit_christoforou",
+    },
+    NotPublic {
+        title: "CYM (Christoforou, Yigit, Majeed 2013)",
+        reason: "no public text; its ancestor of 1994 is here as yigit_christoforou",
+    },
+    NotPublic { title: "Rathbone et al. 2015", reason: "equations in no public text" },
+    NotPublic { title: "Du and Wang 2009", reason: "equations in no public text" },
+    NotPublic { title: "Zhao et al. 2015", reason: "equations in no public text (hardening, stick contact)" },
+    NotPublic { title: "Dong et al. 2018", reason: "the fitted factor f_u of its unloading is in no public text; stronge takes f_u as a key" },
+    NotPublic { title: "Chen et al. (power-law hardening)", reason: "the fitted factors are in no public text" },
+    NotPublic { title: "Brake 2012 and 2015, loading", reason: "coefficients of the mixed regime could not be verified; the unloading is here" },
+];

@@ -1,0 +1,107 @@
+//! What every contact law can be asked: where it comes from, how it loads, how it unloads.
+
+use std::fmt::Debug;
+
+use super::published::{Loading, Published, RecoveryRule};
+use super::{ElasticApproach, Law, UnloadingExponent};
+use crate::law::plm::RadiusRatio;
+use crate::material::{HalfSpace, Pair, YieldPoint};
+
+/// Where a law comes from and what it is good for, in words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct About {
+    /// Its name in scenarios and tables.
+    pub name: &'static str,
+    /// Authors and year.
+    pub title: &'static str,
+    /// Where it was published.
+    pub source: &'static str,
+    /// Its loading, or "none".
+    pub loading: &'static str,
+    /// Its unloading, or "none".
+    pub unloading: &'static str,
+    /// Where it holds.
+    pub validity: &'static str,
+    /// How sure its equations are: "high" where several independent texts agree, "low" where one memory does.
+    pub confidence: &'static str,
+}
+
+/// What laws are built for: a yielding half-space and the sphere on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bodies {
+    /// Effective modulus, shares of compliance.
+    pub pair: Pair,
+    /// First yield by C_ν: the unit of x and f.
+    pub yield_point: YieldPoint,
+    /// σ_Y of the half-space \[Pa\].
+    pub yield_strength: f64,
+    /// ν of the half-space.
+    pub poissons_ratio: f64,
+}
+
+impl Bodies {
+    /// `None` for a half-space without a yield strength: there is only Hertz.
+    #[must_use]
+    pub fn new(pair: &Pair, half_space: &HalfSpace) -> Option<Self> {
+        Some(Self {
+            pair: *pair,
+            yield_point: pair.yield_point?,
+            yield_strength: half_space.yield_strength?,
+            poissons_ratio: half_space.material.poissons_ratio,
+        })
+    }
+
+    /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
+    #[must_use]
+    pub fn yield_at(&self, factor: f64) -> f64 {
+        let ratio = factor / self.yield_point.factor;
+        ratio * ratio
+    }
+
+    /// σ_Y/E*.
+    #[must_use]
+    pub fn yield_strain(&self) -> f64 {
+        self.yield_strength / self.pair.effective_modulus
+    }
+
+    /// a_Y/R = √(δ_Y/R).
+    #[must_use]
+    pub fn yield_radius_ratio(&self) -> f64 {
+        self.yield_point.contact_radius / self.pair.radius
+    }
+
+    /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
+    #[must_use]
+    pub fn slope_of_pressure(&self, area_factor: f64, pressure: f64) -> f64 {
+        1.5 * area_factor * pressure / self.yield_point.factor
+    }
+}
+
+/// A contact law: its own parameters, and the law of two bodies that follows from them.
+pub trait ContactLaw: Debug {
+    /// Where it comes from.
+    fn about(&self) -> &'static About;
+
+    /// Its loading for these bodies, in units of δ_Y and F_Y by C_ν; `None` for a law of unloading only.
+    fn loading(&self, bodies: &Bodies) -> Option<Loading>;
+
+    /// Its unloading for these bodies; `None` for a law of loading only.
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule>;
+
+    /// The whole law; `None` if it lacks a half.
+    fn law(&self, bodies: &Bodies) -> Option<Law> {
+        assemble(self.loading(bodies)?, self.recovery(bodies)?)
+    }
+}
+
+/// A law from two halves.
+pub(super) fn assemble(loading: Loading, recovery: RecoveryRule) -> Option<Law> {
+    let Loading { curve, elastic_until, holds_from, holds_until, stated, radius } = loading;
+    let published = Published { elastic_until, holds_from, holds_until, stated, radius, recovery };
+    Some(Law {
+        loading: curve,
+        elastic: ElasticApproach::Published(Box::new(published)),
+        radius_ratio: RadiusRatio::default(),
+        exponent: UnloadingExponent::Paper,
+    })
+}

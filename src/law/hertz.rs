@@ -1,0 +1,53 @@
+//! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
+
+use std::sync::Arc;
+
+use super::Law;
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+
+/// The elastic contact.
+///
+/// ```text
+/// loading    F = (4/3) E* √R δ^1.5
+/// unloading  δ_m − δ_r = (9 F_m²/(16 R E*²))^(1/3),  F as loading with δ − δ_r for δ
+/// ```
+///
+/// | symbol | here | meaning |
+/// |---|---|---|
+/// | x, f | `indentation`, `force` | δ/δ_Y, F/F_Y: f = x^1.5 |
+/// | ε | `elastic_approach` | (δ_m − δ_r)/δ_Y = f^(2/3) |
+///
+/// The whole law is elastic for ever, e = 1. Its unloading behind another loading is that of an unchanged radius R
+/// (Sathuvalli 2016, Procedia Structural Integrity 2, 1771).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Hertz;
+
+static ABOUT: About = About {
+    name: "hertz",
+    title: "Hertz 1882",
+    source: "J. reine angew. Math. 92, 156",
+    loading: "f = x^1.5, elastic without end",
+    unloading: "Hertz with the radius of the sphere (as a half: Sathuvalli 2016)",
+    validity: "elastic bodies, a << R",
+    confidence: "high",
+};
+
+impl ContactLaw for Hertz {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, _: &Bodies) -> Option<Loading> {
+        Some(Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt()))
+    }
+
+    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+        Some(Arc::new(|peak| Recovered::hertzian(peak.force.powf(2.0 / 3.0))))
+    }
+
+    fn law(&self, _: &Bodies) -> Option<Law> {
+        Some(Law::hertz())
+    }
+}

@@ -1,0 +1,196 @@
+//! Jackson and Green (2005) loading, Jackson, Chusoipin and Green (2005) residual indentation.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+
+/// The law of Jackson and Green.
+///
+/// ```text
+/// loading    f = x^1.5                                                             x ≤ 1.9
+///            f = exp(−x^(5/12)/4) x^1.5 + (4 H_G/(C σ_Y)) (1 − exp(−x^(5/9)/25)) x
+///            a²/a_y² = x (x/1.9)^B,   B = 0.14 exp(23 σ_Y/E*)
+///            H_G/σ_Y = 2.84 (1 − exp(−0.82 (a/R)^−0.7))                            2005
+///                    = 2.84 − 0.92 (1 − cos(π a/R))                                later form
+/// unloading  δ_r/δ_m = 1.02 (1 − ((x_m + 5.9)/6.9)^−0.54), Hertz-type in between
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | C | `yield_factor` | 1 | 1.295 exp(0.736 ν) if not given: x, f in units of the yield point by this C, not C_ν |
+/// | H_G | `hardness` | Pa | average contact pressure of full plasticity, which falls with a/R |
+/// | a, R | | m | contact radius, sphere radius |
+/// | x_m | | 1 | δ_m/δ_y |
+///
+/// The printed force jumps by +0.5 % at x = 1.9 (`jumps`: kept, or Hertz goes on until the fit falls below it, x = 2.0).
+/// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
+/// there the law has no answer. Fitted for a/R ≤ 0.412 and σ_Y/E* from 0.00105 to 0.0081, a deformable sphere on a rigid flat.
+///
+/// Jackson and Green (2005), J. Tribol. 127, 343; Jackson, Chusoipin and Green (2005), J. Tribol. 127, 484.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JacksonGreen {
+    /// C; `None`: 1.295 exp(0.736 ν).
+    pub yield_factor: Option<f64>,
+    /// Which form of H_G.
+    pub hardness: Hardness,
+    /// What becomes of the printed jump.
+    pub jumps: Jumps,
+}
+
+/// How H_G falls with a/R.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hardness {
+    /// Jackson and Green 2005.
+    #[default]
+    Exponential,
+    /// The later form with a cosine.
+    Cosine,
+}
+
+/// What becomes of the jumps of a force that was printed piece by piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Jumps {
+    /// Kept, at the printed limits.
+    #[default]
+    Printed,
+    /// Every piece goes on until the next one crosses it: no jump, and no piece changed beyond its crossing.
+    Crossed,
+}
+
+static ABOUT: About = About {
+    name: "jackson_green",
+    title: "Jackson and Green 2005, Jackson, Chusoipin and Green 2005",
+    source: "J. Tribol. 127, 343; J. Tribol. 127, 484",
+    loading: "Hertz to 1.9, then the finite-element fit with hardness falling with a/R",
+    unloading: "fitted residual indentation, Hertz in between",
+    validity: "a/R <= 0.412, strength/E* 0.00105 to 0.0081; residual below 10^4 yield indentations",
+    confidence: "high (loading), medium-high (residual)",
+};
+
+/// Where the fit begins.
+const TRANSITION: f64 = 1.9;
+/// a/R of the fit's data.
+const STATED_RADIUS: f64 = 0.412;
+/// σ_Y/E* beyond which nothing of the fit is left.
+const LARGEST_STRAIN: f64 = 0.05;
+
+/// Parameters s = δ_y/δ_Y, σ_Y/E*, C.
+static EXPONENTIAL: Formula = Formula::new("jackson_green", exponential::<f64>, exponential::<Jet>, None);
+static COSINE: Formula = Formula::new("jackson_green, cosine", cosine::<f64>, cosine::<Jet>, None);
+
+/// B.
+fn growth(strain: f64) -> f64 {
+    0.14 * (23.0 * strain).exp()
+}
+
+/// a/R at x: a_y/R = π C σ_Y/(2E*).
+fn radius_ratio<N: Number>([_, strain, factor]: &Parameters, x: N) -> N {
+    let b = growth(*strain);
+    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * TRANSITION.powf(-0.5 * b))
+}
+
+fn force<N: Number>([s, _, factor]: &Parameters, x: N, hardness: N) -> N {
+    let elastic = (x.powf(5.0 / 12.0) * -0.25).exp() * x.powf(1.5);
+    let plastic = hardness * (-(x.powf(5.0 / 9.0) * -0.04).exp() + 1.0) * x * (4.0 / factor);
+    (elastic + plastic) * (s * s.sqrt())
+}
+
+fn exponential<N: Number>(parameters: &Parameters, x: N) -> N {
+    let x = x * (1.0 / parameters[0]);
+    let ratio = radius_ratio(parameters, x);
+    let hardness = (-(ratio.powf(-0.7) * -0.82).exp() + 1.0) * 2.84;
+    force(parameters, x, hardness)
+}
+
+fn cosine<N: Number>(parameters: &Parameters, x: N) -> N {
+    let x = x * (1.0 / parameters[0]);
+    let ratio = radius_ratio(parameters, x);
+    let hardness = ((ratio * PI).cos() + -1.0) * 0.92 + 2.84;
+    force(parameters, x, hardness)
+}
+
+/// δ_r/δ_m at x_m ≥ 1.
+fn residual(x: f64) -> f64 {
+    1.02 * (1.0 - ((x + 5.9) / 6.9).powf(-0.54))
+}
+
+impl JacksonGreen {
+    fn factor(&self, bodies: &Bodies) -> f64 {
+        self.yield_factor.unwrap_or(1.295 * (0.736 * bodies.poissons_ratio).exp())
+    }
+}
+
+impl ContactLaw for JacksonGreen {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let factor = self.factor(bodies);
+        let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
+        let formula = match self.hardness {
+            Hardness::Exponential => &EXPONENTIAL,
+            Hardness::Cosine => &COSINE,
+        };
+        let smooth = Smooth::new(formula, [s, strain, factor]);
+        let b = growth(strain);
+        // x (of the law's own unit) where a/R has this value
+        let reaches = |ratio: f64| {
+            (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b))
+        };
+        let end = reaches(1.0);
+        let starts = match self.jumps {
+            Jumps::Printed => TRANSITION,
+            Jumps::Crossed => crossing(|x| smooth.value(0.0, s * x) - (s * x).powf(1.5), TRANSITION, end),
+        };
+        let is_sane = strain <= LARGEST_STRAIN && end > 2.0 * starts;
+        let curve = if is_sane {
+            // beyond a = R, where the law is refused, only so that the impact ends somewhere
+            Curve::hertz().then_smooth(starts * s, smooth).then_tangent(end * s)
+        } else {
+            Curve::hertz()
+        };
+        let from = TRANSITION.powf(-b);
+        let mut loading = Loading::new(curve, s, move |x, _| {
+            let own = x / s;
+            if own <= TRANSITION { x.sqrt() } else { (x * from * own.powf(b)).sqrt() }
+        });
+        loading.holds_until = if is_sane { end * s } else { s };
+        loading.stated = Some((0.0, s * reaches(STATED_RADIUS)));
+        Some(loading)
+    }
+
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+        let s = bodies.yield_at(self.factor(bodies));
+        Some(Arc::new(move |peak| {
+            Recovered::hertzian(peak.indentation * (1.0 - residual((peak.indentation / s).max(1.0))))
+        }))
+    }
+}
+
+/// Where an excess that is positive at `from` falls to zero, by bisection; `from` if it does not before `until`.
+pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> f64 {
+    /// Steps of the search.
+    const GROWTH: f64 = 1.02;
+    let mut high = from;
+    while excess(high) > 0.0 {
+        high *= GROWTH;
+        if !(high < until) {
+            return from;
+        }
+    }
+    let mut low = high / GROWTH;
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}

@@ -1,0 +1,65 @@
+//! Johnson (1985): rigid-plastic loading, Hertz rebound.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+
+/// The impact of Johnson, with its closed-form restitution.
+///
+/// ```text
+/// loading    F = π a² p_d,   a² = 2R δ
+/// unloading  Hertz-type from the contact radius a_m: δ_m − δ_r = 3 F_m/(4E* a_m)
+/// e² = (3 π^(5/4) 4^(3/4)/10) (p_d/E*) (m v²/(2 p_d R³))^(−1/4)
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | p_d | `dynamic_pressure` | Pa | mean pressure of the dent; 3 σ_Y if not given |
+///
+/// There is no elastic regime: near yield the rebound would be deeper than the indentation (below x of about 15 for steel),
+/// then e above 1, and there the law has no answer. As an unloading law behind another loading it is "Hertz from the contact radius", with a_m of that loading.
+///
+/// Johnson (1985), Contact Mechanics, Cambridge University Press, ch. 11.5; the coefficient 3.549 follows from the two lines
+/// above.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Johnson {
+    /// p_d \[Pa\]; `None`: 3 σ_Y.
+    pub dynamic_pressure: Option<f64>,
+}
+
+static ABOUT: About = About {
+    name: "johnson",
+    title: "Johnson 1985",
+    source: "Contact Mechanics, Cambridge University Press, ch. 11.5",
+    loading: "rigid-plastic: constant pressure, a^2 = 2 R delta",
+    unloading: "Hertz from the contact radius: delta_m - delta_r = 3 F_m/(4 E* a_m)",
+    validity: "far beyond yield; refused where e would be above 1",
+    confidence: "medium-high",
+};
+
+/// Closed-form e.
+#[must_use]
+pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, radius: f64, speed: f64) -> f64 {
+    let coefficient = 0.3 * PI.powf(1.25) * 4f64.powf(0.75);
+    let energy = mass * speed * speed / (2.0 * dynamic_pressure * radius.powi(3));
+    (coefficient * dynamic_pressure / effective_modulus * energy.powf(-0.25)).sqrt()
+}
+
+impl ContactLaw for Johnson {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_strength);
+        let slope = bodies.slope_of_pressure(2.0, pressure);
+        Some(Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt()))
+    }
+
+    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+        Some(Arc::new(|peak| Recovered::hertzian(peak.force / peak.radius)))
+    }
+}

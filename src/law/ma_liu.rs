@@ -1,0 +1,102 @@
+//! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
+
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+use super::thornton;
+use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+
+/// The law of Ma and Liu, in the form remembered of it.
+///
+/// ```text
+/// loading    f = x^1.5                      x ≤ 1
+///            f = x (c_1 + c_2 ln x) + c_3    1 < x < x_p
+///            f = f_p + k (x − x_p)           x ≥ x_p
+/// unloading  Hertz-type with R_e = R_p(F_m) of Thornton for F_m < F_p, held at R_p(F_p) beyond
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | H | `hardness_ratio` × σ_Y | Pa | pressure of full plasticity; 2.8 σ_Y if not given |
+/// | x_p | `transition_ratio` | 1 | δ_p/δ_Y; 110 if not given |
+/// | k | | 1 | slope of F = 2π R H δ: 3 H/(C_ν σ_Y) |
+/// | c_1, c_2, c_3 | | 1 | from equal force and slope at x = 1 and equal slope at x_p: c_2 = (k − 3/2)/ln x_p, c_1 = 3/2 − c_2, c_3 = 1 − c_1 |
+///
+/// From memory: the structure is that of the abstract (three regimes, fixed by hardness and one geometric parameter, joined
+/// with equal slopes, Hertzian unloading), but neither constants nor the fully plastic slope were seen in print. Take its
+/// numbers as an example of the form.
+///
+/// Ma and Liu (2015), J. Appl. Mech. 82, 121006.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MaLiu {
+    /// H/σ_Y.
+    pub hardness_ratio: f64,
+    /// x_p.
+    pub transition_ratio: f64,
+}
+
+impl Default for MaLiu {
+    fn default() -> Self {
+        Self { hardness_ratio: 2.8, transition_ratio: 110.0 }
+    }
+}
+
+static ABOUT: About = About {
+    name: "ma_liu",
+    title: "Ma and Liu 2015",
+    source: "J. Appl. Mech. 82, 121006",
+    loading: "Hertz, x (c1 + c2 ln x) + c3 joined with equal slopes, then straight",
+    unloading: "Hertz with Thornton's radius, constant from full plasticity on",
+    validity: "unknown: hardness and transition ratio are parameters",
+    confidence: "low (form from memory, constants by continuity)",
+};
+
+/// x (c_1 + c_2 ln x) + c_3.
+static MIXED: Formula = Formula::new("ma_liu", mixed::<f64>, mixed::<Jet>, Some(mixed_integral));
+
+fn mixed<N: Number>([c1, c2, c3]: &Parameters, x: N) -> N {
+    x * (x.ln() * *c2 + *c1) + *c3
+}
+
+fn mixed_integral([c1, c2, c3]: &Parameters, x: f64) -> f64 {
+    x * (0.5 * x * (c1 + c2 * (x.ln() - 0.5)) + c3)
+}
+
+impl MaLiu {
+    /// The mixed piece and the slope of full plasticity.
+    fn mixed(&self, bodies: &Bodies) -> (Smooth, f64) {
+        let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
+        let c2 = (slope - 1.5) / self.transition_ratio.ln();
+        let c1 = 1.5 - c2;
+        (Smooth::new(&MIXED, [c1, c2, 1.0 - c1]), slope)
+    }
+}
+
+impl ContactLaw for MaLiu {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let (mixed, slope) = self.mixed(bodies);
+        let curve = Curve::hertz().then_smooth(1.0, mixed).then_straight(self.transition_ratio, slope);
+        // that of the Hertz contact which unloading leaves from
+        let recovery = self.recovery(bodies)?;
+        Some(Loading::new(curve, 1.0, move |x, force| {
+            force / recovery(super::published::Loaded { indentation: x, force, radius: x.sqrt() }).elastic_approach
+        }))
+    }
+
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+        let (mixed, _) = self.mixed(bodies);
+        let plastic = mixed.value(0.0, self.transition_ratio);
+        Some(Arc::new(move |peak| {
+            let f = peak.force;
+            // ε = (f²/(R_e/R))^(1/3)
+            let at = f.min(plastic);
+            Recovered::hertzian(thornton::elastic_approach(at) * (f / at).cbrt().powi(2))
+        }))
+    }
+}

@@ -1,0 +1,72 @@
+//! PLM loading and the unloading of Xie et al. (2024) as one of the published laws, so that either half can be combined.
+
+use std::sync::{Arc, LazyLock};
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::plm::PlmCoefficients;
+use super::published::{Loading, Recovered, RecoveryRule};
+use super::{Law, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+
+/// The piecewise-linear model ([`super::plm`]) with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
+///
+/// As a half, the paper's unloading takes the elastic approach that the PLM has at the same force: it needs the sphere's own
+/// indentation at the peak, which no other law gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plm {
+    /// Of the loading and of the elastic approach.
+    pub coefficients: Arc<PlmCoefficients>,
+    /// n of the unloading branch.
+    pub exponent: UnloadingExponent,
+}
+
+impl Default for Plm {
+    fn default() -> Self {
+        static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
+            LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
+        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper }
+    }
+}
+
+static ABOUT: About = About {
+    name: "plm",
+    title: "PLM (Weng et al. 2021 in form) with Xie et al. 2024",
+    source: "Tribol. Int. 162, 107114; Materials 17, 3018",
+    loading: "Hertz to 1.7, then straight pieces fitted to finite elements",
+    unloading: "Hertz with R_e from the sphere's own indentation (Eqs. 19-25)",
+    validity: "a/R <= 0.45, Poisson's ratio 0.3, little hardening",
+    confidence: "high (unloading), coefficients of the loading fitted anew",
+};
+
+impl ContactLaw for Plm {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let law = self.law(bodies)?;
+        let curve = law.loading.clone();
+        Some(Loading::new(curve, 1.0, move |x, force| {
+            let elastic_approach = law.elastic_approach(x, force);
+            law.contact_radius(&super::Peak { indentation: x, force, elastic_approach })
+        }))
+    }
+
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+        let law = self.law(bodies)?;
+        Some(Arc::new(move |peak| {
+            let elastic_approach = law.elastic_approach(peak.indentation, peak.force);
+            let exponent = match law.exponent {
+                UnloadingExponent::Paper => 1.5,
+                UnloadingExponent::Fixed(n) => n,
+                UnloadingExponent::PressureShape => {
+                    pressure_shape_exponent(law.radius_ratio.at(peak.force / elastic_approach))
+                }
+            };
+            Recovered { elastic_approach, exponent, shape: UnloadingShape::Power }
+        }))
+    }
+
+    fn law(&self, bodies: &Bodies) -> Option<Law> {
+        Some(self.coefficients.law(&bodies.pair, bodies.yield_radius_ratio(), self.exponent))
+    }
+}

@@ -1,0 +1,192 @@
+//! The rules of a published law: contact radius along the loading curve, and what a peak gives back.
+//!
+//! Whatever a law prints, no contact gives back more than it has taken, and no dent is a hill. Where a law's own formulas
+//! say otherwise, the elastic approach is cut to what is possible; where they are off by more than [`LARGEST_CUT`], the law
+//! has no answer ([`OutsideLaw`]), and none is made up.
+
+use std::fmt;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use super::curve::Curve;
+use super::{Peak, Unloading, UnloadingShape};
+
+/// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there: more than
+/// the 3 % by which the force of Kogut and Etsion jumps at first yield.
+pub const LARGEST_CUT: f64 = 0.05;
+
+/// A point of a loading curve, as unloading sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loaded {
+    /// x_m.
+    pub indentation: f64,
+    /// f_m.
+    pub force: f64,
+    /// a_m/a_Y.
+    pub radius: f64,
+}
+
+/// What unloading from a peak gives back, by the law's own formulas.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recovered {
+    /// ε = x_m − x_r.
+    pub elastic_approach: f64,
+    /// n, for a power.
+    pub exponent: f64,
+    /// The shape.
+    pub shape: UnloadingShape,
+}
+
+impl Recovered {
+    /// Hertz-type unloading, n = 3/2.
+    #[must_use]
+    pub fn hertzian(elastic_approach: f64) -> Self {
+        Self { elastic_approach, exponent: 1.5, shape: UnloadingShape::Power }
+    }
+}
+
+/// a/a_Y at (x, f) of the loading curve.
+pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
+/// What a peak gives back.
+pub type RecoveryRule = Arc<dyn Fn(Loaded) -> Recovered + Send + Sync>;
+
+/// The loading half of a law.
+#[derive(Clone)]
+pub struct Loading {
+    /// f(x).
+    pub curve: Curve,
+    /// x up to which it is elastic.
+    pub elastic_until: f64,
+    /// x from which a plastic peak can be on it, and
+    pub holds_from: f64,
+    /// up to which: outside, the law has no answer.
+    pub holds_until: f64,
+    /// The range of x that its authors state, if they do.
+    pub stated: Option<(f64, f64)>,
+    /// a/a_Y.
+    pub radius: RadiusRule,
+}
+
+impl Loading {
+    /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
+    pub fn new(
+        curve: Curve,
+        elastic_until: f64,
+        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        Self { curve, elastic_until, holds_from: 0.0, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
+    }
+}
+
+impl fmt::Debug for Loading {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Loading").field("curve", &self.curve).finish_non_exhaustive()
+    }
+}
+
+/// A peak that the law says nothing of.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum OutsideLaw {
+    /// Outside the range of its formulas.
+    #[error("the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed")]
+    Range {
+        /// x_m.
+        indentation: f64,
+        /// What is wrong there.
+        problem: &'static str,
+    },
+}
+
+/// The rules of a published law.
+#[derive(Clone)]
+pub struct Published {
+    /// x up to which loading is elastic.
+    pub elastic_until: f64,
+    /// x from which a plastic peak can be on the law, and
+    pub holds_from: f64,
+    /// up to which.
+    pub holds_until: f64,
+    /// The range of x that the authors state.
+    pub stated: Option<(f64, f64)>,
+    /// a/a_Y at (x, f).
+    pub radius: RadiusRule,
+    /// What a peak gives back.
+    pub recovery: RecoveryRule,
+}
+
+impl fmt::Debug for Published {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Published").field("elastic_until", &self.elastic_until).finish_non_exhaustive()
+    }
+}
+
+impl PartialEq for Published {
+    fn eq(&self, other: &Self) -> bool {
+        self.elastic_until == other.elastic_until
+            && Arc::ptr_eq(&self.radius, &other.radius)
+            && Arc::ptr_eq(&self.recovery, &other.recovery)
+    }
+}
+
+impl Published {
+    /// By the law's own formulas.
+    fn recovered(&self, indentation: f64, force: f64) -> Recovered {
+        if indentation <= self.elastic_until {
+            return Recovered::hertzian(indentation);
+        }
+        (self.recovery)(Loaded { indentation, force, radius: (self.radius)(indentation, force) })
+    }
+
+    /// ε, at most x and at most what the work of loading allows.
+    pub(super) fn elastic_approach(&self, loading: &Curve, x: f64, force: f64) -> f64 {
+        if x <= self.elastic_until {
+            return x;
+        }
+        let recovered = self.recovered(x, force);
+        let raw = recovered.elastic_approach;
+        let peak = |elastic_approach| Peak { indentation: x, force, elastic_approach };
+        let bounded = if raw > 0.0 { raw.min(x) } else { x };
+        let exponent = Unloading::new(peak(bounded), recovered.exponent, recovered.shape).exponent;
+        bounded.min((exponent + 1.0) * loading.work(x) / force)
+    }
+
+    /// The branch from a peak.
+    pub(super) fn unloading(&self, peak: Peak) -> Unloading {
+        let Recovered { exponent, shape, .. } = self.recovered(peak.indentation, peak.force);
+        Unloading::new(peak, exponent, shape)
+    }
+
+    /// a/a_Y at a peak.
+    pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
+        if peak.indentation <= self.elastic_until {
+            return peak.indentation.sqrt();
+        }
+        (self.radius)(peak.indentation, peak.force)
+    }
+
+    /// Whether the law has an answer for a peak.
+    pub(super) fn accept(&self, loading: &Curve, peak: &Peak) -> Result<(), OutsideLaw> {
+        let &Peak { indentation, force, .. } = peak;
+        if indentation <= self.elastic_until {
+            return Ok(());
+        }
+        let refuse = |problem| Err(OutsideLaw::Range { indentation, problem });
+        if !(indentation >= self.holds_from && indentation <= self.holds_until) {
+            return refuse("outside the range of its loading formulas");
+        }
+        let raw = self.recovered(indentation, force);
+        if !(raw.elastic_approach > 0.0) {
+            return refuse("its residual indentation is the whole indentation or more");
+        }
+        if raw.elastic_approach > (1.0 + LARGEST_CUT) * indentation {
+            return refuse("its residual indentation is negative");
+        }
+        let peak = Peak { elastic_approach: raw.elastic_approach.min(indentation), ..*peak };
+        let given_back = force * peak.elastic_approach / (Unloading::new(peak, raw.exponent, raw.shape).exponent + 1.0);
+        if given_back > (1.0 + LARGEST_CUT) * loading.work(indentation) {
+            return refuse("it gives back more energy than was spent");
+        }
+        Ok(())
+    }
+}

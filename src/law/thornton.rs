@@ -1,0 +1,92 @@
+//! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+
+/// The law of Thornton.
+///
+/// ```text
+/// loading    F = (4/3) E* √R δ^1.5                     δ ≤ δ_y
+///            F = F_y + π p_y R (δ − δ_y)               beyond
+/// unloading  F = (4/3) E* √R_p (δ − δ_r)^1.5
+///            R_p = (4E*/(3 F_m)) ((2 F_m + F_y)/(2π p_y))^1.5,  δ_r = δ_m − (3 F_m/(4 E* √R_p))^(2/3)
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | p_y | `yield_pressure` | Pa | limiting contact pressure: the largest Hertz pressure at yield; C_ν σ_Y if not given |
+/// | δ_y, F_y | | m, N | Hertz where its largest pressure reaches p_y: δ_y = R (π p_y/2E*)² |
+/// | R_p | | m | radius of unloading, R_p F_m = R F_e with the Hertz force F_e at (2 F_m + F_y)/(2π p_y R) = δ_m |
+///
+/// The straight line is tangent to Hertz at δ_y. In units of δ_y and F_y: f = 1 + 1.5 (x − 1), R_p/R = ((2f + 1)/3)^1.5/f.
+///
+/// e(v) in closed form, q = V_y/V: e = (6√3/5)^½ √(1 − q²/6) (q/(q + 2√(6/5 − q²/5)))^¼, 1.185 q^¼ for fast impacts.
+///
+/// Thornton (1997), J. Appl. Mech. 64, 383; Thornton and Ning (1998), Powder Technology 99, 154.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Thornton {
+    /// p_y \[Pa\]; `None`: C_ν σ_Y.
+    pub yield_pressure: Option<f64>,
+}
+
+static ABOUT: About = About {
+    name: "thornton",
+    title: "Thornton 1997",
+    source: "J. Appl. Mech. 64, 383; Thornton and Ning 1998, Powder Technol. 99, 154",
+    loading: "Hertz, then straight: pressure capped at yield_pressure",
+    unloading: "Hertz with radius R_p(F_m)",
+    validity: "near yield; far beyond it the force is about a third of what finite elements give",
+    confidence: "high",
+};
+
+/// Closed-form e at q = V_y/V ≤ 1.
+#[must_use]
+pub fn restitution(yield_speed_over_speed: f64) -> f64 {
+    let q = yield_speed_over_speed;
+    let square = q * q;
+    (1.2 * 3f64.sqrt()).sqrt()
+        * (1.0 - square / 6.0).sqrt()
+        * (q / (q + 2.0 * (1.2 - 0.2 * square).sqrt())).powf(0.25)
+}
+
+/// V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2) \[m/s\].
+#[must_use]
+pub fn yield_speed(effective_modulus: f64, radius: f64, mass: f64, yield_pressure: f64) -> f64 {
+    let per_modulus = PI / (2.0 * effective_modulus);
+    per_modulus * per_modulus * (8.0 * PI * radius.powi(3) / (15.0 * mass)).sqrt() * yield_pressure.powf(2.5)
+}
+
+/// ε/δ_y of Hertz-type unloading with Thornton's R_p, at f = F_m/F_y.
+pub(super) fn elastic_approach(force: f64) -> f64 {
+    let radius_ratio = ((2.0 * force + 1.0) / 3.0).powf(1.5) / force;
+    (force * force / radius_ratio).cbrt()
+}
+
+impl Thornton {
+    /// δ_y/δ_Y.
+    fn yield_at(self, bodies: &Bodies) -> f64 {
+        self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_strength))
+    }
+}
+
+impl ContactLaw for Thornton {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let yields = self.yield_at(bodies);
+        let curve = Curve::hertz().then_tangent(yields);
+        Some(Loading::new(curve, yields, |x, _| x.sqrt()))
+    }
+
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+        let yields = self.yield_at(bodies);
+        let unit = yields * yields.sqrt();
+        Some(Arc::new(move |peak| Recovered::hertzian(yields * elastic_approach(peak.force / unit))))
+    }
+}

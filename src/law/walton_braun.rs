@@ -1,0 +1,66 @@
+//! Walton and Braun (1986), Luding (2008): two straight lines.
+
+use std::sync::Arc;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+use super::UnloadingShape;
+
+/// The hysteretic spring.
+///
+/// ```text
+/// loading    F = k_1 δ
+/// unloading  F = k_2 (δ − δ_0),   δ_0 = (1 − k_1/k_2) δ_m,   e = √(k_1/k_2)
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | k_1 | `loading_stiffness` × F_Y/δ_Y | N/m | 1 if not given: the secant of Hertz at first yield |
+/// | k_1/k_2 | `stiffness_ratio` | 1 | 0 < k_1/k_2 ≤ 1; 0.5 if not given |
+///
+/// e is the same at all speeds: there is no elastic regime. Both stiffnesses are fitted, none follows from the materials.
+///
+/// Walton and Braun (1986), J. Rheol. 30, 949.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WaltonBraun {
+    /// k_1 δ_Y/F_Y.
+    pub loading_stiffness: f64,
+    /// k_1/k_2.
+    pub stiffness_ratio: f64,
+}
+
+impl Default for WaltonBraun {
+    fn default() -> Self {
+        Self { loading_stiffness: 1.0, stiffness_ratio: 0.5 }
+    }
+}
+
+static ABOUT: About = About {
+    name: "walton_braun",
+    title: "Walton and Braun 1986",
+    source: "J. Rheol. 30, 949",
+    loading: "straight from first touch",
+    unloading: "straight, steeper: e = sqrt(k1/k2) at all speeds",
+    validity: "a fitted spring, no material behind it",
+    confidence: "high",
+};
+
+impl ContactLaw for WaltonBraun {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, _: &Bodies) -> Option<Loading> {
+        Some(Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt()))
+    }
+
+    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+        let k2 = self.loading_stiffness / self.stiffness_ratio;
+        Some(Arc::new(move |peak| Recovered {
+            elastic_approach: peak.force / k2,
+            exponent: 1.0,
+            shape: UnloadingShape::Power,
+        }))
+    }
+}

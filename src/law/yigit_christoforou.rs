@@ -1,0 +1,85 @@
+//! Yigit and Christoforou (1994): the ancestor of MYC (2012) and CYM (2013), whose own equations are not public.
+
+use std::sync::Arc;
+
+use super::UnloadingShape;
+use super::contact_law::{About, Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, Recovered, RecoveryRule};
+use crate::smooth::{Formula, Jet, Number, Parameters};
+
+/// The law of Yigit and Christoforou.
+///
+/// ```text
+/// loading    F = K_h α^1.5                                        α ≤ α_y
+///            F = K_h α_y^1.5 + K_y (α − α_y),  K_y = 1.5 K_h √α_y   beyond
+/// unloading  F = F_m − K_h (α_m^1.5 − α^1.5)
+/// ```
+///
+/// | symbol | here | unit | meaning |
+/// |---|---|---|---|
+/// | K_h | | N/m^1.5 | (4/3) E* √R |
+/// | α_y | | m | C² (π σ_Y/2E*)² R; 0.68 π² σ_Y² R/E*² by the authors |
+/// | C | `yield_factor` | 1 | 2 √0.68 = 1.649 if not given |
+///
+/// The unloading curve is Hertz's, moved down: it leaves δ_r = (δ_m^1.5 − F_m/K_h)^(2/3). Where loading is stiffer than Hertz
+/// (behind another loading law) there is no such depth, and the law has no answer.
+///
+/// From memory: the form is consistent, but no text of it could be opened. Not MYC 2012 and not CYM 2013, whose unloading
+/// may have other terms.
+///
+/// Yigit and Christoforou (1994), Compos. Eng. 4, 1143.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct YigitChristoforou {
+    /// C; `None`: 2 √0.68.
+    pub yield_factor: Option<f64>,
+}
+
+static ABOUT: About = About {
+    name: "yigit_christoforou",
+    title: "Yigit and Christoforou 1994 (ancestor of MYC 2012 and CYM 2013)",
+    source: "Compos. Eng. 4, 1143",
+    loading: "Hertz, then straight along the tangent at yield",
+    unloading: "the Hertz curve, moved: F_m - K_h (delta_m^1.5 - delta^1.5)",
+    validity: "near yield; far beyond it the dent is the largest of all laws",
+    confidence: "low (from memory)",
+};
+
+/// k (x^1.5 − x_r^1.5); parameters k, x_r.
+pub(super) static SHIFTED_HERTZ: Formula =
+    Formula::new("shifted Hertz", shifted::<f64>, shifted::<Jet>, Some(shifted_integral));
+
+fn shifted<N: Number>([k, residual, _]: &Parameters, x: N) -> N {
+    (x.powf(1.5) + -residual * residual.sqrt()) * *k
+}
+
+fn shifted_integral([k, residual, _]: &Parameters, x: f64) -> f64 {
+    k * (0.4 * x * x * x.sqrt() - residual * residual.sqrt() * x)
+}
+
+impl YigitChristoforou {
+    fn yield_at(self, bodies: &Bodies) -> f64 {
+        bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()))
+    }
+}
+
+impl ContactLaw for YigitChristoforou {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        let yields = self.yield_at(bodies);
+        Some(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()))
+    }
+
+    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+        Some(Arc::new(|peak| {
+            let x = peak.indentation;
+            // where there is no such depth, twice the indentation: more than any law may give back
+            let below = x * x.sqrt() - peak.force;
+            let elastic_approach = if below >= 0.0 { x - below.cbrt() * below.cbrt() } else { 2.0 * x };
+            Recovered { elastic_approach, exponent: 1.5, shape: UnloadingShape::ShiftedHertz }
+        }))
+    }
+}

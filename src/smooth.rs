@@ -1,0 +1,268 @@
+//! Increasing smooth forces that are neither a power from zero nor a straight line: value, derivatives, work, inverse of the
+//! work, and the time a motion against them takes. A leaf that laws, integrators and closed forms share.
+//!
+//! What a force is, is written once, in the file of its law, as a function of a [`Number`]: of a plain `f64`, or of a
+//! [`Jet`] that carries two derivatives along.
+
+mod number;
+mod quadrature;
+
+pub use number::{Jet, Number};
+
+/// Numbers a formula may depend on.
+pub type Parameters = [f64; 3];
+
+/// What the argument of a formula is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variable {
+    /// x itself, of which the formula is smooth from the start of its piece on.
+    Indentation,
+    /// y = √d with d from the start of the piece, where the force vanishes as d^(3/2).
+    RootOfDistance,
+}
+
+/// A force law as code: one for all contacts, with [`Parameters`] of each.
+#[derive(Debug)]
+pub struct Formula {
+    name: &'static str,
+    variable: Variable,
+    value: fn(&Parameters, f64) -> f64,
+    jet: fn(&Parameters, Jet) -> Jet,
+    /// An antiderivative, where there is one in closed form.
+    integral: Option<fn(&Parameters, f64) -> f64>,
+}
+
+impl Formula {
+    /// A function of x.
+    #[must_use]
+    pub const fn new(
+        name: &'static str,
+        value: fn(&Parameters, f64) -> f64,
+        jet: fn(&Parameters, Jet) -> Jet,
+        integral: Option<fn(&Parameters, f64) -> f64>,
+    ) -> Self {
+        Self { name, variable: Variable::Indentation, value, jet, integral }
+    }
+
+    /// A function of √d.
+    #[must_use]
+    pub const fn of_root(
+        name: &'static str,
+        value: fn(&Parameters, f64) -> f64,
+        jet: fn(&Parameters, Jet) -> Jet,
+    ) -> Self {
+        Self { name, variable: Variable::RootOfDistance, value, jet, integral: None }
+    }
+}
+
+/// A formula with its parameters. Distances d are from the `start` of the piece it stands on.
+#[derive(Debug, Clone, Copy)]
+pub struct Smooth {
+    formula: &'static Formula,
+    parameters: Parameters,
+}
+
+impl PartialEq for Smooth {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.formula, other.formula) && self.parameters == other.parameters
+    }
+}
+
+/// k x^p; parameters k, p. Power laws whose zero is not where their piece begins.
+pub static POWER: Formula = Formula::new("power", raised::<f64>, raised::<Jet>, Some(raised_integral));
+
+fn raised<N: Number>([k, p, _]: &Parameters, x: N) -> N {
+    x.powf(*p) * *k
+}
+
+fn raised_integral([k, p, _]: &Parameters, x: f64) -> f64 {
+    k / (p + 1.0) * x.powf(p + 1.0)
+}
+
+impl Smooth {
+    /// A formula with its parameters.
+    #[must_use]
+    pub const fn new(formula: &'static Formula, parameters: Parameters) -> Self {
+        Self { formula, parameters }
+    }
+
+    /// What the formula is called.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.formula.name
+    }
+
+    /// What it is a function of.
+    #[must_use]
+    pub fn variable(&self) -> Variable {
+        self.formula.variable
+    }
+
+    /// f at a distance.
+    #[inline]
+    #[must_use]
+    pub fn value(&self, start: f64, distance: f64) -> f64 {
+        match self.formula.variable {
+            Variable::Indentation => (self.formula.value)(&self.parameters, start + distance),
+            // continued as an odd function, as a power from zero is
+            Variable::RootOfDistance => {
+                distance.signum() * (self.formula.value)(&self.parameters, distance.abs().sqrt())
+            }
+        }
+    }
+
+    /// df/dd at a distance.
+    #[must_use]
+    pub fn slope(&self, start: f64, distance: f64) -> f64 {
+        match self.formula.variable {
+            Variable::Indentation => self.jet(start + distance).slope,
+            Variable::RootOfDistance if distance <= 0.0 => 0.0,
+            Variable::RootOfDistance => {
+                let y = distance.sqrt();
+                self.jet(y).slope / (2.0 * y)
+            }
+        }
+    }
+
+    /// f and its derivatives as a function of its own variable.
+    #[inline]
+    #[must_use]
+    pub fn jet(&self, argument: f64) -> Jet {
+        (self.formula.jet)(&self.parameters, Jet::variable(argument))
+    }
+
+    /// f as a function of its own variable.
+    #[inline]
+    #[must_use]
+    pub fn at_variable(&self, argument: f64) -> f64 {
+        (self.formula.value)(&self.parameters, argument)
+    }
+
+    /// ∫ f dd between two distances.
+    #[must_use]
+    pub fn work(&self, start: f64, from: f64, to: f64) -> f64 {
+        match (self.formula.variable, self.formula.integral) {
+            (Variable::Indentation, Some(integral)) => {
+                integral(&self.parameters, start + to) - integral(&self.parameters, start + from)
+            }
+            (Variable::Indentation, None) => {
+                quadrature::over_decades(start + from, start + to, |x| (self.formula.value)(&self.parameters, x))
+            }
+            (Variable::RootOfDistance, _) => {
+                let force = |y: f64| 2.0 * y * (self.formula.value)(&self.parameters, y);
+                let (from, to) = (from.max(0.0).sqrt(), to.max(0.0).sqrt());
+                let middle = 0.5 * (from + to);
+                quadrature::integrate(from, middle, force) + quadrature::integrate(middle, to, force)
+            }
+        }
+    }
+
+    /// The distance at which the work from the start is `work` ≥ 0; `before` is the work of the way to the start.
+    ///
+    /// Newton's method in ln x and ln w, where forces of contacts are almost straight, each step integrated from the last
+    /// point on; then in x, where the work is convex, so that it ends on the root.
+    #[must_use]
+    pub fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
+        if work <= 0.0 || !work.is_finite() {
+            return work.max(0.0);
+        }
+        let total = before + work;
+        // the first guess is that of a straight line; what is known is never beyond the root by much
+        let force = self.value(start, 0.0);
+        let (mut distance, mut done) = (0.0, 0.0);
+        if force <= 0.0 || before <= 0.0 {
+            distance = if start > 0.0 { start } else { 1.0 };
+            done = self.work(start, 0.0, distance);
+        }
+        for _ in 0..200 {
+            let (x, reached) = (start + distance, before + done);
+            let force = self.value(start, distance);
+            let miss = work - done;
+            let newton = miss / force;
+            let logarithmic = x * ((total / reached).ln() * reached / (x * force)).exp() - x;
+            let is_near = newton.abs() < 1e-3 * x;
+            let step = if is_near || !logarithmic.is_finite() { newton } else { logarithmic };
+            let next = (distance + step).max(0.0);
+            let moved = next - distance;
+            if moved == 0.0 || !moved.is_finite() {
+                break;
+            }
+            done += self.work(start, distance, next);
+            distance = next;
+            if moved.abs() <= 1e-9 * (start + distance) {
+                // the next step would be below rounding: take it without integrating
+                distance += (work - done) / self.value(start, distance);
+                break;
+            }
+        }
+        distance
+    }
+
+    /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
+    /// turning point). The same as that of the way back.
+    #[must_use]
+    pub fn time(&self, start: f64, from: f64, to: f64, exit: f64, c: f64) -> f64 {
+        // the formula is smooth but for its zero: at d = 0 or, for a function of x, at x = 0
+        let zero = match self.formula.variable {
+            Variable::Indentation => -start,
+            Variable::RootOfDistance => 0.0,
+        };
+        quadrature::time(|d| c * self.value(start, d), zero, from, to, exit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::power::{power_time, quarter_period};
+
+    /// x^1.5 as a formula, without its antiderivative.
+    static HERTZ: Formula = Formula::new("hertz", raised::<f64>, raised::<Jet>, None);
+    /// The same as a function of the root: y³.
+    static CUBE: Formula = Formula::of_root("cube", cube::<f64>, cube::<Jet>);
+
+    fn cube<N: Number>(_: &Parameters, y: N) -> N {
+        y * y * y
+    }
+
+    const P: Parameters = [1.0, 1.5, 0.0];
+
+    #[test]
+    fn work_and_its_inverse_are_those_of_the_power_law() {
+        for smooth in [Smooth::new(&HERTZ, P), Smooth::new(&POWER, P)] {
+            for (from, to) in [(1.0, 1.000_001), (1.0, 2.0), (1.9, 1e4), (3.0, 1e7)] {
+                let work = 0.4 * (f64::powf(to, 2.5) - f64::powf(from, 2.5));
+                // the difference of two antiderivatives loses the digits that they share
+                let lost = f64::powf(to, 2.5) / (f64::powf(to, 2.5) - f64::powf(from, 2.5));
+                approx::assert_relative_eq!(smooth.work(from, 0.0, to - from), work, max_relative = 2e-15 * lost);
+                let distance = smooth.distance_at_work(from, 0.4 * f64::powf(from, 2.5), work);
+                approx::assert_relative_eq!(distance, to - from, max_relative = 4e-15 * lost);
+            }
+        }
+    }
+
+    #[test]
+    fn times_are_those_of_the_power_law() {
+        // d'' = −d^1.5 from x_1 on, turning at x_m: the time from 0 less that from 0 to x_1
+        let smooth = Smooth::new(&HERTZ, P);
+        for (from, to) in [(1.0, 1.001), (1.0, 2.0), (1.9, 50.0), (1.9, 1e4)] {
+            let speed = |x: f64| (0.8 * (f64::powf(to, 2.5) - f64::powf(x, 2.5))).sqrt();
+            let entry = speed(0.0);
+            let want = to / entry * quarter_period(1.5) - power_time(1.5, from, entry, speed(from));
+            let scale = (to / entry) / want;
+            approx::assert_relative_eq!(smooth.time(from, 0.0, to - from, 0.0, 1.0), want, max_relative = 1e-14 * scale);
+            let half = 0.5 * (from + to);
+            let want = power_time(1.5, half, entry, speed(half)) - power_time(1.5, from, entry, speed(from));
+            let got = smooth.time(from, 0.0, half - from, speed(half), 1.0);
+            approx::assert_relative_eq!(got, want, max_relative = 1e-14 * (half / entry) / want);
+        }
+        let root = Smooth::new(&CUBE, P);
+        let to: f64 = 3.0;
+        let entry = (0.8 * to.powf(2.5)).sqrt();
+        approx::assert_relative_eq!(root.work(7.0, 0.0, to), 0.4 * to.powf(2.5), max_relative = 1e-15);
+        let time = root.time(7.0, 0.0, to, 0.0, 1.0);
+        approx::assert_relative_eq!(time, to / entry * quarter_period(1.5), max_relative = 1e-13);
+        approx::assert_relative_eq!(root.distance_at_work(7.0, 0.0, 0.4 * to.powf(2.5)), to, max_relative = 1e-14);
+        approx::assert_relative_eq!(root.slope(7.0, 4.0), 3.0, max_relative = 1e-15);
+    }
+}
