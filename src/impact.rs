@@ -7,6 +7,7 @@ pub mod batch;
 pub mod closed_form;
 pub mod course;
 pub mod essentials;
+pub mod forces;
 pub mod outcome;
 pub mod scales;
 pub mod validity;
@@ -24,6 +25,7 @@ use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
 pub use essentials::Essentials;
+pub use forces::{Damping, Forces, drop_speed};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use validity::Warning;
@@ -107,6 +109,8 @@ pub struct Contact {
     mass: f64,
     /// Law and scales of the yielding contact.
     yielding: Option<(Scales, Law)>,
+    /// What acts beside the law.
+    forces: Forces,
 }
 
 impl Contact {
@@ -126,7 +130,13 @@ impl Contact {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()? })
+        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()?, forces: Forces::default() })
+    }
+
+    /// The same contact with gravity and damping.
+    #[must_use]
+    pub fn with_forces(self, forces: Forces) -> Self {
+        Self { forces, ..self }
     }
 
     /// The sphere.
@@ -145,6 +155,12 @@ impl Contact {
     #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
+    }
+
+    /// Gravity and damping.
+    #[must_use]
+    pub fn forces(&self) -> &Forces {
+        &self.forces
     }
 
     /// Mass of the sphere \[kg\].

@@ -24,6 +24,7 @@
 mod document;
 mod explain;
 pub mod file;
+pub mod forces;
 pub mod keys;
 pub mod overview;
 mod place;
@@ -35,7 +36,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::impact::{Contact, Solver, Warning};
+use crate::impact::{Contact, Forces, Solver, Warning};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
@@ -95,6 +96,10 @@ pub struct Scene {
     pub half_space: HalfSpace,
     /// Impact speed \[m/s\].
     pub speed: f64,
+    /// Height of the fall \[m\] that gives the speed, if the scene names one.
+    pub drop_height: Option<f64>,
+    /// Gravity and damping.
+    pub forces: Forces,
     /// Exponent of the unloading branch.
     pub exponent: UnloadingExponent,
     /// Coefficients of the PLM.
@@ -113,7 +118,8 @@ impl Scene {
     /// # Errors
     /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
     pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
-        Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
+        let contact = Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)?;
+        Ok(contact.with_forces(self.forces))
     }
 }
 
@@ -158,8 +164,10 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
+        let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
+        let forces = self.forces()?;
+        let (speed, drop_height) = self.speed(&forces)?;
         let defaults = Solver::default();
         let sphere = Sphere {
             radius: self.radius(sphere)?,
@@ -178,7 +186,9 @@ impl Scenario {
         Ok(Scene {
             sphere,
             half_space,
-            speed: impact.speed.0,
+            speed,
+            drop_height,
+            forces,
             exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
             coefficients: self.coefficients(&plm)?,
             solver: Solver {

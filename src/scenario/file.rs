@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use super::forces::{DampingTable, GravityTable};
 use super::quantity::{
-    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
-    Tolerance,
+    Density, DropHeight, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps,
+    Strength, Tolerance,
 };
 use super::sweep::{MonteCarloTable, SweepTable};
 
@@ -20,6 +21,10 @@ pub struct ScenarioFile {
     pub half_space: HalfSpaceTable,
     /// How they meet.
     pub impact: ImpactTable,
+    /// Gravity, if it is to act.
+    pub gravity: Option<GravityTable>,
+    /// Damping, if there is any.
+    pub damping: Option<DampingTable>,
     /// The law; PLM if absent.
     pub law: Option<LawTable>,
     /// How to compute.
@@ -68,8 +73,10 @@ pub struct HalfSpaceTable {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct ImpactTable {
-    /// Impact speed.
-    pub speed: Speed,
+    /// Impact speed, or
+    pub speed: Option<Speed>,
+    /// height of the fall under gravity: exactly one of the two.
+    pub drop_height: Option<DropHeight>,
 }
 
 /// `[law]`: exactly one table, named by its law.

@@ -3,8 +3,10 @@
 
 use super::Scene;
 use super::quantity::{
-    DENSITY, EXPONENT, Exponent, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE,
+    ACCELERATION, DENSITY, DROP_HEIGHT, EXPONENT, Exponent, HUNT_CROSSLEY, LENGTH, MODULUS, POISSONS_RATIO, Quantity,
+    SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE, VISCOUS,
 };
+use crate::impact::Damping;
 use crate::law::UnloadingExponent;
 
 /// A numeric key.
@@ -90,11 +92,36 @@ pub const KEYS: &[Key] = &[
         get: |scene| scene.half_space.yield_strength,
         set: |scene, value| scene.half_space.yield_strength = Some(value),
     },
+    Key { path: "impact.speed", quantity: &SPEED, get: |scene| Some(scene.speed), set: Scene::set_speed },
     Key {
-        path: "impact.speed",
-        quantity: &SPEED,
-        get: |scene| Some(scene.speed),
-        set: |scene, value| scene.speed = value,
+        path: "impact.drop_height",
+        quantity: &DROP_HEIGHT,
+        get: |scene| scene.drop_height,
+        set: Scene::set_drop_height,
+    },
+    Key {
+        path: "gravity.acceleration",
+        quantity: &ACCELERATION,
+        get: |scene| scene.forces.gravity,
+        set: Scene::set_gravity,
+    },
+    Key {
+        path: "damping.hunt_crossley",
+        quantity: &HUNT_CROSSLEY,
+        get: |scene| match scene.forces.damping {
+            Some(Damping::HuntCrossley(chi)) => Some(chi),
+            _ => None,
+        },
+        set: |scene, value| scene.forces.damping = Some(Damping::HuntCrossley(value)),
+    },
+    Key {
+        path: "damping.viscous",
+        quantity: &VISCOUS,
+        get: |scene| match scene.forces.damping {
+            Some(Damping::Viscous(zeta)) => Some(zeta),
+            _ => None,
+        },
+        set: |scene, value| scene.forces.damping = Some(Damping::Viscous(value)),
     },
     Key {
         path: "law.plm.unloading_exponent",

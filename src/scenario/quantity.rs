@@ -33,12 +33,22 @@ pub struct Quantity {
     pub high: Bound,
     /// How it may be written.
     pub example: &'static str,
-    /// The way out at or beyond the upper end, or empty.
+    /// The way out at or beyond one end, or empty.
     pub hint: &'static str,
+    /// Whether that is the lower end.
+    pub is_hint_low: bool,
 }
 
 const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
-    Quantity { name, dimension, low: Bound::Open(0.0), high: Bound::Open(f64::INFINITY), example, hint: "" }
+    Quantity {
+        name,
+        dimension,
+        low: Bound::Open(0.0),
+        high: Bound::Open(f64::INFINITY),
+        example,
+        hint: "",
+        is_hint_low: false,
+    }
 }
 
 /// A radius or diameter.
@@ -56,6 +66,23 @@ pub const STRENGTH: Quantity = Quantity {
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
+/// Gravity.
+pub const ACCELERATION: Quantity = Quantity {
+    hint: "to do without gravity leave the table out",
+    is_hint_low: true,
+    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
+};
+/// A height that the sphere falls from.
+pub const DROP_HEIGHT: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a drop height", Dimension::Length, "\"0.5 m\"") };
+/// χ of Hunt and Crossley.
+pub const HUNT_CROSSLEY: Quantity = Quantity {
+    low: Bound::Closed(0.0),
+    ..positive("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"")
+};
+/// Fraction of critical damping.
+pub const VISCOUS: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a fraction of critical damping", Dimension::Ratio, "0.05") };
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
     name: "a Poisson's ratio",
@@ -64,6 +91,7 @@ pub const POISSONS_RATIO: Quantity = Quantity {
     high: Bound::Open(0.5),
     example: "0.3",
     hint: "for an incompressible material write 0.4999",
+    is_hint_low: false,
 };
 /// The exponent n of the unloading branch.
 pub const EXPONENT: Quantity = Quantity {
@@ -73,6 +101,7 @@ pub const EXPONENT: Quantity = Quantity {
     high: Bound::Closed(2.0),
     example: "1.5",
     hint: "",
+    is_hint_low: false,
 };
 /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps carry no meaning.
 pub const TOLERANCE: Quantity = Quantity {
@@ -82,6 +111,7 @@ pub const TOLERANCE: Quantity = Quantity {
     high: Bound::Closed(1e-2),
     example: "1e-10",
     hint: "",
+    is_hint_low: false,
 };
 /// Rows of a trace: two ends, and no more than a file of about a gigabyte.
 pub const SAMPLES: Quantity = Quantity {
@@ -91,6 +121,7 @@ pub const SAMPLES: Quantity = Quantity {
     high: Bound::Closed(1e7),
     example: "400",
     hint: "",
+    is_hint_low: false,
 };
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
 pub const STEPS: Quantity = Quantity {
@@ -100,6 +131,7 @@ pub const STEPS: Quantity = Quantity {
     high: Bound::Closed(1e8),
     example: "50",
     hint: "",
+    is_hint_low: false,
 };
 
 /// A value outside its range.
@@ -168,8 +200,9 @@ impl Quantity {
     }
 
     fn way_out(&self, value: f64) -> String {
-        let (Bound::Open(high) | Bound::Closed(high)) = self.high;
-        if value >= high && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
+        let (low, high) = self.range();
+        let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
+        if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
     }
 }
 
@@ -276,6 +309,14 @@ checked! {
     Density: DENSITY;
     /// A speed.
     Speed: SPEED;
+    /// Gravity.
+    Acceleration: ACCELERATION;
+    /// A drop height.
+    DropHeight: DROP_HEIGHT;
+    /// χ of Hunt and Crossley.
+    HuntCrossley: HUNT_CROSSLEY;
+    /// Fraction of critical damping.
+    ViscousFraction: VISCOUS;
     /// A Poisson's ratio.
     PoissonsRatio: POISSONS_RATIO;
     /// A relative tolerance.

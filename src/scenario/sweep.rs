@@ -83,7 +83,7 @@ impl Scenario {
             }
         };
         let plan = Plan { scene, cases };
-        if let Some((path, problem)) = plan.unused() {
+        if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
             return refuse(table, format!("\"{path}\" {problem}"));
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases

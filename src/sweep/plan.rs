@@ -139,6 +139,15 @@ impl Plan {
                 "sphere.diameter" if varies("sphere.radius") => {
                     "changes the same as \"sphere.radius\"; keep one of the two"
                 }
+                "impact.drop_height" if varies("impact.speed") => {
+                    "changes the same as \"impact.speed\"; keep one of the two"
+                }
+                "impact.drop_height" if scene.forces.gravity.is_none() => {
+                    "needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\""
+                }
+                "damping.viscous" if varies("damping.hunt_crossley") => {
+                    "is a second damping beside \"damping.hunt_crossley\"; keep one of the two"
+                }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
                 "law.plm.unloading_exponent" if !self.is_plastic() => {
