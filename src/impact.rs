@@ -10,6 +10,7 @@ pub mod essentials;
 pub mod forces;
 pub mod outcome;
 pub mod scales;
+pub mod spot;
 pub mod validity;
 
 use std::sync::LazyLock;
@@ -28,6 +29,7 @@ pub use essentials::Essentials;
 pub use forces::{Damping, Forces, drop_speed};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
+pub use spot::Spot;
 pub use validity::Warning;
 
 /// How an impact is computed.
@@ -223,6 +225,19 @@ impl Contact {
     /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
     pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
         let (scales, law, q) = self.scaled(speed)?;
+        self.impact_by(&scales, law, q, speed, solver, samples).map(|(impact, _)| impact)
+    }
+
+    /// The impact and its dimensionless outcome, by the law of the place.
+    fn impact_by(
+        &self,
+        scales: &Scales,
+        law: &Law,
+        q: f64,
+        speed: f64,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<(Impact, Outcome), ImpactError> {
         let exact = closed_form::solve(law, q);
         let mut recorder = samples.map(|samples| Recorder::new(samples, exact.contact_time));
         let method = match (solver.method, samples) {
@@ -232,11 +247,11 @@ impl Contact {
         };
         let (outcome, work) = run(law, q, &exact, &Solver { method, ..*solver }, recorder.as_mut())?;
         let points = recorder.map_or_else(Vec::new, |recorder| recorder.points);
-        let mut impact = Impact::new(self, speed, method, &scales, law, &outcome, &exact, work, &points)?;
+        let mut impact = Impact::new(self, speed, method, scales, law, &outcome, &exact, work, &points)?;
         if method != Method::Verlet {
             validity::check_accuracy(&mut impact, solver.tolerance);
         }
-        Ok(impact)
+        Ok((impact, outcome))
     }
 }
 

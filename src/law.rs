@@ -12,11 +12,13 @@
 
 pub mod curve;
 pub mod plm;
+pub mod reloading;
 pub mod unloading;
 
 use curve::Curve;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
+pub use reloading::Reloaded;
 pub use unloading::{Peak, Unloading};
 
 /// Which exponent n the unloading branch has.
@@ -40,6 +42,23 @@ pub enum ElasticApproach {
     Line(ElasticLine),
     /// Hertz-type unloading of fixed stiffness k: ε = (f/k)^(2/3), as in the test problems of the speed report.
     FixedStiffness(f64),
+    /// On a spot that was loaded before.
+    Reloaded(Box<Reloaded>),
+}
+
+impl ElasticApproach {
+    /// ε at a point (x, f) of the loading curve; 0 < ε ≤ x.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, x: f64, force: f64) -> f64 {
+        match self {
+            Self::All => x,
+            Self::Reloaded(reloaded) => reloaded.approach(x, force),
+            _ if x <= 1.0 => x,
+            Self::Line(line) => line.at(force).min(x),
+            Self::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
+        }
+    }
 }
 
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
@@ -71,12 +90,7 @@ impl Law {
     #[inline]
     #[must_use]
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match &self.elastic {
-            ElasticApproach::All => x,
-            _ if x <= 1.0 => x,
-            ElasticApproach::Line(line) => line.at(force).min(x),
-            ElasticApproach::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
-        }
+        self.elastic.at(x, force)
     }
 
     /// The state at x on the loading curve, as a peak that unloading may leave from.
@@ -86,10 +100,16 @@ impl Law {
         Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice.
+    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice; on the
+    /// branch of a spot that was loaded before, that branch.
     #[inline]
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
+        if let ElasticApproach::Reloaded(reloaded) = &self.elastic
+            && peak.indentation <= reloaded.branch.peak.indentation
+        {
+            return Unloading { peak, exponent: reloaded.branch.exponent };
+        }
         let exponent = match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
@@ -103,8 +123,7 @@ impl Law {
     /// Contact radius a/a_L at a peak, a = â/Λ(A) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
     #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
-        let equivalent = peak.force / peak.elastic_approach;
-        equivalent / self.radius_ratio.at(equivalent)
+        peak.force / peak.elastic_approach / self.radius_ratio_at(peak)
     }
 
     /// Force at x for a contact whose largest state so far is `memory`, and the memory afterwards.
@@ -112,7 +131,7 @@ impl Law {
     /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
     #[must_use]
     pub fn respond(&self, x: f64, memory: Option<Peak>) -> (f64, Option<Peak>) {
-        match memory {
+        match memory.or(self.branch().map(|branch| branch.peak)) {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
             None if x <= 0.0 => (0.0, None),

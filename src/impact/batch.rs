@@ -1,6 +1,6 @@
 //! Many impacts in lock step: the batch form of rk8, for sweeps of scenes that need stepping.
 
-use super::course::{loading_sizes, unloading_from, way_back, way_out};
+use super::course::{entry_of, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
 use super::{Contact, Essentials, ImpactError};
 use crate::integrate::lockstep::{LANES, Lockstep};
@@ -114,12 +114,12 @@ fn go_on(
         Phase::Unloading { unloading, loading_time } => Some(Ok(finish(unloading, loading_time, &state))),
         Phase::Loading { ref mut piece, sizes } if landing == Landing::End => {
             *piece += 1;
-            state.distance = 0.0;
+            state.distance = entry_of(law, *piece);
             let _ = lockstep.start(lane, &way_out(law, *piece, sizes), &state);
             None
         }
         Phase::Loading { piece, .. } => {
-            let unloading = unloading_from(law, &law.loading.pieces()[piece], state.distance);
+            let unloading = unloading_from(law, piece, state.distance);
             let loading_time = state.time;
             let back = way_back(&unloading);
             state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };

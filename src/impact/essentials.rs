@@ -39,9 +39,9 @@ impl Essentials {
         outcome: &Outcome,
     ) -> Result<Self, OutOfFloatRange> {
         let peak = outcome.unloading.peak;
-        let residual = peak.residual();
+        let residual = law.dent(&peak).residual();
         let kinetic_in = normal("kinetic energy (J)", 0.5 * mass * speed * speed)?;
-        let lost = law.loading.work(peak.indentation) - outcome.unloading.stored(peak.indentation);
+        let lost = law.spent(&outcome.unloading);
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,

@@ -6,7 +6,7 @@ use super::scales::Scales;
 use super::validity::{self, Warning};
 use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
-use crate::law::{Law, Unloading};
+use crate::law::{Law, Peak, Unloading};
 
 /// The outcome of an impact in dimensionless form, however it was obtained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,17 +53,20 @@ pub enum Branch {
     Elastic,
     /// Loading, dent growing.
     Plastic,
+    /// Loading in a dent of an earlier impact, up its unloading branch.
+    Reloading,
     /// Unloading.
     Unloading,
 }
 
 impl Branch {
-    /// `elastic`, `plastic` or `unloading`.
+    /// `elastic`, `plastic`, `reloading` or `unloading`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Elastic => "elastic",
             Self::Plastic => "plastic",
+            Self::Reloading => "reloading",
             Self::Unloading => "unloading",
         }
     }
@@ -127,7 +130,7 @@ pub struct Impact {
     pub peak_contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
-    /// Radius of the dent's rim \[m\]: the contact radius at the peak; `None` without a dent.
+    /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     /// Where the energy went.
     pub energy: Energy,
@@ -162,11 +165,11 @@ impl Impact {
         let has_dent = essentials.has_dent();
         // kinetic energy in units of Φ L
         let kinetic = kinetic_in / scales.energy();
-        let lost = law.loading.work(peak.indentation) - unloading.stored(peak.indentation);
+        let lost = law.spent(&unloading);
         let ledger = Ledger { law, unloading: &unloading, kinetic, unit_of_speed: scales.speed / speed, lost };
         let trace: Vec<TraceRow> =
             points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
-        let at_peak = law.loading.work(peak.indentation) / kinetic - 1.0;
+        let at_peak = law.work_to(&peak) / kinetic - 1.0;
         let at_separation = restitution * restitution + lost / kinetic - 1.0;
         let drift = trace
             .iter()
@@ -174,7 +177,8 @@ impl Impact {
             .chain([at_peak, at_separation])
             .fold(0.0, |worst: f64, d| worst.max(d.abs()));
 
-        let radius_ratio = peak.unloading_radius_ratio();
+        let dent = law.dent(&peak);
+        let radius_ratio = dent.unloading_radius_ratio();
         let residual_radius =
             (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
         let mut impact = Self {
@@ -194,7 +198,7 @@ impl Impact {
             residual_radius,
             peak_contact_radius,
             peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
-            dent_radius: has_dent.then_some(peak_contact_radius),
+            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),
@@ -237,10 +241,12 @@ impl Ledger<'_> {
         let potential = if point.is_unloading {
             point.force * point.elastic_approach / (self.unloading.exponent + 1.0) + self.lost
         } else {
-            self.law.loading.work(point.indentation)
+            let Point { indentation, force, elastic_approach, .. } = *point;
+            self.law.work_to(&Peak { indentation, force, elastic_approach })
         };
         let branch = match point {
             Point { is_unloading: true, .. } => Branch::Unloading,
+            Point { indentation, .. } if self.law.branch_at(*indentation).is_some() => Branch::Reloading,
             Point { indentation, elastic_approach, .. } if elastic_approach < indentation => Branch::Plastic,
             _ => Branch::Elastic,
         };

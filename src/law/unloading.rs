@@ -47,7 +47,12 @@ impl Unloading {
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
-        let recovered = x - self.peak.residual();
+        self.force_of(x - self.peak.residual())
+    }
+
+    /// Force where `recovered`, x − x_r, is still to be recovered.
+    #[must_use]
+    pub fn force_of(&self, recovered: f64) -> f64 {
         if recovered <= 0.0 {
             return 0.0;
         }
@@ -58,6 +63,14 @@ impl Unloading {
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
         self.force(x) * (x - self.peak.residual()) / (self.exponent + 1.0)
+    }
+
+    /// Elastic energy stored at the peak, f_m ε_m/(n + 1): what unloading from there gives back, and what a reload may bring
+    /// without going beyond.
+    #[inline]
+    #[must_use]
+    pub fn capacity(&self) -> f64 {
+        self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
     }
 
     /// k of f = k d^n with d = x − x_r, the recovered approach still stored.
