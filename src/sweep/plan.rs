@@ -32,6 +32,8 @@ pub struct Plan {
     pub scene: Scene,
     /// The cases.
     pub cases: Cases,
+    /// Names of the results that the table has; `None`: all.
+    pub columns: Option<Vec<&'static str>>,
 }
 
 /// Why a row has no numbers.
