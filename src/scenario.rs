@@ -31,6 +31,7 @@ mod kind;
 pub mod overview;
 mod place;
 pub mod quantity;
+pub mod repeat;
 pub mod sweep;
 
 use std::path::{Path, PathBuf};

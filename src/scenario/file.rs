@@ -9,6 +9,7 @@ use super::quantity::{
     Density, DropHeight, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps,
     Strength, Tolerance,
 };
+use super::repeat::RepeatTable;
 use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.
@@ -35,8 +36,10 @@ pub struct ScenarioFile {
     pub output: OutputTable,
     /// Many cases on axes, or
     pub sweep: Option<SweepTable>,
-    /// many random ones.
+    /// many random ones, or
     pub monte_carlo: Option<MonteCarloTable>,
+    /// one after the other.
+    pub repeat: Option<RepeatTable>,
 }
 
 /// `[sphere]`

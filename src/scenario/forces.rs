@@ -50,6 +50,9 @@ impl Scenario {
 
     /// Impact speed \[m/s\] and the drop height that gives it, if one does \[m\].
     pub(super) fn speed(&self, forces: &Forces) -> Result<(f64, Option<f64>), ScenarioError> {
+        if let Some(speed) = self.first_of_speeds()? {
+            return Ok((speed, None));
+        }
         let impact = self.file.impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
         let (key, message) = match (impact.speed, impact.drop_height, forces.gravity) {
             (Some(speed), None, _) => return Ok((speed.0, None)),
