@@ -2,7 +2,7 @@
 
 use super::course::{loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError};
+use super::{Contact, Essentials, ImpactError, Method, Solver};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Landing, Sizes, State};
@@ -70,6 +70,11 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
 /// The rows of a table, by rk8 at this relative tolerance: impacts of these contacts at these speeds \[m/s\].
 #[must_use]
 pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
+    if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
+        // lanes know no gravity and no damping: one by one
+        let solver = Solver { method: Method::Rk8, tolerance, ..Solver::default() };
+        return impacts.iter().map(|(contact, speed)| contact.essentials_by(*speed, &solver)).collect();
+    }
     let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
     let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
     let mut outcomes = integrate(&cases, tolerance).into_iter();

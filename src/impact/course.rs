@@ -18,8 +18,10 @@ pub enum Event {
     Knot,
     /// Maximum compression.
     Peak,
-    /// Force zero at the residual indentation.
+    /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
+    /// Where the run of a sphere that does not separate ends.
+    Captured,
 }
 
 /// A point of a trace, dimensionless.
