@@ -25,6 +25,7 @@ pub struct Run {
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    scenario.refuse_columns()?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
     // what the closed form cannot hold no integration can

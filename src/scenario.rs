@@ -21,11 +21,13 @@
 //! # Ok::<(), plm_impact::scenario::ScenarioError>(())
 //! ```
 
+mod columns;
 mod document;
 mod explain;
 pub mod file;
 pub mod forces;
 pub mod keys;
+mod kind;
 pub mod overview;
 mod place;
 pub mod quantity;
@@ -42,6 +44,7 @@ use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
 use file::{LawTable, PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
+pub use kind::Kind;
 pub use place::{Place, Refusal};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
@@ -159,20 +162,22 @@ impl Scenario {
         Ok(Self { document, file, directory })
     }
 
-    /// The scene: defaults filled in, files read.
+    /// The scene of an impact: defaults filled in, files read.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
+    /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
+    /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
+        let defaults = Solver::default();
+        let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let forces = self.forces()?;
         let (speed, drop_height) = self.speed(&forces)?;
-        let defaults = Solver::default();
         let sphere = Sphere {
             radius: self.radius(sphere)?,
             material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
-            density: sphere.density.0,
+            density: density.0,
             yield_strength: sphere.yield_strength.map(|strength| strength.0),
         };
         let half_space = HalfSpace {

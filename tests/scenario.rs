@@ -4,7 +4,7 @@
 
 use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
-use plm_impact::scenario::{KEYS, Key, Scenario, ScenarioError, Scene};
+use plm_impact::scenario::{KEYS, Key, Kind, Scenario, ScenarioError, Scene};
 
 const STEEL: &str = r#"[sphere]
 radius = "5 mm"
@@ -314,4 +314,28 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
     {
         assert!(names.iter().any(|found| found == name), "{name}");
     }
+}
+
+#[test]
+fn the_tables_tell_what_kind_of_scene_a_file_is() {
+    let kind = |tables: &str| Scenario::from_text("steel.toml", &format!("{STEEL}{tables}"), &[]).unwrap().kind();
+    let sweep = "[sweep]\n\"impact.speed\" = [1, 2]\n";
+    let monte_carlo = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 2] }\n";
+    assert_eq!(kind("").unwrap(), Kind::Impact);
+    assert_eq!(kind(sweep).unwrap(), Kind::Sweep);
+    assert_eq!(kind(monte_carlo).unwrap(), Kind::MonteCarlo);
+    let message = kind(&format!("{sweep}{monte_carlo}")).unwrap_err().to_string();
+    for want in ["steel.toml:", "monte_carlo: [sweep] is given too; write only one of the two"] {
+        assert!(message.contains(want), "{message}");
+    }
+}
+
+#[test]
+fn an_impact_needs_a_speed_and_a_mass() {
+    let without = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let message = refusal(&without, &[]);
+    assert_eq!(message, "steel.toml: the table [impact] is missing");
+    let message = refusal(&STEEL.replace("density = \"7850 kg/m^3\"\n", ""), &[]);
+    let want = "steel.toml:1:1: sphere: the key `density` is missing: a density such as density = \"7850 kg/m^3\"";
+    assert!(message.starts_with(want), "{message}");
 }

@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::ScenarioError;
-use super::explain::{explain, key_at, span_of};
+use super::explain::{explain, key_at, missing, span_of};
 use super::place::{Place, Refusal};
 
 /// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
@@ -138,6 +138,12 @@ impl Document {
     pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
         let span = self.root().ok().and_then(|root| span_of(&root, key));
         self.refusal(span, key.to_owned(), message)
+    }
+
+    /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
+    #[must_use]
+    pub fn missing(&self, table: &str, key: &str) -> ScenarioError {
+        self.refuse(table, missing(key, table))
     }
 
     fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {

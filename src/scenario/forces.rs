@@ -50,7 +50,7 @@ impl Scenario {
 
     /// Impact speed \[m/s\] and the drop height that gives it, if one does \[m\].
     pub(super) fn speed(&self, forces: &Forces) -> Result<(f64, Option<f64>), ScenarioError> {
-        let impact = &self.file.impact;
+        let impact = self.file.impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
         let (key, message) = match (impact.speed, impact.drop_height, forces.gravity) {
             (Some(speed), None, _) => return Ok((speed.0, None)),
             (None, Some(height), Some(gravity)) => return Ok((drop_speed(gravity, height.0), Some(height.0))),
@@ -69,9 +69,11 @@ impl Scenario {
     /// A key that cannot be swept, because the scene already says the same in another way.
     pub(super) fn contradicted(&self, swept: &[&str]) -> Option<Problem> {
         let damping = self.file.damping.as_ref();
+        let height = self.file.impact.as_ref().and_then(|impact| impact.drop_height);
+        let speed = self.file.impact.as_ref().and_then(|impact| impact.speed);
         let has = |path: &str| match path {
-            "impact.drop_height" => self.file.impact.drop_height.is_some(),
-            "impact.speed" => self.file.impact.speed.is_some() && self.file.impact.drop_height.is_none(),
+            "impact.drop_height" => height.is_some(),
+            "impact.speed" => speed.is_some(),
             "damping.hunt_crossley" => damping.is_some_and(|table| table.hunt_crossley.is_some()),
             "damping.viscous" => damping.is_some_and(|table| table.viscous.is_some()),
             _ => false,
