@@ -84,7 +84,7 @@ impl Error {
             | Self::Option(_)
             | Self::Scenario(_)
             | Self::Unwritable { .. }
-            | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
+            | Self::Impact { reason: ImpactError::Range(_) | ImpactError::NoClosedForm, .. } => 2,
             Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)

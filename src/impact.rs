@@ -3,15 +3,19 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 
+pub mod balance;
 pub mod batch;
 pub mod closed_form;
 pub mod course;
 pub mod essentials;
+pub mod forced;
+pub mod forced_verlet;
 pub mod forces;
 pub mod outcome;
 pub mod scales;
 pub mod spot;
 pub mod validity;
+pub mod with_forces;
 
 use std::sync::LazyLock;
 
@@ -26,11 +30,13 @@ use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
 pub use essentials::Essentials;
+pub use forced::Fate;
 pub use forces::{Damping, Forces, drop_speed};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use spot::Spot;
 pub use validity::Warning;
+pub use with_forces::UnderForces;
 
 /// How an impact is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -99,6 +105,11 @@ pub enum ImpactError {
     /// The integrator gave up.
     #[error(transparent)]
     Integration(#[from] IntegrationError),
+    /// No closed form for this scene.
+    #[error(
+        "method \"closed_form\" gives results under gravity alone, or Hunt-Crossley damping alone, and no trace of them: use \"auto\" or \"rk8\""
+    )]
+    NoClosedForm,
 }
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
@@ -177,19 +188,19 @@ impl Contact {
         self.yielding.as_ref().map(|(scales, _)| scales.speed)
     }
 
-    /// Units, law and dimensionless speed of an impact: an elastic one is the same for every scene.
+    /// Units, law and dimensionless speed of an impact without gravity and damping: an elastic one is the same for every
+    /// scene.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where peak force, indentation or energy leave double precision.
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
-        static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
         match &self.yielding {
             Some((scales, law)) if speed > scales.speed => {
                 let ratio = speed / scales.speed;
                 normal("kinetic energy in units of that at first yield", ratio * ratio)?;
                 Ok((*scales, law, ratio))
             }
-            _ => Ok((Scales::of_hertz(&self.pair, self.mass, speed)?, &HERTZ, 1.0)),
+            _ => Ok((Scales::of_hertz(&self.pair, self.mass, speed)?, hertz(), 1.0)),
         }
     }
 
@@ -198,16 +209,51 @@ impl Contact {
     /// # Errors
     /// [`OutOfFloatRange`], see [`Contact::scaled`].
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
+        if !self.forces.is_none() {
+            return self.closed_form_with_forces(speed);
+        }
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
         Impact::new(self, speed, Method::ClosedForm, &scales, law, &exact, &exact, Work::default(), &[])
     }
 
-    /// What a table holds of the closed form, without the rest of an [`Impact`].
+    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form where
+    /// there is one, by rk8 at the default tolerance with damping.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`], see [`Contact::scaled`].
-    pub fn essentials(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+    /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
+    #[inline]
+    pub fn essentials(&self, speed: f64) -> Result<Essentials, ImpactError> {
+        if self.forces.is_none() {
+            return Ok(self.essentials_of_law(speed)?);
+        }
+        self.essentials_with_forces(speed, &Solver { method: Method::Auto, ..Solver::default() })
+    }
+
+    /// What a table holds of an impact by this solver.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where the result leaves double precision, the integrator gives up, or the method does not fit.
+    pub fn essentials_by(&self, speed: f64, solver: &Solver) -> Result<Essentials, ImpactError> {
+        match solver.method {
+            _ if !self.forces.is_none() => self.essentials_with_forces(speed, solver),
+            Method::Auto | Method::ClosedForm => Ok(self.essentials_of_law(speed)?),
+            _ => Ok(Essentials::from(&self.impact(speed, solver, None)?)),
+        }
+    }
+
+    /// Whether double precision holds an impact at `speed` \[m/s\]: what it does not hold no integration can.
+    ///
+    /// # Errors
+    /// [`ImpactError`], see [`Contact::scaled`].
+    pub fn holds(&self, speed: f64) -> Result<(), ImpactError> {
+        if self.forces.is_none() {
+            return self.closed_form(speed).map(|_| ());
+        }
+        self.holds_with_forces(speed)
+    }
+
+    fn essentials_of_law(&self, speed: f64) -> Result<Essentials, OutOfFloatRange> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
         let (scales, law, q) = self.scaled(speed)?;
@@ -224,6 +270,9 @@ impl Contact {
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
     pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
+        if !self.forces.is_none() {
+            return self.impact_with_forces(speed, solver, samples);
+        }
         let (scales, law, q) = self.scaled(speed)?;
         self.impact_by(&scales, law, q, speed, solver, samples).map(|(impact, _)| impact)
     }
@@ -253,6 +302,12 @@ impl Contact {
         }
         Ok((impact, outcome))
     }
+}
+
+/// Hertz without end: the law of every impact that stays elastic, in its own units.
+fn hertz() -> &'static Law {
+    static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
+    &HERTZ
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form.

@@ -171,10 +171,10 @@ impl Scenario {
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
-        let forces = self.forces()?;
-        let (speed, drop_height) = self.speed(&forces)?;
         let defaults = Solver::default();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
+        let forces = self.forces()?;
+        let (speed, drop_height) = self.speed(&forces)?;
         let sphere = Sphere {
             radius: self.radius(sphere)?,
             material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },

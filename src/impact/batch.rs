@@ -2,10 +2,10 @@
 
 use super::course::{entry_of, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError};
+use super::{Contact, Essentials, ImpactError, Method, Solver};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Landing, Sizes, State};
+use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Sizes, State};
 use crate::law::{Law, Unloading};
 
 /// Where the impact of a lane is.
@@ -70,6 +70,11 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
 /// The rows of a table, by rk8 at this relative tolerance: impacts of these contacts at these speeds \[m/s\].
 #[must_use]
 pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
+    if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
+        // lanes know no gravity and no damping: one by one
+        let solver = Solver { method: Method::Rk8, tolerance, ..Solver::default() };
+        return impacts.iter().map(|(contact, speed)| contact.essentials_by(*speed, &solver)).collect();
+    }
     let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
     let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
     let mut outcomes = integrate(&cases, tolerance).into_iter();
@@ -89,7 +94,11 @@ fn launch(lockstep: &mut Lockstep, lane: usize, cases: &[(&Law, f64)], next: &mu
     *next += 1;
     let sizes = loading_sizes(law, *speed);
     // the pieces of a loading curve are Hertz and straight ones: lanes can do them
-    let started = lockstep.start(lane, &way_out(law, 0, sizes), &State { time: 0.0, distance: 0.0, speed: *speed });
+    let mut path = way_out(law, 0, sizes);
+    if law.stays_on_branch(0.4 * speed * speed, 0.0) {
+        path.leg = Leg::Outward(f64::INFINITY);
+    }
+    let started = lockstep.start(lane, &path, &State { time: 0.0, distance: 0.0, speed: *speed });
     started.then_some(Flight { case, phase: Phase::Loading { piece: 0, sizes }, begun })
 }
 

@@ -18,8 +18,10 @@ pub enum Event {
     Knot,
     /// Maximum compression.
     Peak,
-    /// Force zero at the residual indentation.
+    /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
+    /// Where the run of a sphere that does not separate ends.
+    Captured,
 }
 
 /// A point of a trace, dimensionless.
@@ -73,7 +75,7 @@ impl Recorder {
 }
 
 /// The state at a distance of the integrator, which counts from the zero of the force on a power law.
-fn loaded(law: &Law, index: usize, distance: f64) -> Peak {
+pub(super) fn loaded(law: &Law, index: usize, distance: f64) -> Peak {
     law.state_at(index, distance - law.loading.pieces()[index].shape.lead())
 }
 
@@ -124,12 +126,8 @@ pub(super) fn loading_sizes(law: &Law, speed: f64) -> Sizes {
 /// The way along a piece of the loading curve.
 pub(super) fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
     let pieces = law.loading.pieces();
-    // a reload that only just reaches the old peak turns there
-    let is_last = index == 0 && law.branch().is_some() && law.turning_piece(0.4 * sizes.speed * sizes.speed) == 0;
-    let end = match pieces.get(index + 1) {
-        Some(next) if !is_last => next.start - pieces[index].start + pieces[index].shape.lead(),
-        _ => f64::INFINITY,
-    };
+    let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
+    let end = end + pieces[index].shape.lead();
     Path { restoring: restoring(&pieces[index]), leg: Leg::Outward(end), sizes }
 }
 
@@ -173,10 +171,14 @@ pub fn integrate<I: Integrator>(
     }
     // first yield is no kink of the curve, but an event of a trace: there a leg stops too; a reload yields at the knot
     let is_reload = law.branch().is_some();
+    let stays_on_branch = law.stays_on_branch(0.4 * speed * speed, 0.0);
     let mut stops_at_yield = recorder.is_some() && !matches!(law.elastic, ElasticApproach::All) && !is_reload;
     loop {
         let piece = &pieces[index];
         let mut path = way_out(law, index, sizes);
+        if stays_on_branch {
+            path.leg = Leg::Outward(f64::INFINITY);
+        }
         let mut event = Event::Knot;
         if let Leg::Outward(end) = path.leg
             && stops_at_yield

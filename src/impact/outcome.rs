@@ -4,6 +4,7 @@ use super::course::{Event, Point};
 use super::essentials::Essentials;
 use super::scales::Scales;
 use super::validity::{self, Warning};
+use super::with_forces::UnderForces;
 use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
 use crate::law::{Law, Peak, Unloading};
@@ -85,8 +86,10 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// δ' \[m/s\]: positive into the half-space, negative on the way out.
     pub speed: f64,
-    /// F \[N\].
+    /// F \[N\]: what the half-space exerts, with damping.
     pub force: f64,
+    /// That of the law alone, where there is damping.
+    pub elastic_force: Option<f64>,
     /// Where on the law.
     pub branch: Branch,
     /// The event, if the row is one.
@@ -106,7 +109,7 @@ pub struct Impact {
     pub restitution: f64,
     /// e v \[m/s\].
     pub rebound_speed: f64,
-    /// First touch to separation \[s\].
+    /// First touch to separation \[s\]; infinite for a captured sphere.
     pub contact_time: f64,
     /// First touch to maximum compression \[s\].
     pub loading_time: f64,
@@ -136,8 +139,10 @@ pub struct Impact {
     pub energy: Energy,
     /// What it cost.
     pub work: Work,
-    /// Error against the closed form.
+    /// Error against the closed form; not a number where damping leaves none.
     pub accuracy: Accuracy,
+    /// Fate, losses and work under gravity or damping, if the scene names them.
+    pub under_forces: Option<UnderForces>,
     /// Where the model or the run is doubtful.
     pub warnings: Vec<Warning>,
     /// The trace, empty if none was asked for; rows rise in time.
@@ -157,18 +162,15 @@ impl Impact {
         work: Work,
         points: &[Point],
     ) -> Result<Self, ImpactError> {
-        let pair = contact.pair();
         let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
         let peak = unloading.peak;
         let essentials = Essentials::new(contact.mass(), speed, scales, law, outcome)?;
-        let Essentials { kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
-        let has_dent = essentials.has_dent();
         // kinetic energy in units of Φ L
-        let kinetic = kinetic_in / scales.energy();
+        let kinetic = essentials.kinetic_in / scales.energy();
         let lost = law.spent(&unloading);
         let ledger = Ledger { law, unloading: &unloading, kinetic, unit_of_speed: scales.speed / speed, lost };
-        let trace: Vec<TraceRow> =
-            points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
+        let sphere_compliance = contact.pair().sphere_compliance;
+        let trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point, scales, sphere_compliance)).collect();
         let at_peak = law.work_to(&peak) / kinetic - 1.0;
         let at_separation = restitution * restitution + lost / kinetic - 1.0;
         let drift = trace
@@ -176,12 +178,40 @@ impl Impact {
             .map(|row| row.energy_drift)
             .chain([at_peak, at_separation])
             .fold(0.0, |worst: f64, d| worst.max(d.abs()));
+        let mut impact = Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
+        impact.energy.drift = drift;
+        impact.work = work;
+        impact.accuracy = Accuracy {
+            closed_form_restitution: exact.restitution,
+            restitution_error: (restitution / exact.restitution - 1.0).abs(),
+            contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
+        };
+        impact.trace = trace;
+        impact.warnings = validity::warnings(contact, &impact);
+        Ok(impact)
+    }
 
-        let dent = law.dent(&peak);
+    /// What follows from a row of a table and the unloading branch: no trace, cost, drift or errors yet.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn of_essentials(
+        contact: &Contact,
+        speed: f64,
+        method: Method,
+        scales: &Scales,
+        law: &Law,
+        unloading: &Unloading,
+        loading_time: f64,
+        essentials: &Essentials,
+    ) -> Self {
+        let pair = contact.pair();
+        let peak = &unloading.peak;
+        let Essentials { restitution, kinetic_in, peak_force, peak_contact_radius, .. } = *essentials;
+        let has_dent = essentials.has_dent();
+        let dent = law.dent(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let residual_radius =
             (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
-        let mut impact = Self {
+        Self {
             speed,
             method,
             restitution,
@@ -203,19 +233,18 @@ impl Impact {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| essentials.plastic_fraction * kinetic_in),
-                drift,
+                drift: 0.0,
             },
-            work,
+            work: Work::default(),
             accuracy: Accuracy {
-                closed_form_restitution: exact.restitution,
-                restitution_error: (restitution / exact.restitution - 1.0).abs(),
-                contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
+                closed_form_restitution: restitution,
+                restitution_error: 0.0,
+                contact_time_error: 0.0,
             },
+            under_forces: None,
             warnings: Vec::new(),
-            trace,
-        };
-        impact.warnings = validity::warnings(contact, &impact);
-        Ok(impact)
+            trace: Vec::new(),
+        }
     }
 
     /// Whether the impact left a dent.
@@ -259,6 +288,7 @@ impl Ledger<'_> {
             half_space_indentation: indentation - sphere_indentation,
             speed: point.speed * scales.speed,
             force: point.force * scales.force,
+            elastic_force: None,
             branch,
             event: point.event,
             energy_drift: speed_ratio * speed_ratio + potential / self.kinetic - 1.0,

@@ -1,7 +1,7 @@
 //! A place on the half-space and what it remembers, so that it can be hit again.
 
 use super::closed_form;
-use super::{Contact, Essentials, Impact, ImpactError, Method, Outcome, Scales, Solver};
+use super::{Contact, Essentials, Impact, ImpactError, Method, Scales, Solver};
 use crate::law::{ElasticApproach, Law, Peak};
 use crate::material::{OutOfFloatRange, normal};
 
@@ -67,7 +67,7 @@ impl Contact {
         self.impact_on(spot, speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
     }
 
-    /// As [`Contact::essentials`], on a spot, which then remembers the impact.
+    /// What a table holds of an impact by the law alone, on a spot, which then remembers the impact.
     ///
     /// # Errors
     /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
@@ -75,7 +75,7 @@ impl Contact {
         let (scales, law, q) = self.scaled_on(spot, speed)?;
         let outcome = closed_form::solve(law, q);
         let essentials = Essentials::new(self.mass, speed, &scales, law, &outcome)?;
-        let after = after(law, &outcome);
+        let after = after(law, &outcome.unloading.peak);
         spot.remember(after);
         Ok(essentials)
     }
@@ -91,9 +91,13 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (scales, law, q) = self.scaled_on(spot, speed)?;
-        let (impact, outcome) = self.impact_by(&scales, law, q, speed, solver, samples)?;
-        let after = after(law, &outcome);
+        let (impact, after) = if self.forces.is_none() {
+            let (scales, law, q) = self.scaled_on(spot, speed)?;
+            let (impact, outcome) = self.impact_by(&scales, law, q, speed, solver, samples)?;
+            (impact, after(law, &outcome.unloading.peak))
+        } else {
+            self.impact_with_forces_on(spot.law.as_ref(), speed, solver, samples)?
+        };
         spot.remember(after);
         Ok(impact)
     }
@@ -111,10 +115,9 @@ impl Contact {
     }
 }
 
-/// The law of the place after an impact; `None` if it is as before.
-fn after(law: &Law, outcome: &Outcome) -> Option<Law> {
-    let peak = outcome.unloading.peak;
+/// The law of the place after an impact that turned at `peak`; `None` if it is as before.
+pub(super) fn after(law: &Law, peak: &Peak) -> Option<Law> {
     // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
     let stays = matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation);
-    (!stays).then(|| law.reloaded(peak))
+    (!stays).then(|| law.reloaded(*peak))
 }

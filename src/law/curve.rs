@@ -75,11 +75,17 @@ impl Piece {
     /// df/dx at x, the tangent stiffness.
     #[must_use]
     pub fn slope_at(&self, x: f64) -> f64 {
+        self.slope_beyond(x - self.start)
+    }
+
+    /// The same at a distance from the start of the piece.
+    #[must_use]
+    pub fn slope_beyond(&self, distance: f64) -> f64 {
         match self.shape {
-            Shape::Power { stiffness, exponent } => stiffness * exponent * power(x - self.start, exponent - 1.0),
+            Shape::Power { stiffness, exponent } => stiffness * exponent * power(distance, exponent - 1.0),
             Shape::Straight { slope, .. } => slope,
             Shape::LatePower { stiffness, exponent, lead } => {
-                stiffness * exponent * power(x - self.start + lead, exponent - 1.0)
+                stiffness * exponent * power(distance + lead, exponent - 1.0)
             }
         }
     }

@@ -106,6 +106,13 @@ impl Law {
         self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
 
+    /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
+    #[inline]
+    #[must_use]
+    pub fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
+        self.memory_of().is_some_and(|reloaded| reloaded.holds(kinetic + weight * reloaded.branch.peak.elastic_approach))
+    }
+
     /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.
     #[inline]
     #[must_use]

@@ -71,11 +71,12 @@ impl Scenario {
 
     /// A key that cannot be swept, because the scene already says the same in another way.
     pub(super) fn contradicted(&self, swept: &[&str]) -> Option<Problem> {
-        let (impact, damping) = (self.file.impact.as_ref(), self.file.damping.as_ref());
-        let drops = impact.is_some_and(|table| table.drop_height.is_some());
+        let damping = self.file.damping.as_ref();
+        let height = self.file.impact.as_ref().and_then(|impact| impact.drop_height);
+        let speed = self.file.impact.as_ref().and_then(|impact| impact.speed);
         let has = |path: &str| match path {
-            "impact.drop_height" => drops,
-            "impact.speed" => impact.is_some_and(|table| table.speed.is_some()) && !drops,
+            "impact.drop_height" => height.is_some(),
+            "impact.speed" => speed.is_some(),
             "damping.hunt_crossley" => damping.is_some_and(|table| table.hunt_crossley.is_some()),
             "damping.viscous" => damping.is_some_and(|table| table.viscous.is_some()),
             _ => false,

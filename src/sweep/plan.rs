@@ -47,6 +47,8 @@ pub enum Failure {
     TooManySteps,
     /// The state was not finite.
     NotFinite,
+    /// The method `closed_form` in a scene that has none.
+    NoClosedForm,
 }
 
 impl Failure {
@@ -58,6 +60,7 @@ impl Failure {
             Self::StepUnderflow => "step_underflow",
             Self::TooManySteps => "too_many_steps",
             Self::NotFinite => "not_finite",
+            Self::NoClosedForm => "no_closed_form",
         }
     }
 }
@@ -72,6 +75,7 @@ impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
+            ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
@@ -88,6 +92,19 @@ pub struct Rows {
     pub swept: Vec<f64>,
     /// What each case came to.
     pub results: Vec<Result<Essentials, Failure>>,
+}
+
+impl Rows {
+    /// No rows yet, with room for `count` of `n_swept` swept values each.
+    #[must_use]
+    pub fn with_capacity(count: u64, n_swept: usize) -> Self {
+        let count = usize::try_from(count).unwrap_or(0);
+        Self {
+            cases: Vec::with_capacity(count),
+            swept: Vec::with_capacity(count * n_swept),
+            results: Vec::with_capacity(count),
+        }
+    }
 }
 
 impl Plan {
@@ -215,11 +232,20 @@ impl<'a> Evaluator<'a> {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
             let solver = &plan.scene.solver;
             let sweeps_solver = matches!(&plan.cases, Cases::Grid(axes) if axes.iter().any(Axis::is_of_solver));
-            if solver.method == Method::Rk8 && !sweeps_solver {
+            if solver.method == Method::Rk8 && !sweeps_solver && !has_forces(plan) {
                 evaluator.lockstep = Some(solver.tolerance);
             }
         }
         evaluator
+    }
+
+    /// How many values a case sweeps.
+    #[must_use]
+    pub fn n_swept(&self) -> usize {
+        match &self.plan.cases {
+            Cases::Grid(axes) => axes.len(),
+            Cases::MonteCarlo { variables, .. } => variables.len(),
+        }
     }
 
     /// The contact of one combination.
@@ -302,6 +328,12 @@ impl<'a> Evaluator<'a> {
     }
 }
 
+/// Whether any row has gravity or damping: such rows are integrated one by one, not in lock step.
+fn has_forces(plan: &Plan) -> bool {
+    // the scene holds a value of every axis
+    !plan.scene.forces.is_none()
+}
+
 /// Whether rows of that method are integrated.
 fn method_is_stepped(method: Method) -> bool {
     !matches!(method, Method::Auto | Method::ClosedForm)
@@ -326,7 +358,9 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
 
 fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
     let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
-    if method_is_stepped(solver.method) {
+    if !contact.forces().is_none() {
+        Ok(contact.essentials_by(speed, solver)?)
+    } else if method_is_stepped(solver.method) {
         Ok(Essentials::from(&contact.impact(speed, solver, None)?))
     } else {
         Ok(contact.essentials(speed)?)
