@@ -84,7 +84,9 @@ impl Error {
             | Self::Option(_)
             | Self::Scenario(_)
             | Self::Unwritable { .. }
-            | Self::Impact { reason: ImpactError::Range(_) | ImpactError::Law(_), .. } => 2,
+            | Self::Impact {
+                reason: ImpactError::Range(_) | ImpactError::Law(_) | ImpactError::NoClosedForm, ..
+            } => 2,
             Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)

@@ -3,13 +3,19 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 
+pub mod balance;
 pub mod batch;
 pub mod closed_form;
 pub mod course;
 pub mod essentials;
+pub mod forced;
+pub mod forced_verlet;
+pub mod forces;
 pub mod outcome;
 pub mod scales;
+pub mod spot;
 pub mod validity;
+pub mod with_forces;
 
 use std::sync::LazyLock;
 
@@ -24,9 +30,13 @@ use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
 pub use course::{Event, Point};
 pub use essentials::Essentials;
+pub use forced::Fate;
+pub use forces::{Damping, Forces, drop_speed};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
+pub use spot::Spot;
 pub use validity::Warning;
+pub use with_forces::UnderForces;
 
 /// How an impact is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -98,6 +108,11 @@ pub enum ImpactError {
     /// The law has no answer for this impact.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
+    /// No closed form for this scene.
+    #[error(
+        "method \"closed_form\" gives results under gravity alone, or Hunt-Crossley damping alone, and no trace of them: use \"auto\" or \"rk8\""
+    )]
+    NoClosedForm,
 }
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
@@ -112,6 +127,8 @@ pub struct Contact {
     yielding: Option<(Scales, Law)>,
     /// The slowest impact that yields \[m/s\]; infinite without one.
     yield_speed: f64,
+    /// What acts beside the law.
+    forces: Forces,
 }
 
 impl Contact {
@@ -156,7 +173,13 @@ impl Contact {
             let until = law.elastic_until();
             if until == 1.0 { scales.speed } else { scales.speed * until.powf(1.25) }
         });
-        Self { sphere, half_space, pair, mass, yielding, yield_speed }
+        Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default() }
+    }
+
+    /// The same contact with gravity and damping.
+    #[must_use]
+    pub fn with_forces(self, forces: Forces) -> Self {
+        Self { forces, ..self }
     }
 
     /// The sphere.
@@ -175,6 +198,12 @@ impl Contact {
     #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
+    }
+
+    /// Gravity and damping.
+    #[must_use]
+    pub fn forces(&self) -> &Forces {
+        &self.forces
     }
 
     /// Mass of the sphere \[kg\].
@@ -199,19 +228,19 @@ impl Contact {
         Some((scales.length * until, scales.force * crate::power::power(until, 1.5)))
     }
 
-    /// Units, law and dimensionless speed of an impact: an elastic one is the same for every scene.
+    /// Units, law and dimensionless speed of an impact without gravity and damping: an elastic one is the same for every
+    /// scene.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where peak force, indentation or energy leave double precision.
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
-        static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
         match &self.yielding {
             Some((scales, law)) if speed > self.yield_speed => {
                 let ratio = speed / scales.speed;
                 normal("kinetic energy in units of that at first yield", ratio * ratio)?;
                 Ok((*scales, law, ratio))
             }
-            _ => Ok((Scales::of_hertz(&self.pair, self.mass, speed)?, &HERTZ, 1.0)),
+            _ => Ok((Scales::of_hertz(&self.pair, self.mass, speed)?, hertz(), 1.0)),
         }
     }
 
@@ -220,17 +249,53 @@ impl Contact {
     /// # Errors
     /// [`OutOfFloatRange`], see [`Contact::scaled`].
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
+        if !self.forces.is_none() {
+            return self.closed_form_with_forces(speed);
+        }
         let (scales, law, q) = self.scaled(speed)?;
         let exact = closed_form::solve(law, q);
         law.accept(&exact.unloading.peak)?;
         Impact::new(self, speed, Method::ClosedForm, &scales, law, &exact, &exact, Work::default(), &[])
     }
 
-    /// What a table holds of the closed form, without the rest of an [`Impact`].
+    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form where
+    /// there is one, by rk8 at the default tolerance with damping.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`], see [`Contact::scaled`]; [`OutsideLaw`] where the law has no answer.
+    /// [`ImpactError`] where the result leaves double precision, the law has no answer, or the integrator gives up.
+    #[inline]
     pub fn essentials(&self, speed: f64) -> Result<Essentials, ImpactError> {
+        if self.forces.is_none() {
+            return self.essentials_of_law(speed);
+        }
+        self.essentials_with_forces(speed, &Solver { method: Method::Auto, ..Solver::default() })
+    }
+
+    /// What a table holds of an impact by this solver.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
+    /// method does not fit.
+    pub fn essentials_by(&self, speed: f64, solver: &Solver) -> Result<Essentials, ImpactError> {
+        match solver.method {
+            _ if !self.forces.is_none() => self.essentials_with_forces(speed, solver),
+            Method::Auto | Method::ClosedForm => self.essentials_of_law(speed),
+            _ => Ok(Essentials::from(&self.impact(speed, solver, None)?)),
+        }
+    }
+
+    /// Whether double precision holds an impact at `speed` \[m/s\]: what it does not hold no integration can.
+    ///
+    /// # Errors
+    /// [`ImpactError`], see [`Contact::scaled`].
+    pub fn holds(&self, speed: f64) -> Result<(), ImpactError> {
+        if self.forces.is_none() {
+            return self.closed_form(speed).map(|_| ());
+        }
+        self.holds_with_forces(speed)
+    }
+
+    fn essentials_of_law(&self, speed: f64) -> Result<Essentials, ImpactError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
         let (scales, law, q) = self.scaled(speed)?;
@@ -248,7 +313,23 @@ impl Contact {
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
     pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
+        if !self.forces.is_none() {
+            return self.impact_with_forces(speed, solver, samples);
+        }
         let (scales, law, q) = self.scaled(speed)?;
+        self.impact_by(&scales, law, q, speed, solver, samples).map(|(impact, _)| impact)
+    }
+
+    /// The impact and its dimensionless outcome, by the law of the place.
+    fn impact_by(
+        &self,
+        scales: &Scales,
+        law: &Law,
+        q: f64,
+        speed: f64,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<(Impact, Outcome), ImpactError> {
         let exact = closed_form::solve(law, q);
         law.accept(&exact.unloading.peak)?;
         let mut recorder = samples.map(|samples| Recorder::new(samples, exact.contact_time));
@@ -259,12 +340,18 @@ impl Contact {
         };
         let (outcome, work) = run(law, q, &exact, &Solver { method, ..*solver }, recorder.as_mut())?;
         let points = recorder.map_or_else(Vec::new, |recorder| recorder.points);
-        let mut impact = Impact::new(self, speed, method, &scales, law, &outcome, &exact, work, &points)?;
+        let mut impact = Impact::new(self, speed, method, scales, law, &outcome, &exact, work, &points)?;
         if method != Method::Verlet {
             validity::check_accuracy(&mut impact, solver.tolerance);
         }
-        Ok(impact)
+        Ok((impact, outcome))
     }
+}
+
+/// Hertz without end: the law of every impact that stays elastic, in its own units.
+fn hertz() -> &'static Law {
+    static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
+    &HERTZ
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form.

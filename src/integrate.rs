@@ -4,13 +4,17 @@
 //! other smooth force; a [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
 //! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
 
+pub mod damped;
 mod dense;
+mod dop853;
 pub mod exact;
 mod field;
+pub mod forced;
 mod landing;
 mod lanes;
 pub mod lockstep;
 mod nystrom;
+pub mod ode_forced;
 pub mod ode_solvers;
 pub mod rk8;
 pub mod verlet;
@@ -153,13 +157,15 @@ pub struct Sampler {
     next: usize,
     /// The samples of the current leg.
     pub states: Vec<State>,
+    /// What drag had taken at each of them, where there is drag.
+    pub losses: Vec<f64>,
 }
 
 impl Sampler {
     /// Samples at i × `interval`, i = 1 … `count`; the first touch at time 0 is not among them.
     #[must_use]
     pub fn every(interval: f64, count: usize) -> Self {
-        Self { interval, count, next: 1, states: Vec::new() }
+        Self { interval, count, next: 1, states: Vec::new(), losses: Vec::new() }
     }
 
     /// The next sample time before `end`, if there is one left.

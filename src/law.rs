@@ -26,6 +26,7 @@ pub mod mesarovic_johnson;
 pub mod paper;
 pub mod plm;
 pub mod published;
+pub mod reloading;
 pub mod stronge;
 pub mod thornton;
 pub mod unloading;
@@ -34,11 +35,12 @@ pub mod yigit_christoforou;
 
 pub use catalogue::LawChoice;
 pub use contact_law::{About, Bodies, ContactLaw};
-pub use paper::Plm;
 use curve::Curve;
+pub use paper::Plm;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
 pub use published::{Loading, OutsideLaw, Published};
+pub use reloading::Reloaded;
 pub use unloading::{Peak, Unloading, UnloadingShape};
 
 /// Which exponent n the unloading branch has.
@@ -64,6 +66,8 @@ pub enum ElasticApproach {
     FixedStiffness(f64),
     /// By the rules of a published law.
     Published(Box<Published>),
+    /// On a spot that was loaded before.
+    Reloaded(Box<Reloaded>),
 }
 
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
@@ -98,6 +102,7 @@ impl Law {
         match &self.elastic {
             ElasticApproach::All => x,
             ElasticApproach::Published(law) => law.elastic_approach(&self.loading, x, force),
+            ElasticApproach::Reloaded(reloaded) => reloaded.elastic_approach(x, force),
             _ if x <= 1.0 => x,
             ElasticApproach::Line(line) => line.at(force).min(x),
             ElasticApproach::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
@@ -111,12 +116,15 @@ impl Law {
         Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice.
+    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice; on the
+    /// branch of a spot that was loaded before, that branch.
     #[inline]
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
-        if let ElasticApproach::Published(law) = &self.elastic {
-            return law.unloading(peak);
+        match &self.elastic {
+            ElasticApproach::Published(law) => return law.unloading(peak),
+            ElasticApproach::Reloaded(reloaded) => return reloaded.unloading(peak),
+            _ => {}
         }
         let exponent = match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
@@ -125,7 +133,7 @@ impl Law {
             }
             _ => 1.5,
         };
-        Unloading { peak, exponent, shape: UnloadingShape::Power }
+        Unloading::power(peak, exponent)
     }
 
     /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
@@ -136,6 +144,7 @@ impl Law {
             ElasticApproach::All => f64::INFINITY,
             ElasticApproach::Line(_) | ElasticApproach::FixedStiffness(_) => 1.0,
             ElasticApproach::Published(law) => law.elastic_until,
+            ElasticApproach::Reloaded(reloaded) => reloaded.branch.peak.indentation,
         }
     }
 
@@ -147,6 +156,7 @@ impl Law {
     pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
         match &self.elastic {
             ElasticApproach::Published(law) => law.accept(&self.loading, peak),
+            ElasticApproach::Reloaded(reloaded) => reloaded.accept(peak),
             _ => Ok(()),
         }
     }
@@ -154,8 +164,10 @@ impl Law {
     /// Contact radius a/a_L at a peak, a = â/Λ(A) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
     #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
-        if let ElasticApproach::Published(law) = &self.elastic {
-            return law.contact_radius(peak);
+        match &self.elastic {
+            ElasticApproach::Published(law) => return law.contact_radius(peak),
+            ElasticApproach::Reloaded(reloaded) => return reloaded.contact_radius(peak),
+            _ => {}
         }
         let equivalent = peak.force / peak.elastic_approach;
         equivalent / self.radius_ratio.at(equivalent)
@@ -166,7 +178,7 @@ impl Law {
     /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
     #[must_use]
     pub fn respond(&self, x: f64, memory: Option<Peak>) -> (f64, Option<Peak>) {
-        match memory {
+        match memory.or(self.branch().map(|branch| branch.peak)) {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
             None if x <= 0.0 => (0.0, None),

@@ -61,8 +61,18 @@ fn rows(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
 fn unloaded(fields: Vec<&'static str>) -> Option<Unloaded> {
     let (case, rest) = fields.split_first()?;
     let numbers: Vec<f64> = rest.iter().filter_map(|field| field.parse().ok()).collect();
-    let [sphere, half_space, strength, indentation, force, contact_radius, sphere_share, residual_share, spent, restitution] =
-        numbers[..]
+    let [
+        sphere,
+        half_space,
+        strength,
+        indentation,
+        force,
+        contact_radius,
+        sphere_share,
+        residual_share,
+        spent,
+        restitution,
+    ] = numbers[..]
     else {
         return None;
     };

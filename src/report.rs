@@ -3,6 +3,8 @@
 
 pub mod human;
 pub mod plan;
+pub mod repeat;
+pub mod repeat_summary;
 pub mod summary;
 pub mod sweep;
 pub mod table;

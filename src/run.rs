@@ -30,7 +30,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
     // what the closed form cannot hold no integration can
-    contact.closed_form(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
+    contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
     Ok((scene, contact))
 }
 

@@ -25,12 +25,14 @@ mod columns;
 mod document;
 mod explain;
 pub mod file;
+pub mod forces;
 pub mod keys;
 mod kind;
 pub mod law;
 pub mod overview;
 mod place;
 pub mod quantity;
+pub mod repeat;
 pub mod sweep;
 
 use std::path::{Path, PathBuf};
@@ -38,14 +40,14 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::impact::{Contact, Solver, Warning};
+use crate::impact::{Contact, Forces, Solver, Warning};
 use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
 use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
-use law::LawTable;
 pub use kind::Kind;
+use law::LawTable;
 pub use place::{Place, Refusal};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
@@ -102,6 +104,10 @@ pub struct Scene {
     pub speed: f64,
     /// The law; of the PLM, exponent and coefficients are those below.
     pub law: LawChoice,
+    /// Height of the fall \[m\] that gives the speed, if the scene names one.
+    pub drop_height: Option<f64>,
+    /// Gravity and damping.
+    pub forces: Forces,
     /// Exponent of the unloading branch.
     pub exponent: UnloadingExponent,
     /// Coefficients of the PLM.
@@ -120,12 +126,11 @@ impl Scene {
     /// # Errors
     /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
     pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
-        match &self.law {
-            LawChoice::Plm(_) => {
-                Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
-            }
+        let contact = match &self.law {
+            LawChoice::Plm(_) => Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent),
             law => Contact::with_law(self.sphere, self.half_space, law.get()),
-        }
+        }?;
+        Ok(contact.with_forces(self.forces))
     }
 }
 
@@ -171,14 +176,15 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
+        let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
         let plm = match law {
             Some(LawTable::Plm(plm)) => plm.clone(),
             _ => PlmTable::default(),
         };
         let defaults = Solver::default();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
-        let impact = impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
+        let forces = self.forces()?;
+        let (speed, drop_height) = self.speed(&forces)?;
         let sphere = Sphere {
             radius: self.radius(sphere)?,
             material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
@@ -196,7 +202,9 @@ impl Scenario {
         Ok(Scene {
             sphere,
             half_space,
-            speed: impact.speed.0,
+            speed,
+            drop_height,
+            forces,
             law: self.law()?,
             exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
             coefficients: self.coefficients(&plm)?,

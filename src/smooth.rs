@@ -198,6 +198,58 @@ impl Smooth {
         distance
     }
 
+    /// The distance at which f = `force` > f(0), by Newton's method on a function that rises, kept between bounds.
+    #[must_use]
+    pub fn distance_at_force(&self, start: f64, force: f64) -> f64 {
+        let (mut low, mut high) = (0.0, if start > 0.0 { start } else { 1.0 });
+        while self.value(start, high) < force && high.is_finite() {
+            (low, high) = (high, 4.0 * high);
+        }
+        let mut distance = 0.5 * (low + high);
+        for _ in 0..200 {
+            let miss = self.value(start, distance) - force;
+            if miss > 0.0 {
+                high = distance;
+            } else {
+                low = distance;
+            }
+            let newton = distance - miss / self.slope(start, distance);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - distance).abs() <= f64::EPSILON * distance {
+                return next;
+            }
+            distance = next;
+        }
+        distance
+    }
+
+    /// The distance at which the work from the start less that of a constant `pull` is `work` ≥ 0, beyond where they balance.
+    #[must_use]
+    pub fn distance_at_work_against(&self, start: f64, before: f64, work: f64, pull: f64) -> f64 {
+        let mut distance = self.distance_at_work(start, before, work);
+        if pull == 0.0 {
+            return distance;
+        }
+        let miss = |d: f64| self.work(start, 0.0, d) - pull * d - work;
+        let mut step = if distance > 0.0 { distance } else { f64::max(start, 1.0) };
+        while miss(distance) < 0.0 || self.value(start, distance) <= pull {
+            distance += step;
+            step *= 2.0;
+            if !distance.is_finite() {
+                return distance;
+            }
+        }
+        // convex from here down to the root: Newton's method falls towards it
+        for _ in 0..100 {
+            let next = distance - miss(distance) / (self.value(start, distance) - pull);
+            if next >= distance || !next.is_finite() {
+                break;
+            }
+            distance = next;
+        }
+        distance.max(0.0)
+    }
+
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
     /// turning point). The same as that of the way back.
     #[must_use]
@@ -250,7 +302,11 @@ mod tests {
             let entry = speed(0.0);
             let want = to / entry * quarter_period(1.5) - power_time(1.5, from, entry, speed(from));
             let scale = (to / entry) / want;
-            approx::assert_relative_eq!(smooth.time(from, 0.0, to - from, 0.0, 1.0), want, max_relative = 1e-14 * scale);
+            approx::assert_relative_eq!(
+                smooth.time(from, 0.0, to - from, 0.0, 1.0),
+                want,
+                max_relative = 1e-14 * scale
+            );
             let half = 0.5 * (from + to);
             let want = power_time(1.5, half, entry, speed(half)) - power_time(1.5, from, entry, speed(from));
             let got = smooth.time(from, 0.0, half - from, speed(half), 1.0);

@@ -21,6 +21,10 @@ pub enum Dimension {
     Time,
     /// Metres per second.
     Speed,
+    /// Metres per second squared.
+    Acceleration,
+    /// Seconds per metre.
+    InverseSpeed,
     /// Kilograms.
     Mass,
     /// Kilograms per cubic metre.
@@ -43,6 +47,8 @@ impl Dimension {
             Self::Length => "a length",
             Self::Time => "a time",
             Self::Speed => "a speed",
+            Self::Acceleration => "an acceleration",
+            Self::InverseSpeed => "an inverse speed",
             Self::Mass => "a mass",
             Self::Density => "a density",
             Self::Pressure => "a pressure",
@@ -59,6 +65,8 @@ impl Dimension {
             Self::Length => "m",
             Self::Time => "s",
             Self::Speed => "m/s",
+            Self::Acceleration => "m/s^2",
+            Self::InverseSpeed => "s/m",
             Self::Mass => "kg",
             Self::Density => "kg/m^3",
             Self::Pressure => "Pa",
@@ -75,6 +83,8 @@ impl Dimension {
             Self::Length => "_m",
             Self::Time => "_s",
             Self::Speed => "_m_per_s",
+            Self::Acceleration => "_m_per_s2",
+            Self::InverseSpeed => "_s_per_m",
             Self::Mass => "_kg",
             Self::Density => "_kg_per_m3",
             Self::Pressure => "_Pa",
@@ -91,6 +101,8 @@ impl Dimension {
             Self::Length => "\"5 mm\"",
             Self::Time => "\"20 us\"",
             Self::Speed => "\"3 m/s\"",
+            Self::Acceleration => "\"9.81 m/s^2\"",
+            Self::InverseSpeed => "\"0.1 s/m\"",
             Self::Mass => "\"4 g\"",
             Self::Density => "\"7850 kg/m^3\"",
             Self::Pressure => "\"210 GPa\"",

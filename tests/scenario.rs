@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use plm_impact::impact::{Method, Warning};
+use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::scenario::{KEYS, Key, Kind, Scenario, ScenarioError, Scene};
 
@@ -114,8 +114,13 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let value = if key.path.ends_with("poissons_ratio") { 0.25 } else { value };
         let text = STEEL.replace("radius = \"5 mm\"\n", "");
         let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
-        let by_file = resolve(&text, &[&format!("{}={value}", key.path)]).unwrap();
-        let mut by_key = resolve(&text, &["sphere.diameter=1"]).unwrap();
+        // a drop height stands in the place of the speed, and needs gravity
+        let is_height = key.path == "impact.drop_height";
+        let text = if is_height { text.replace("[impact]\nspeed = \"3 m/s\"", "[impact]") } else { text };
+        let gravity = if is_height { vec!["gravity.acceleration=9.81"] } else { Vec::new() };
+        let given = |more: &str| resolve(&text, &[&gravity[..], &[more]].concat()).unwrap();
+        let by_file = given(&format!("{}={value}", key.path));
+        let mut by_key = given(if is_height { "impact.drop_height=7" } else { "sphere.diameter=1" });
         (key.set)(&mut by_key, value);
         if key.path != "sphere.radius" {
             assert_eq!(by_file, by_key, "{}", key.path);
@@ -124,6 +129,51 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     }
     assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
     assert!(Key::find("solver.method").is_none());
+}
+
+#[test]
+fn a_drop_height_is_a_speed_under_gravity() {
+    let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
+    let gravity = "gravity.acceleration=9.81 m/s^2";
+    let mut scene = resolve(&text, &[gravity]).unwrap();
+    // √(2 g h)
+    assert_eq!(scene.speed, 9.81_f64.sqrt());
+    assert_eq!((scene.forces.gravity, scene.drop_height), (Some(9.81), Some(0.5)));
+    Key::find("gravity.acceleration").map(|key| (key.set)(&mut scene, 4.0)).unwrap();
+    assert_eq!(scene.speed, 2.0, "the height stays");
+    Key::find("impact.speed").map(|key| (key.set)(&mut scene, 3.0)).unwrap();
+    assert_eq!((scene.speed, scene.drop_height), (3.0, None));
+    assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed, 0.0);
+    assert_eq!(scene.contact().unwrap().forces().gravity, Some(4.0));
+
+    let message = refusal(&text, &[]);
+    assert!(message.contains("steel.toml:13:") && message.contains("add [gravity] with acceleration"), "{message}");
+    let message = refusal(STEEL, &[gravity, "impact.drop_height=1 m"]);
+    assert!(message.contains("write only one of `speed` and `drop_height`"), "{message}");
+    let message = refusal(&STEEL.replace("speed = \"3 m/s\"", ""), &[gravity]);
+    assert!(message.contains("`speed` is missing") && message.contains("`drop_height`"), "{message}");
+}
+
+#[test]
+fn damping_is_one_of_two_and_gravity_pulls_down() {
+    let damping = |text: &str| resolve(STEEL, &[text]).unwrap().forces.damping;
+    assert_eq!(damping("damping.hunt_crossley=0.1 s/m"), Some(Damping::HuntCrossley(0.1)));
+    assert_eq!(damping("damping.viscous=5 %"), Some(Damping::Viscous(0.05)));
+    assert!(resolve(STEEL, &[]).unwrap().forces.is_none());
+    let message = refusal(STEEL, &["damping.viscous=0.1", "damping.hunt_crossley=0.1"]);
+    assert!(message.contains("write only one of the two"), "{message}");
+    let message = refusal(&format!("{STEEL}[damping]\n"), &[]);
+    assert!(message.contains("a key is missing: hunt_crossley"), "{message}");
+    for (text, wanted) in [
+        ("gravity.acceleration=0", "must be > 0 m/s^2 and finite; to do without gravity leave the table out"),
+        ("gravity.acceleration=-9.81 m/s^2", "to do without gravity leave the table out"),
+        ("damping.viscous=-0.1", "must be >= 0 and finite"),
+        ("damping.hunt_crossley=-1 s/m", "must be >= 0 s/m and finite"),
+        ("damping.hunt_crossley=1 m/s", "is a speed, but an inverse speed is needed"),
+    ] {
+        let message = refusal(STEEL, &[text]);
+        assert!(message.contains(wanted), "{message}");
+    }
 }
 
 #[test]

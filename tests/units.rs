@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 #[test]
 fn every_spelling_gives_the_number_that_si_digits_give() {
-    use Dimension::{Density, Length, Pressure, Ratio, Speed};
+    use Dimension::{Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed};
     // the right-hand sides are the decimal value written in SI: equality is exact
     let table = [
         ("5 mm", Length, 0.005),
@@ -44,6 +44,11 @@ fn every_spelling_gives_the_number_that_si_digits_give() {
         ("3 mm/s", Speed, 0.003),
         ("36 km/h", Speed, 10.0),
         ("3e-400 m/s", Speed, 0.0),
+        ("9.81 m/s^2", Acceleration, 9.81),
+        ("9.81 m/s²", Acceleration, 9.81),
+        ("981 cm/s2", Acceleration, 9.81),
+        ("0.1 s/m", InverseSpeed, 0.1),
+        ("0.1 s/mm", InverseSpeed, 100.0),
         ("0.3", Ratio, 0.3),
         ("30 %", Ratio, 0.3),
     ];

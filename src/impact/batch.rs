@@ -1,11 +1,11 @@
 //! Many impacts in lock step: the batch form of rk8, for sweeps of scenes that need stepping.
 
-use super::course::{self, loading_sizes, unloading_from, way_back, way_out};
+use super::course::{self, entry_of, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError};
+use super::{Contact, Essentials, ImpactError, Method, Solver};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Landing, Sizes, State};
+use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Sizes, State};
 use crate::law::curve::Shape;
 use crate::law::{Law, Unloading};
 
@@ -74,6 +74,11 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
 /// The rows of a table, by rk8 at this relative tolerance: impacts of these contacts at these speeds \[m/s\].
 #[must_use]
 pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
+    if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
+        // lanes know no gravity and no damping: one by one
+        let solver = Solver { method: Method::Rk8, tolerance, ..Solver::default() };
+        return impacts.iter().map(|(contact, speed)| contact.essentials_by(*speed, &solver)).collect();
+    }
     let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
     let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
     let mut outcomes = integrate(&cases, tolerance).into_iter();
@@ -92,7 +97,7 @@ fn fits_lanes(law: &Law) -> bool {
     law.loading.pieces().iter().all(|piece| match piece.shape {
         Shape::Power { exponent, .. } => exponent == 1.5,
         Shape::Straight { .. } => true,
-        Shape::Smooth(_) => false,
+        Shape::LatePower { .. } | Shape::Smooth(_) => false,
     })
 }
 
@@ -102,7 +107,11 @@ fn launch(lockstep: &mut Lockstep, lane: usize, cases: &[(&Law, f64)], next: &mu
     let (law, speed) = cases[case];
     *next = case + 1;
     let sizes = loading_sizes(law, speed);
-    let started = lockstep.start(lane, &way_out(law, 0, sizes), &State { time: 0.0, distance: 0.0, speed });
+    let mut path = way_out(law, 0, sizes);
+    if law.stays_on_branch(0.4 * speed * speed, 0.0) {
+        path.leg = Leg::Outward(f64::INFINITY);
+    }
+    let started = lockstep.start(lane, &path, &State { time: 0.0, distance: 0.0, speed });
     started.then_some(Flight { case, phase: Phase::Loading { piece: 0, sizes }, begun })
 }
 
@@ -127,12 +136,12 @@ fn go_on(
         Phase::Unloading { unloading, loading_time } => Some(Ok(finish(unloading, loading_time, &state))),
         Phase::Loading { ref mut piece, sizes } if landing == Landing::End => {
             *piece += 1;
-            state.distance = 0.0;
+            state.distance = entry_of(law, *piece);
             let _ = lockstep.start(lane, &way_out(law, *piece, sizes), &state);
             None
         }
         Phase::Loading { piece, .. } => {
-            let unloading = unloading_from(law, &law.loading.pieces()[piece], state.distance);
+            let unloading = unloading_from(law, piece, state.distance);
             let loading_time = state.time;
             let back = way_back(&unloading);
             state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };

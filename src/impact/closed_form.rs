@@ -7,7 +7,7 @@
 use super::outcome::Outcome;
 use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
-use crate::law::{Law, Unloading, UnloadingShape};
+use crate::law::{Law, Unloading};
 use crate::power::{arctangent, power_time, quarter_period};
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
@@ -25,27 +25,26 @@ struct Balance {
     kinetic: f64,
     /// Index of the piece that the sphere turns on.
     last: usize,
+    /// From the start of that piece.
+    distance: f64,
 }
 
 #[inline]
 fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let pieces = law.loading.pieces();
-    let last = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
-    let indentation = pieces[last].indentation_at_work(kinetic);
-    let force = pieces[last].force_at(indentation);
-    let elastic_approach = law.elastic_approach(indentation, force);
-    let unloading = law.unloading(crate::law::Peak { indentation, force, elastic_approach });
-    let recovered = force * elastic_approach / (unloading.exponent + 1.0);
-    let is_elastic = indentation <= law.elastic_until();
-    let restitution = if is_elastic { 1.0 } else { (recovered / kinetic).sqrt() };
-    Balance { unloading, restitution, kinetic, last }
+    let last = law.turning_piece(kinetic);
+    let distance = pieces[last].distance_at_work(kinetic);
+    let unloading = law.unloading(law.state_at(last, distance));
+    let recovered = unloading.capacity();
+    let restitution = if law.is_elastic_to(unloading.peak.indentation) { 1.0 } else { (recovered / kinetic).sqrt() };
+    Balance { unloading, restitution, kinetic, last, distance }
 }
 
 /// The whole outcome of an impact at q = v/V, exact to rounding.
 #[must_use]
 pub fn solve(law: &Law, speed: f64) -> Outcome {
-    let Balance { unloading, restitution, kinetic, last } = balance(law, speed);
+    let Balance { unloading, restitution, kinetic, last, distance } = balance(law, speed);
     let pieces = &law.loading.pieces()[..=last];
     let mut loading_time = 0.0;
     let mut entry = speed;
@@ -55,12 +54,11 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
         entry = exit;
     }
     let peak = &unloading.peak;
-    loading_time += time_to_turn(&pieces[last], peak.indentation - pieces[last].start, entry);
-    let unloading_time = match unloading.shape {
-        UnloadingShape::Power => {
-            quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
-        }
-        _ => time_to_turn(&unloading.branch(), peak.elastic_approach, restitution * speed),
+    loading_time += time_to_turn(&pieces[last], distance, entry);
+    let unloading_time = if unloading.is_power() {
+        quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
+    } else {
+        time_to_turn(&unloading.branch(), peak.elastic_approach, restitution * speed)
     };
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
 }
@@ -86,6 +84,7 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             (omega * entry / (ACCELERATION * piece.force)).atan() / omega
         }
         Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
+        Shape::LatePower { .. } => late_time(piece, distance, entry, 0.0),
     }
 }
 
@@ -103,5 +102,14 @@ fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, exit),
         Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, exit, ACCELERATION),
+        Shape::LatePower { .. } => late_time(piece, distance, entry, exit),
     }
+}
+
+/// Time on a power law that is entered beyond its zero: what it would be from the zero, less the way to the start.
+fn late_time(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
+    let Shape::LatePower { exponent, lead, .. } = piece.shape else { return f64::NAN };
+    let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
+    let whole = (entry * entry + before).sqrt();
+    power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
 }

@@ -18,8 +18,10 @@ pub enum Event {
     Knot,
     /// Maximum compression.
     Peak,
-    /// Force zero at the residual indentation.
+    /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
+    /// Where the run of a sphere that does not separate ends.
+    Captured,
 }
 
 /// A point of a trace, dimensionless.
@@ -59,9 +61,9 @@ impl Recorder {
         Self { sampler: Sampler::every(interval, inner), points: Vec::with_capacity(samples + 16) }
     }
 
-    fn loading(&mut self, law: &Law, piece: &Piece) {
+    fn loading(&mut self, law: &Law, index: usize) {
         for state in self.sampler.states.drain(..) {
-            self.points.push(loading_point(law, piece, on_curve(piece, state), None));
+            self.points.push(loading_point(law, index, state, None));
         }
     }
 
@@ -72,16 +74,17 @@ impl Recorder {
     }
 }
 
-/// From the distance along a piece to x.
-fn on_curve(piece: &Piece, state: State) -> State {
-    State { distance: piece.start + state.distance, ..state }
+/// The state at a distance of the integrator, which counts from the zero of the force on a power law.
+pub(super) fn loaded(law: &Law, index: usize, distance: f64) -> Peak {
+    law.state_at(index, distance - law.loading.pieces()[index].shape.lead())
 }
 
-/// `state.distance` is x itself.
-fn loading_point(law: &Law, piece: &Piece, state: State, event: Option<Event>) -> Point {
-    let indentation = state.distance;
-    let force = piece.force_at(indentation);
-    let elastic_approach = law.elastic_approach(indentation, force);
+fn loading_point(law: &Law, index: usize, state: State, event: Option<Event>) -> Point {
+    point(loaded(law, index, state.distance), state, event)
+}
+
+fn point(loaded: Peak, state: State, event: Option<Event>) -> Point {
+    let Peak { indentation, force, elastic_approach } = loaded;
     Point { time: state.time, indentation, speed: state.speed, force, elastic_approach, is_unloading: false, event }
 }
 
@@ -103,7 +106,9 @@ fn unloading_point(unloading: &Unloading, state: State, event: Option<Event>) ->
 /// The deceleration of the sphere on a piece of the loading curve.
 fn restoring(piece: &Piece) -> Restoring {
     match piece.shape {
-        Shape::Power { stiffness, exponent } => Restoring::Power { coefficient: ACCELERATION * stiffness, exponent },
+        Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
+            Restoring::Power { coefficient: ACCELERATION * stiffness, exponent }
+        }
         Shape::Straight { slope, .. } => {
             Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
         }
@@ -115,28 +120,32 @@ fn restoring(piece: &Piece) -> Restoring {
 pub(super) fn loading_sizes(law: &Law, speed: f64) -> Sizes {
     let pieces = law.loading.pieces();
     let kinetic = 0.4 * speed * speed;
-    let deepest = pieces.partition_point(|piece| piece.work <= kinetic).saturating_sub(1);
-    Sizes { distance: pieces[deepest].indentation_at_work(kinetic), speed }
+    let deepest = &pieces[law.turning_piece(kinetic)];
+    Sizes { distance: (deepest.start - pieces[0].start) + deepest.distance_at_work(kinetic), speed }
 }
 
 /// The way along a piece of the loading curve.
 pub(super) fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
+    let end = end + pieces[index].shape.lead();
     Path { restoring: restoring(&pieces[index]), leg: Leg::Outward(end), sizes }
 }
 
 /// The unloading branch from where a piece of the loading curve was left.
-pub(super) fn unloading_from(law: &Law, piece: &Piece, distance: f64) -> Unloading {
-    let indentation = piece.start + distance;
-    let force = piece.force_at(indentation);
-    law.unloading(Peak { indentation, force, elastic_approach: law.elastic_approach(indentation, force) })
+pub(super) fn unloading_from(law: &Law, index: usize, distance: f64) -> Unloading {
+    law.unloading(loaded(law, index, distance))
+}
+
+/// The distance of the integrator at the start of a piece.
+pub(super) fn entry_of(law: &Law, index: usize) -> f64 {
+    law.loading.pieces()[index].shape.lead()
 }
 
 /// The way back from rest at the peak to separation.
 pub(super) fn way_back(unloading: &Unloading) -> Path {
     let peak = &unloading.peak;
-    let stored = peak.force * peak.elastic_approach / (unloading.exponent + 1.0);
+    let stored = unloading.capacity();
     Path {
         restoring: restoring(&unloading.branch()),
         leg: Leg::Back,
@@ -159,14 +168,19 @@ pub fn integrate<I: Integrator>(
     let mut state = State { time: 0.0, distance: 0.0, speed };
     let mut index = 0;
     if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, &pieces[0], on_curve(&pieces[0], state), Some(Event::Touch)));
+        recorder.points.push(loading_point(law, 0, state, Some(Event::Touch)));
     }
-    // first yield is no kink of the curve, but an event of a trace: there a leg stops too
+    // first yield is no kink of the curve, but an event of a trace: there a leg stops too; a reload yields at the knot
+    let is_reload = law.branch().is_some();
+    let stays_on_branch = law.stays_on_branch(0.4 * speed * speed, 0.0);
     let elastic_until = law.elastic_until();
-    let mut stops_at_yield = recorder.is_some() && elastic_until > 0.0;
-    let piece = loop {
+    let mut stops_at_yield = recorder.is_some() && elastic_until > 0.0 && !is_reload;
+    loop {
         let piece = &pieces[index];
         let mut path = way_out(law, index, sizes);
+        if stays_on_branch {
+            path.leg = Leg::Outward(f64::INFINITY);
+        }
         let mut event = Event::Knot;
         if let Leg::Outward(end) = path.leg
             && stops_at_yield
@@ -178,28 +192,30 @@ pub fn integrate<I: Integrator>(
         }
         let landing = integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
         if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.loading(law, piece);
+            recorder.loading(law, index);
         }
         if landing == Landing::Turning {
-            break piece;
+            break;
         }
         if event == Event::Knot {
+            if is_reload && index == 0 {
+                event = Event::Yield;
+            }
             index += 1;
-            state.distance = 0.0;
+            state.distance = entry_of(law, index);
             if stops_at_yield && pieces[index].start == elastic_until {
                 event = Event::Yield;
                 stops_at_yield = false;
             }
         }
         if let Some(recorder) = recorder.as_deref_mut() {
-            let piece = &pieces[index];
-            recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(event)));
+            recorder.points.push(loading_point(law, index, state, Some(event)));
         }
-    };
+    }
     let loading_time = state.time;
-    let unloading = unloading_from(law, piece, state.distance);
+    let unloading = unloading_from(law, index, state.distance);
     if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, piece, on_curve(piece, state), Some(Event::Peak)));
+        recorder.points.push(loading_point(law, index, state, Some(Event::Peak)));
     }
 
     let path = way_back(&unloading);
@@ -212,21 +228,39 @@ pub fn integrate<I: Integrator>(
     Ok(Outcome { unloading, restitution: -state.speed / speed, loading_time, contact_time: state.time })
 }
 
-/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory.
+/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
+/// first touch.
 struct Remembering<'a> {
     law: &'a Law,
+    touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
 }
 
-impl Deceleration for Remembering<'_> {
-    fn at(&mut self, x: f64) -> f64 {
-        if x >= self.deepest {
-            self.deepest = x;
-            return ACCELERATION * self.law.loading.force(x);
+impl<'a> Remembering<'a> {
+    fn of(law: &'a Law) -> Self {
+        let deepest = law.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
+        Self { law, touch: law.touch(), deepest, unloading: law.branch().copied() }
+    }
+
+    /// The state on the loading curve at a distance from first touch.
+    fn loaded_to(&self, distance: f64) -> Peak {
+        match self.law.branch() {
+            Some(branch) if distance <= branch.peak.elastic_approach => self.law.state_at(0, distance),
+            _ => self.law.loaded_to(self.touch + distance),
         }
-        let unloading = self.unloading.get_or_insert_with(|| self.law.unloading(self.law.loaded_to(self.deepest)));
-        ACCELERATION * unloading.force(x)
+    }
+}
+
+impl Deceleration for Remembering<'_> {
+    fn at(&mut self, distance: f64) -> f64 {
+        if distance > self.deepest || (distance == self.deepest && self.unloading.is_none()) {
+            (self.deepest, self.unloading) = (distance, None);
+            return ACCELERATION * self.law.loading.force(self.touch + distance);
+        }
+        let (law, touch, deepest) = (self.law, self.touch, self.deepest);
+        let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
+        ACCELERATION * unloading.force_of(distance - (unloading.peak.residual() - touch))
     }
 }
 
@@ -243,10 +277,10 @@ pub fn march_verlet(
     work: &mut Work,
     mut recorder: Option<&mut Recorder>,
 ) -> Result<Outcome, IntegrationError> {
-    let mut force = Remembering { law, deepest: 0.0, unloading: None };
+    let mut force = Remembering::of(law);
     let run =
         verlet::march(&mut force, speed, step, most_steps, work, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-    let unloading = law.unloading(law.loaded_to(run.peak_distance));
+    let unloading = law.unloading(force.loaded_to(run.peak_distance));
     if let Some(recorder) = recorder {
         let touch = State { time: 0.0, distance: 0.0, speed };
         let peak = State { time: run.peak_time, distance: run.peak_distance, speed: 0.0 };
@@ -256,9 +290,9 @@ pub fn march_verlet(
         rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
         recorder.points.extend(rows.into_iter().map(|(state, event)| {
             if state.time <= run.peak_time {
-                loading_point(law, &law.loading.pieces()[law.loading.index_at(state.distance)], state, event)
+                point(force.loaded_to(state.distance), state, event)
             } else {
-                let distance = state.distance - unloading.peak.residual();
+                let distance = state.distance - (law.dent(&unloading.peak).residual() - force.touch);
                 unloading_point(&unloading, State { distance, ..state }, event)
             }
         }));

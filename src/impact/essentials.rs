@@ -10,7 +10,7 @@ use crate::material::{OutOfFloatRange, normal};
 pub struct Essentials {
     /// e \[1\].
     pub restitution: f64,
-    /// First touch to separation \[s\].
+    /// First touch to separation \[s\]; infinite for a captured sphere.
     pub contact_time: f64,
     /// F_m \[N\].
     pub peak_force: f64,
@@ -38,10 +38,21 @@ impl Essentials {
         law: &Law,
         outcome: &Outcome,
     ) -> Result<Self, OutOfFloatRange> {
-        let peak = outcome.unloading.peak;
-        let residual = peak.residual();
         let kinetic_in = normal("kinetic energy (J)", 0.5 * mass * speed * speed)?;
-        let lost = law.loading.work(peak.indentation) - outcome.unloading.stored(peak.indentation);
+        Self::with_kinetic(kinetic_in, scales, law, outcome)
+    }
+
+    /// The same for a given kinetic energy \[J\].
+    #[inline]
+    pub(super) fn with_kinetic(
+        kinetic_in: f64,
+        scales: &Scales,
+        law: &Law,
+        outcome: &Outcome,
+    ) -> Result<Self, OutOfFloatRange> {
+        let peak = outcome.unloading.peak;
+        let residual = law.dent(&peak).residual();
+        let lost = law.spent(&outcome.unloading);
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,

@@ -4,9 +4,10 @@ use super::course::{Event, Point};
 use super::essentials::Essentials;
 use super::scales::Scales;
 use super::validity::{self, Warning};
+use super::with_forces::UnderForces;
 use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
-use crate::law::{Law, Unloading};
+use crate::law::{Law, Peak, Unloading};
 
 /// The outcome of an impact in dimensionless form, however it was obtained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,17 +54,20 @@ pub enum Branch {
     Elastic,
     /// Loading, dent growing.
     Plastic,
+    /// Loading in a dent of an earlier impact, up its unloading branch.
+    Reloading,
     /// Unloading.
     Unloading,
 }
 
 impl Branch {
-    /// `elastic`, `plastic` or `unloading`.
+    /// `elastic`, `plastic`, `reloading` or `unloading`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Elastic => "elastic",
             Self::Plastic => "plastic",
+            Self::Reloading => "reloading",
             Self::Unloading => "unloading",
         }
     }
@@ -82,8 +86,10 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// δ' \[m/s\]: positive into the half-space, negative on the way out.
     pub speed: f64,
-    /// F \[N\].
+    /// F \[N\]: what the half-space exerts, with damping.
     pub force: f64,
+    /// That of the law alone, where there is damping.
+    pub elastic_force: Option<f64>,
     /// Where on the law.
     pub branch: Branch,
     /// The event, if the row is one.
@@ -103,7 +109,7 @@ pub struct Impact {
     pub restitution: f64,
     /// e v \[m/s\].
     pub rebound_speed: f64,
-    /// First touch to separation \[s\].
+    /// First touch to separation \[s\]; infinite for a captured sphere.
     pub contact_time: f64,
     /// First touch to maximum compression \[s\].
     pub loading_time: f64,
@@ -127,14 +133,16 @@ pub struct Impact {
     pub peak_contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
-    /// Radius of the dent's rim \[m\]: the contact radius at the peak; `None` without a dent.
+    /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     /// Where the energy went.
     pub energy: Energy,
     /// What it cost.
     pub work: Work,
-    /// Error against the closed form.
+    /// Error against the closed form; not a number where damping leaves none.
     pub accuracy: Accuracy,
+    /// Fate, losses and work under gravity or damping, if the scene names them.
+    pub under_forces: Option<UnderForces>,
     /// Where the model or the run is doubtful.
     pub warnings: Vec<Warning>,
     /// The trace, empty if none was asked for; rows rise in time.
@@ -154,30 +162,57 @@ impl Impact {
         work: Work,
         points: &[Point],
     ) -> Result<Self, ImpactError> {
-        let pair = contact.pair();
         let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
         let peak = unloading.peak;
         let essentials = Essentials::new(contact.mass(), speed, scales, law, outcome)?;
-        let Essentials { kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
-        let has_dent = essentials.has_dent();
         // kinetic energy in units of Φ L
-        let kinetic = kinetic_in / scales.energy();
-        let lost = law.loading.work(peak.indentation) - unloading.stored(peak.indentation);
+        let kinetic = essentials.kinetic_in / scales.energy();
+        let lost = law.spent(&unloading);
         let ledger = Ledger { law, unloading: &unloading, kinetic, unit_of_speed: scales.speed / speed, lost };
-        let trace: Vec<TraceRow> =
-            points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
-        let at_peak = law.loading.work(peak.indentation) / kinetic - 1.0;
+        let sphere_compliance = contact.pair().sphere_compliance;
+        let trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point, scales, sphere_compliance)).collect();
+        let at_peak = law.work_to(&peak) / kinetic - 1.0;
         let at_separation = restitution * restitution + lost / kinetic - 1.0;
         let drift = trace
             .iter()
             .map(|row| row.energy_drift)
             .chain([at_peak, at_separation])
             .fold(0.0, |worst: f64, d| worst.max(d.abs()));
+        let mut impact =
+            Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
+        impact.energy.drift = drift;
+        impact.work = work;
+        impact.accuracy = Accuracy {
+            closed_form_restitution: exact.restitution,
+            restitution_error: (restitution / exact.restitution - 1.0).abs(),
+            contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
+        };
+        impact.trace = trace;
+        impact.warnings = validity::warnings(contact, &impact);
+        Ok(impact)
+    }
 
-        let radius_ratio = peak.unloading_radius_ratio();
+    /// What follows from a row of a table and the unloading branch: no trace, cost, drift or errors yet.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn of_essentials(
+        contact: &Contact,
+        speed: f64,
+        method: Method,
+        scales: &Scales,
+        law: &Law,
+        unloading: &Unloading,
+        loading_time: f64,
+        essentials: &Essentials,
+    ) -> Self {
+        let pair = contact.pair();
+        let peak = &unloading.peak;
+        let Essentials { restitution, kinetic_in, peak_force, peak_contact_radius, .. } = *essentials;
+        let has_dent = essentials.has_dent();
+        let dent = law.dent(peak);
+        let radius_ratio = dent.unloading_radius_ratio();
         let residual_radius =
             (has_dent && radius_ratio > 1.0).then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0)));
-        let mut impact = Self {
+        Self {
             speed,
             method,
             restitution,
@@ -194,24 +229,23 @@ impl Impact {
             residual_radius,
             peak_contact_radius,
             peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
-            dent_radius: has_dent.then_some(peak_contact_radius),
+            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| essentials.plastic_fraction * kinetic_in),
-                drift,
+                drift: 0.0,
             },
-            work,
+            work: Work::default(),
             accuracy: Accuracy {
-                closed_form_restitution: exact.restitution,
-                restitution_error: (restitution / exact.restitution - 1.0).abs(),
-                contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
+                closed_form_restitution: restitution,
+                restitution_error: 0.0,
+                contact_time_error: 0.0,
             },
+            under_forces: None,
             warnings: Vec::new(),
-            trace,
-        };
-        impact.warnings = validity::warnings(contact, &impact);
-        Ok(impact)
+            trace: Vec::new(),
+        }
     }
 
     /// Whether the impact left a dent.
@@ -237,10 +271,12 @@ impl Ledger<'_> {
         let potential = if point.is_unloading {
             self.unloading.stored_after(point.elastic_approach, point.force) + self.lost
         } else {
-            self.law.loading.work(point.indentation)
+            let Point { indentation, force, elastic_approach, .. } = *point;
+            self.law.work_to(&Peak { indentation, force, elastic_approach })
         };
         let branch = match point {
             Point { is_unloading: true, .. } => Branch::Unloading,
+            Point { indentation, .. } if self.law.branch_at(*indentation).is_some() => Branch::Reloading,
             Point { indentation, elastic_approach, .. } if elastic_approach < indentation => Branch::Plastic,
             _ => Branch::Elastic,
         };
@@ -253,6 +289,7 @@ impl Ledger<'_> {
             half_space_indentation: indentation - sphere_indentation,
             speed: point.speed * scales.speed,
             force: point.force * scales.force,
+            elastic_force: None,
             branch,
             event: point.event,
             energy_drift: speed_ratio * speed_ratio + potential / self.kinetic - 1.0,

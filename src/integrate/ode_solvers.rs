@@ -115,13 +115,29 @@ impl OdeSolvers {
         for<'a> Equations<'a>: System<f64, OVector<f64, D>>,
         DefaultAllocator: Allocator<D>,
     {
+        let evaluations = equations.evaluations;
+        self.drive(equations, evaluations, from, to, start)
+    }
+
+    /// Carries `start` from `from` to `to`; `evaluations` is what the equations count themselves.
+    pub(super) fn drive<S, D: Dim>(
+        &mut self,
+        equations: S,
+        evaluations: &Cell<u64>,
+        from: f64,
+        to: f64,
+        start: OVector<f64, D>,
+    ) -> Result<OVector<f64, D>, IntegrationError>
+    where
+        S: System<f64, OVector<f64, D>>,
+        DefaultAllocator: Allocator<D>,
+    {
         /// Largest step in units of size one: no step may jump over a turning point (a quarter period is about 1.5).
         const LARGEST_STEP: f64 = 0.5;
         const MOST_STEPS: u32 = 1_000_000;
         if from == to {
             return Ok(start);
         }
-        let evaluations = equations.evaluations;
         macro_rules! integrate {
             ($stepper:ident, $beta:expr, $shrink:expr, $grow:expr) => {{
                 let mut stepper = $stepper::from_param(

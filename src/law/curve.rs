@@ -4,6 +4,7 @@
 //! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
+use super::Unloading;
 use crate::power::power;
 use crate::smooth::Smooth;
 
@@ -26,6 +27,27 @@ pub enum Shape {
     },
     /// Anything else that is smooth and increases.
     Smooth(Smooth),
+    /// f = k (d + l)^n: a power law that is entered beyond its zero, as by a reload that goes on along the loading curve.
+    LatePower {
+        /// k > 0.
+        stiffness: f64,
+        /// n > 1.
+        exponent: f64,
+        /// l > 0: how far the zero of the force lies before the start of the piece.
+        lead: f64,
+    },
+}
+
+impl Shape {
+    /// l: how far the zero of a power law lies before the start of its piece.
+    #[inline]
+    #[must_use]
+    pub fn lead(&self) -> f64 {
+        match *self {
+            Self::LatePower { lead, .. } => lead,
+            Self::Power { .. } | Self::Straight { .. } | Self::Smooth(_) => 0.0,
+        }
+    }
 }
 
 /// One smooth piece; it holds from `start` to the start of the next one.
@@ -51,16 +73,26 @@ impl Piece {
             Shape::Power { stiffness, exponent } => stiffness * power(d, exponent),
             Shape::Straight { slope, .. } => self.force + slope * d,
             Shape::Smooth(smooth) => smooth.value(self.start, d),
+            Shape::LatePower { stiffness, exponent, lead } => stiffness * power(d + lead, exponent),
         }
     }
 
     /// df/dx at x, the tangent stiffness.
     #[must_use]
     pub fn slope_at(&self, x: f64) -> f64 {
+        self.slope_beyond(x - self.start)
+    }
+
+    /// The same at a distance from the start of the piece.
+    #[must_use]
+    pub fn slope_beyond(&self, distance: f64) -> f64 {
         match self.shape {
-            Shape::Power { stiffness, exponent } => stiffness * exponent * power(x - self.start, exponent - 1.0),
+            Shape::Power { stiffness, exponent } => stiffness * exponent * power(distance, exponent - 1.0),
             Shape::Straight { slope, .. } => slope,
-            Shape::Smooth(smooth) => smooth.slope(self.start, x - self.start),
+            Shape::Smooth(smooth) => smooth.slope(self.start, distance),
+            Shape::LatePower { stiffness, exponent, lead } => {
+                stiffness * exponent * power(distance + lead, exponent - 1.0)
+            }
         }
     }
 
@@ -73,6 +105,10 @@ impl Piece {
             Shape::Power { stiffness, exponent } => self.work + stiffness * power(d, exponent) * d / (exponent + 1.0),
             Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
             Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
+            Shape::LatePower { stiffness, exponent, lead } => {
+                let from_zero = |d: f64| power(d, exponent) * d;
+                self.work + stiffness * (from_zero(d + lead) - from_zero(lead)) / (exponent + 1.0)
+            }
         }
     }
 
@@ -80,18 +116,27 @@ impl Piece {
     #[inline]
     #[must_use]
     pub fn indentation_at_work(&self, work: f64) -> f64 {
+        self.start + self.distance_at_work(work)
+    }
+
+    /// The same measured from the start of the piece: near a start far from zero it has digits that x has lost.
+    #[inline]
+    #[must_use]
+    pub fn distance_at_work(&self, work: f64) -> f64 {
         let rest = work - self.work;
-        self.start
-            + match self.shape {
-                Shape::Power { stiffness, exponent } => {
-                    ((exponent + 1.0) / stiffness * rest).powf(1.0 / (exponent + 1.0))
-                }
-                // the root of ½ s d² + f_i d = rest, in the form that does not cancel
-                Shape::Straight { slope, .. } => {
-                    2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
-                }
-                Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
+        match self.shape {
+            Shape::Power { stiffness, exponent } => ((exponent + 1.0) / stiffness * rest).powf(1.0 / (exponent + 1.0)),
+            // the root of ½ s d² + f_i d = rest, in the form that does not cancel
+            Shape::Straight { slope, .. } => {
+                2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
             }
+            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
+            // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
+            Shape::LatePower { stiffness, exponent, lead } => {
+                let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);
+                lead * ((rest / before).ln_1p() / (exponent + 1.0)).exp_m1()
+            }
+        }
     }
 }
 
@@ -149,6 +194,28 @@ impl Curve {
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
         self.then_straight(start, slope)
+    }
+
+    /// The curve of a spot that was loaded along this one, fresh, to the peak of `branch`: first that branch, then what is
+    /// left of this curve. Its work counts from the zero of the branch.
+    #[must_use]
+    pub fn reloaded(&self, branch: &Unloading) -> Self {
+        let peak = branch.peak;
+        let stored = branch.capacity();
+        let index = self.index_at(peak.indentation);
+        let cut = &self.pieces[index];
+        let cut_off = peak.indentation - cut.start;
+        let shape = match cut.shape {
+            Shape::Power { stiffness, exponent } => Shape::LatePower { stiffness, exponent, lead: cut_off },
+            Shape::LatePower { stiffness, exponent, lead } => {
+                Shape::LatePower { stiffness, exponent, lead: lead + cut_off }
+            }
+            same @ (Shape::Straight { .. } | Shape::Smooth(_)) => same,
+        };
+        let spent = cut.work_at(peak.indentation);
+        let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
+        let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
+        Self { pieces: [branch.branch(), first].into_iter().chain(rest).collect() }
     }
 
     /// The pieces in order; never empty.

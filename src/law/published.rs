@@ -70,12 +70,15 @@ pub struct Loading {
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
-    pub fn new(
-        curve: Curve,
-        elastic_until: f64,
-        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
-    ) -> Self {
-        Self { curve, elastic_until, holds_from: 0.0, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
+    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self {
+            curve,
+            elastic_until,
+            holds_from: 0.0,
+            holds_until: f64::INFINITY,
+            stated: None,
+            radius: Arc::new(radius),
+        }
     }
 }
 
@@ -89,7 +92,9 @@ impl fmt::Debug for Loading {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
-    #[error("the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed")]
+    #[error(
+        "the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed"
+    )]
     Range {
         /// x_m.
         indentation: f64,

@@ -1,8 +1,8 @@
 //! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n in (1, 2], and the shapes of
 //! published laws that are no power.
 
-use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::curve::{Piece, Shape};
+use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::yigit_christoforou::SHIFTED_HERTZ;
 use crate::power::power;
 use crate::smooth::Smooth;
@@ -59,8 +59,8 @@ pub struct Unloading {
     pub peak: Peak,
     /// n in (1, 2]; for other shapes that of the power law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
-    /// The shape.
-    pub shape: UnloadingShape,
+    /// The branch from x_r on, where it is no power.
+    pub(super) curve: Option<Smooth>,
 }
 
 /// n of the power law that gives back as much as unloading from uniform pressure: 3π/4 − 1.
@@ -70,33 +70,68 @@ impl Unloading {
     /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.
     #[must_use]
     pub fn new(peak: Peak, exponent: f64, shape: UnloadingShape) -> Self {
-        let exponent = match shape {
-            UnloadingShape::Power => exponent,
+        match shape {
+            UnloadingShape::Power => Self::power(peak, exponent),
             // not moved at all: Hertz itself
-            UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => {
-                return Self { peak, exponent: 1.5, shape: UnloadingShape::Power };
+            UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
+            UnloadingShape::UniformPressure => {
+                let curve = Smooth::new(&UNIFORM_PRESSURE, [peak.force, peak.elastic_approach, 0.0]);
+                Self { peak, exponent: UNIFORM_PRESSURE_EXPONENT, curve: Some(curve) }
             }
-            UnloadingShape::UniformPressure => UNIFORM_PRESSURE_EXPONENT,
             UnloadingShape::ShiftedHertz => {
-                let (low, high) = (peak.residual().max(0.0), peak.indentation);
-                // f_m ε_m over the energy, less 1
-                let energy = Smooth::new(&SHIFTED_HERTZ, shifted_hertz(&peak)).work(low, 0.0, high - low);
-                peak.force * peak.elastic_approach / energy - 1.0
+                let residual = peak.residual().max(0.0);
+                let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
+                Self::along(peak, Smooth::new(&SHIFTED_HERTZ, [stiffness, residual, 0.0]))
             }
-        };
-        Self { peak, exponent, shape }
+        }
+    }
+
+    /// The power law f_m (d/ε_m)^n.
+    #[inline]
+    #[must_use]
+    pub const fn power(peak: Peak, exponent: f64) -> Self {
+        Self { peak, exponent, curve: None }
+    }
+
+    /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
+    fn along(peak: Peak, curve: Smooth) -> Self {
+        let energy = curve.work(peak.residual().max(0.0), 0.0, peak.elastic_approach);
+        Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
+    }
+
+    /// Whether the branch is the power law of its exponent.
+    #[inline]
+    #[must_use]
+    pub fn is_power(&self) -> bool {
+        self.curve.is_none()
+    }
+
+    /// The same branch from a lower point of it, where a reload turned.
+    #[inline]
+    #[must_use]
+    pub fn below(&self, peak: Peak) -> Self {
+        match self.curve {
+            None => Self::power(peak, self.exponent),
+            Some(_) if peak.indentation >= self.peak.indentation => *self,
+            Some(curve) => Self::along(peak, curve),
+        }
     }
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
-        let recovered = x - self.peak.residual();
+        self.force_of(x - self.peak.residual())
+    }
+
+    /// Force where `recovered`, x − x_r, is still to be recovered.
+    #[must_use]
+    pub fn force_of(&self, recovered: f64) -> f64 {
         if recovered <= 0.0 {
             return 0.0;
         }
-        match self.shape {
-            UnloadingShape::Power => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            _ => self.branch().force_at(x),
+        match self.curve {
+            None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
+            Some(curve) => curve.value(self.peak.residual(), recovered),
         }
     }
 
@@ -104,30 +139,36 @@ impl Unloading {
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
         let recovered = x - self.peak.residual();
-        match self.shape {
-            UnloadingShape::Power => self.force(x) * recovered / (self.exponent + 1.0),
-            _ if x == self.peak.indentation => {
-                self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
-            }
-            _ => self.branch().work_at(x),
+        match self.curve {
+            None => self.force(x) * recovered / (self.exponent + 1.0),
+            Some(_) if x == self.peak.indentation => self.capacity(),
+            Some(curve) => curve.work(self.peak.residual(), 0.0, recovered.max(0.0)),
         }
+    }
+
+    /// Elastic energy stored at the peak, f_m ε_m/(n + 1): what unloading from there gives back, and what a reload may bring
+    /// without going beyond.
+    #[inline]
+    #[must_use]
+    pub fn capacity(&self) -> f64 {
+        self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
     }
 
     /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
     #[must_use]
     pub fn force_after(&self, recovered: f64) -> f64 {
-        match self.shape {
-            UnloadingShape::Power => self.stiffness() * power(recovered, self.exponent),
-            _ => self.branch().force_at(self.peak.residual() + recovered),
+        match self.curve {
+            None => self.stiffness() * power(recovered, self.exponent),
+            Some(curve) => curve.value(self.peak.residual(), recovered),
         }
     }
 
     /// Elastic energy stored there; `force` is the force there.
     #[must_use]
     pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
-        match self.shape {
-            UnloadingShape::Power => force * recovered / (self.exponent + 1.0),
-            _ => self.branch().work_at(self.peak.residual() + recovered),
+        match self.curve {
+            None => force * recovered / (self.exponent + 1.0),
+            Some(curve) => curve.work(self.peak.residual(), 0.0, recovered),
         }
     }
 
@@ -141,20 +182,8 @@ impl Unloading {
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
     #[must_use]
     pub fn branch(&self) -> Piece {
-        let Peak { force, elastic_approach, .. } = self.peak;
-        let shape = match self.shape {
-            UnloadingShape::Power => Shape::Power { stiffness: self.stiffness(), exponent: self.exponent },
-            UnloadingShape::UniformPressure => {
-                Shape::Smooth(Smooth::new(&UNIFORM_PRESSURE, [force, elastic_approach, 0.0]))
-            }
-            UnloadingShape::ShiftedHertz => Shape::Smooth(Smooth::new(&SHIFTED_HERTZ, shifted_hertz(&self.peak))),
-        };
+        let power = Shape::Power { stiffness: self.stiffness(), exponent: self.exponent };
+        let shape = self.curve.map_or(power, Shape::Smooth);
         Piece { start: self.peak.residual(), force: 0.0, work: 0.0, shape }
     }
-}
-
-/// Stiffness and residual indentation of a moved Hertz curve.
-fn shifted_hertz(peak: &Peak) -> [f64; 3] {
-    let residual = peak.residual().max(0.0);
-    [peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5)), residual, 0.0]
 }

@@ -109,8 +109,9 @@ enum Modulus {
     Rigid(&'static str),
 }
 
+/// The bodies and the speed of an impact.
 #[derive(Serialize)]
-struct Inputs {
+pub(super) struct Inputs {
     sphere_radius_m: f64,
     #[serde(rename = "sphere_youngs_modulus_Pa")]
     sphere_youngs_modulus: Modulus,
@@ -127,7 +128,7 @@ struct Inputs {
 }
 
 impl Inputs {
-    fn of(contact: &Contact, speed: f64) -> Self {
+    pub(super) fn of(contact: &Contact, speed: f64) -> Self {
         let (sphere, half_space) = (contact.sphere(), contact.half_space());
         let modulus = sphere.material.youngs_modulus;
         Self {

@@ -15,6 +15,7 @@ pub fn event_name(event: Option<Event>) -> &'static str {
         Some(Event::Knot) => "knot",
         Some(Event::Peak) => "peak",
         Some(Event::Separation) => "separation",
+        Some(Event::Captured) => "captured",
     }
 }
 

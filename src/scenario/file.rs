@@ -4,11 +4,13 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
-use super::quantity::{
-    Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
-    Tolerance,
-};
+use super::forces::{DampingTable, GravityTable};
 use super::law::LawTable;
+use super::quantity::{
+    Density, DropHeight, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps,
+    Strength, Tolerance,
+};
+use super::repeat::RepeatTable;
 use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.
@@ -21,6 +23,10 @@ pub struct ScenarioFile {
     pub half_space: HalfSpaceTable,
     /// How they meet; only a scene without an impact can do without.
     pub impact: Option<ImpactTable>,
+    /// Gravity, if it is to act.
+    pub gravity: Option<GravityTable>,
+    /// Damping, if there is any.
+    pub damping: Option<DampingTable>,
     /// The law; PLM if absent.
     pub law: Option<LawTable>,
     /// How to compute.
@@ -31,8 +37,10 @@ pub struct ScenarioFile {
     pub output: OutputTable,
     /// Many cases on axes, or
     pub sweep: Option<SweepTable>,
-    /// many random ones.
+    /// many random ones, or
     pub monte_carlo: Option<MonteCarloTable>,
+    /// one after the other.
+    pub repeat: Option<RepeatTable>,
 }
 
 /// `[sphere]`
@@ -69,8 +77,10 @@ pub struct HalfSpaceTable {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct ImpactTable {
-    /// Impact speed.
-    pub speed: Speed,
+    /// Impact speed, or
+    pub speed: Option<Speed>,
+    /// height of the fall under gravity: exactly one of the two.
+    pub drop_height: Option<DropHeight>,
 }
 
 /// `[law.plm]`

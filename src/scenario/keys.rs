@@ -3,9 +3,10 @@
 
 use super::Scene;
 use super::quantity::{
-    AREA_FACTOR, DENSITY, EXPONENT, Exponent, FACTOR, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SHARE, SPEED,
-    SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
+    ACCELERATION, AREA_FACTOR, DENSITY, DROP_HEIGHT, EXPONENT, Exponent, FACTOR, HUNT_CROSSLEY, LENGTH, MODULUS,
+    POISSONS_RATIO, Quantity, SHARE, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
 };
+use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};
 
 /// A numeric key.
@@ -110,11 +111,36 @@ pub const KEYS: &[Key] = &[
         get: |scene| scene.half_space.yield_strength,
         set: |scene, value| scene.half_space.yield_strength = Some(value),
     },
+    Key { path: "impact.speed", quantity: &SPEED, get: |scene| Some(scene.speed), set: Scene::set_speed },
     Key {
-        path: "impact.speed",
-        quantity: &SPEED,
-        get: |scene| Some(scene.speed),
-        set: |scene, value| scene.speed = value,
+        path: "impact.drop_height",
+        quantity: &DROP_HEIGHT,
+        get: |scene| scene.drop_height,
+        set: Scene::set_drop_height,
+    },
+    Key {
+        path: "gravity.acceleration",
+        quantity: &ACCELERATION,
+        get: |scene| scene.forces.gravity,
+        set: Scene::set_gravity,
+    },
+    Key {
+        path: "damping.hunt_crossley",
+        quantity: &HUNT_CROSSLEY,
+        get: |scene| match scene.forces.damping {
+            Some(Damping::HuntCrossley(chi)) => Some(chi),
+            _ => None,
+        },
+        set: |scene, value| scene.forces.damping = Some(Damping::HuntCrossley(value)),
+    },
+    Key {
+        path: "damping.viscous",
+        quantity: &VISCOUS,
+        get: |scene| match scene.forces.damping {
+            Some(Damping::Viscous(zeta)) => Some(zeta),
+            _ => None,
+        },
+        set: |scene, value| scene.forces.damping = Some(Damping::Viscous(value)),
     },
     Key {
         path: "law.plm.unloading_exponent",
@@ -126,18 +152,54 @@ pub const KEYS: &[Key] = &[
         },
         set: |scene, value| scene.exponent = Exponent::from(value).0,
     },
-    of_law!("law.thornton.yield_pressure", &STRENGTH, Thornton, |law| law.yield_pressure, |law, value| law.yield_pressure = Some(value)),
-    of_law!("law.stronge.yield_pressure_ratio", &FACTOR, Stronge, |law| Some(law.yield_pressure_ratio), |law, value| law.yield_pressure_ratio = value),
-    of_law!("law.stronge.unloading_factor", &FACTOR, Stronge, |law| Some(law.unloading_factor), |law, value| law.unloading_factor = value),
-    of_law!("law.jackson_green.yield_factor", &FACTOR, JacksonGreen, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
-    of_law!("law.kogut_etsion.yield_factor", &FACTOR, KogutEtsion, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
-    of_law!("law.yigit_christoforou.yield_factor", &FACTOR, YigitChristoforou, |law| law.yield_factor, |law, value| law.yield_factor = Some(value)),
-    of_law!("law.ma_liu.hardness_ratio", &FACTOR, MaLiu, |law| Some(law.hardness_ratio), |law, value| law.hardness_ratio = value),
-    of_law!("law.ma_liu.transition_ratio", &TRANSITION_RATIO, MaLiu, |law| Some(law.transition_ratio), |law, value| law.transition_ratio = value),
-    of_law!("law.mesarovic_johnson.area_factor", &AREA_FACTOR, MesarovicJohnson, |law| Some(law.area_factor), |law, value| law.area_factor = value),
-    of_law!("law.walton_braun.loading_stiffness", &FACTOR, WaltonBraun, |law| Some(law.loading_stiffness), |law, value| law.loading_stiffness = value),
-    of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, |law| Some(law.stiffness_ratio), |law, value| law.stiffness_ratio = value),
-    of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, |law| law.dynamic_pressure, |law, value| law.dynamic_pressure = Some(value)),
+    of_law!("law.thornton.yield_pressure", &STRENGTH, Thornton, |law| law.yield_pressure, |law, value| law
+        .yield_pressure =
+        Some(value)),
+    of_law!(
+        "law.stronge.yield_pressure_ratio",
+        &FACTOR,
+        Stronge,
+        |law| Some(law.yield_pressure_ratio),
+        |law, value| law.yield_pressure_ratio = value
+    ),
+    of_law!("law.stronge.unloading_factor", &FACTOR, Stronge, |law| Some(law.unloading_factor), |law, value| law
+        .unloading_factor =
+        value),
+    of_law!("law.jackson_green.yield_factor", &FACTOR, JacksonGreen, |law| law.yield_factor, |law, value| law
+        .yield_factor =
+        Some(value)),
+    of_law!("law.kogut_etsion.yield_factor", &FACTOR, KogutEtsion, |law| law.yield_factor, |law, value| law
+        .yield_factor =
+        Some(value)),
+    of_law!("law.yigit_christoforou.yield_factor", &FACTOR, YigitChristoforou, |law| law.yield_factor, |law, value| {
+        law.yield_factor = Some(value)
+    }),
+    of_law!("law.ma_liu.hardness_ratio", &FACTOR, MaLiu, |law| Some(law.hardness_ratio), |law, value| law
+        .hardness_ratio =
+        value),
+    of_law!("law.ma_liu.transition_ratio", &TRANSITION_RATIO, MaLiu, |law| Some(law.transition_ratio), |law, value| {
+        law.transition_ratio = value
+    }),
+    of_law!(
+        "law.mesarovic_johnson.area_factor",
+        &AREA_FACTOR,
+        MesarovicJohnson,
+        |law| Some(law.area_factor),
+        |law, value| law.area_factor = value
+    ),
+    of_law!(
+        "law.walton_braun.loading_stiffness",
+        &FACTOR,
+        WaltonBraun,
+        |law| Some(law.loading_stiffness),
+        |law, value| law.loading_stiffness = value
+    ),
+    of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, |law| Some(law.stiffness_ratio), |law, value| {
+        law.stiffness_ratio = value
+    }),
+    of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, |law| law.dynamic_pressure, |law, value| law
+        .dynamic_pressure =
+        Some(value)),
     Key {
         path: "solver.tolerance",
         quantity: &TOLERANCE,

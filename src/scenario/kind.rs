@@ -12,17 +12,21 @@ pub enum Kind {
     Sweep,
     /// `[monte_carlo]`: a table of random impacts.
     MonteCarlo,
+    /// `[repeat]`: impacts one after the other.
+    Repeat,
 }
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] = &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo)];
+    const TABLES: &[(&'static str, Self)] =
+        &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("repeat", Self::Repeat)];
 
     fn is_given(self, file: &ScenarioFile) -> bool {
         match self {
             Self::Impact => file.impact.is_some(),
             Self::Sweep => file.sweep.is_some(),
             Self::MonteCarlo => file.monte_carlo.is_some(),
+            Self::Repeat => file.repeat.is_some(),
         }
     }
 }

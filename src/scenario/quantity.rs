@@ -33,12 +33,22 @@ pub struct Quantity {
     pub high: Bound,
     /// How it may be written.
     pub example: &'static str,
-    /// The way out at or beyond the upper end, or empty.
+    /// The way out at or beyond one end, or empty.
     pub hint: &'static str,
+    /// Whether that is the lower end.
+    pub is_hint_low: bool,
 }
 
 const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
-    Quantity { name, dimension, low: Bound::Open(0.0), high: Bound::Open(f64::INFINITY), example, hint: "" }
+    Quantity {
+        name,
+        dimension,
+        low: Bound::Open(0.0),
+        high: Bound::Open(f64::INFINITY),
+        example,
+        hint: "",
+        is_hint_low: false,
+    }
 }
 
 /// A radius or diameter.
@@ -56,6 +66,23 @@ pub const STRENGTH: Quantity = Quantity {
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
+/// Gravity.
+pub const ACCELERATION: Quantity = Quantity {
+    hint: "to do without gravity leave the table out",
+    is_hint_low: true,
+    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
+};
+/// A height that the sphere falls from.
+pub const DROP_HEIGHT: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a drop height", Dimension::Length, "\"0.5 m\"") };
+/// χ of Hunt and Crossley.
+pub const HUNT_CROSSLEY: Quantity = Quantity {
+    low: Bound::Closed(0.0),
+    ..positive("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"")
+};
+/// Fraction of critical damping.
+pub const VISCOUS: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a fraction of critical damping", Dimension::Ratio, "0.05") };
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
     name: "a Poisson's ratio",
@@ -64,6 +91,7 @@ pub const POISSONS_RATIO: Quantity = Quantity {
     high: Bound::Open(0.5),
     example: "0.3",
     hint: "for an incompressible material write 0.4999",
+    is_hint_low: false,
 };
 /// The exponent n of the unloading branch.
 pub const EXPONENT: Quantity = Quantity {
@@ -73,9 +101,10 @@ pub const EXPONENT: Quantity = Quantity {
     high: Bound::Closed(2.0),
     example: "1.5",
     hint: "",
+    is_hint_low: false,
 };
 const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
-    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "" }
+    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
 }
 
 /// A factor of a published law, such as a pressure over the yield strength.
@@ -95,6 +124,7 @@ pub const TOLERANCE: Quantity = Quantity {
     high: Bound::Closed(1e-2),
     example: "1e-10",
     hint: "",
+    is_hint_low: false,
 };
 /// Rows of a trace: two ends, and no more than a file of about a gigabyte.
 pub const SAMPLES: Quantity = Quantity {
@@ -104,6 +134,20 @@ pub const SAMPLES: Quantity = Quantity {
     high: Bound::Closed(1e7),
     example: "400",
     hint: "",
+    is_hint_low: false,
+};
+/// The speed of one shot of a list.
+pub const SHOT_SPEED: Quantity =
+    Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
+/// Repeated impacts: as many as a table of some hundred megabytes has rows.
+pub const IMPACTS: Quantity = Quantity {
+    name: "a number of impacts",
+    dimension: Dimension::Ratio,
+    low: Bound::Closed(1.0),
+    high: Bound::Closed(1e6),
+    example: "20",
+    hint: "",
+    is_hint_low: false,
 };
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
 pub const STEPS: Quantity = Quantity {
@@ -113,6 +157,7 @@ pub const STEPS: Quantity = Quantity {
     high: Bound::Closed(1e8),
     example: "50",
     hint: "",
+    is_hint_low: false,
 };
 
 /// A value outside its range.
@@ -181,8 +226,9 @@ impl Quantity {
     }
 
     fn way_out(&self, value: f64) -> String {
-        let (Bound::Open(high) | Bound::Closed(high)) = self.high;
-        if value >= high && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
+        let (low, high) = self.range();
+        let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
+        if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
     }
 }
 
@@ -289,6 +335,16 @@ checked! {
     Density: DENSITY;
     /// A speed.
     Speed: SPEED;
+    /// Gravity.
+    Acceleration: ACCELERATION;
+    /// A drop height.
+    DropHeight: DROP_HEIGHT;
+    /// χ of Hunt and Crossley.
+    HuntCrossley: HUNT_CROSSLEY;
+    /// Fraction of critical damping.
+    ViscousFraction: VISCOUS;
+    /// The speed of a shot.
+    ShotSpeed: SHOT_SPEED;
     /// A Poisson's ratio.
     PoissonsRatio: POISSONS_RATIO;
     /// A relative tolerance.
@@ -347,6 +403,17 @@ impl<'de> Deserialize<'de> for Samples {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
         whole(deserializer, &SAMPLES).map(|samples| Self(samples as usize))
+    }
+}
+
+/// Repeated impacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Impacts(pub u64);
+
+impl<'de> Deserialize<'de> for Impacts {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within IMPACTS
+        whole(deserializer, &IMPACTS).map(|impacts| Self(impacts as u64))
     }
 }
 

@@ -128,9 +128,7 @@ impl Mul for Jet {
         Self {
             value: self.value * other.value,
             slope: self.slope * other.value + self.value * other.slope,
-            curvature: self.curvature * other.value
-                + 2.0 * self.slope * other.slope
-                + self.value * other.curvature,
+            curvature: self.curvature * other.value + 2.0 * self.slope * other.slope + self.value * other.curvature,
         }
     }
 }

@@ -197,5 +197,5 @@ impl Axis {
 /// Whether a key leaves bodies and law alone.
 #[must_use]
 pub fn keeps_contact(path: &str) -> bool {
-    path == "impact.speed" || path.starts_with("solver.")
+    path == "impact.speed" || path == "impact.drop_height" || path.starts_with("solver.")
 }

@@ -50,6 +50,8 @@ pub enum Failure {
     NotFinite,
     /// The law has no answer there.
     OutsideLaw,
+    /// The method `closed_form` in a scene that has none.
+    NoClosedForm,
 }
 
 impl Failure {
@@ -62,6 +64,7 @@ impl Failure {
             Self::TooManySteps => "too_many_steps",
             Self::NotFinite => "not_finite",
             Self::OutsideLaw => "outside_law",
+            Self::NoClosedForm => "no_closed_form",
         }
     }
 }
@@ -77,6 +80,7 @@ impl From<ImpactError> for Failure {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
             ImpactError::Law(_) => Self::OutsideLaw,
+            ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
@@ -159,6 +163,15 @@ impl Plan {
                 "sphere.diameter" if varies("sphere.radius") => {
                     "changes the same as \"sphere.radius\"; keep one of the two"
                 }
+                "impact.drop_height" if varies("impact.speed") => {
+                    "changes the same as \"impact.speed\"; keep one of the two"
+                }
+                "impact.drop_height" if scene.forces.gravity.is_none() => {
+                    "needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\""
+                }
+                "damping.viscous" if varies("damping.hunt_crossley") => {
+                    "is a second damping beside \"damping.hunt_crossley\"; keep one of the two"
+                }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
                 path if (path == "law" || path.starts_with("law.")) && !self.is_plastic() => {
@@ -167,9 +180,7 @@ impl Plan {
                 path if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") => {
                     "cannot vary together with \"law\": give it in the table of its law"
                 }
-                path if path.starts_with("law.") && !self.has_law_of(path) => {
-                    "is not used: no case is under that law"
-                }
+                path if path.starts_with("law.") && !self.has_law_of(path) => "is not used: no case is under that law",
                 path if path.starts_with("solver.") && path != "solver.method" && !is_stepped => {
                     "is not used: the closed form takes no steps; give solver.method too"
                 }
@@ -243,7 +254,7 @@ impl<'a> Evaluator<'a> {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
             let solver = &plan.scene.solver;
             let sweeps_solver = matches!(&plan.cases, Cases::Grid(axes) if axes.iter().any(Axis::is_of_solver));
-            if solver.method == Method::Rk8 && !sweeps_solver {
+            if solver.method == Method::Rk8 && !sweeps_solver && !has_forces(plan) {
                 evaluator.lockstep = Some(solver.tolerance);
             }
         }
@@ -339,6 +350,12 @@ impl<'a> Evaluator<'a> {
     }
 }
 
+/// Whether any row has gravity or damping: such rows are integrated one by one, not in lock step.
+fn has_forces(plan: &Plan) -> bool {
+    // the scene holds a value of every axis
+    !plan.scene.forces.is_none()
+}
+
 /// Whether rows of that method are integrated.
 fn method_is_stepped(method: Method) -> bool {
     !matches!(method, Method::Auto | Method::ClosedForm)
@@ -363,7 +380,9 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
 
 fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
     let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
-    if method_is_stepped(solver.method) {
+    if !contact.forces().is_none() {
+        Ok(contact.essentials_by(speed, solver)?)
+    } else if method_is_stepped(solver.method) {
         Ok(Essentials::from(&contact.impact(speed, solver, None)?))
     } else {
         Ok(contact.essentials(speed)?)
@@ -390,6 +409,8 @@ pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => crate::units::human(values.at(place), key.quantity.dimension),
         #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-        Setting::Method(_) | Setting::Law(_) => axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize)),
+        Setting::Method(_) | Setting::Law(_) => {
+            axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize))
+        }
     }
 }

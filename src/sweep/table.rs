@@ -57,7 +57,11 @@ impl ResultColumn {
 /// The columns between the swept values and the status.
 pub const RESULT_COLUMNS: &[ResultColumn] = &[
     ResultColumn { name: "restitution", is_plastic: false, value: |row| Some(row.restitution) },
-    ResultColumn { name: "contact_time_s", is_plastic: false, value: |row| Some(row.contact_time) },
+    ResultColumn {
+        name: "contact_time_s",
+        is_plastic: false,
+        value: |row| row.contact_time.is_finite().then_some(row.contact_time),
+    },
     ResultColumn { name: "peak_force_N", is_plastic: false, value: |row| Some(row.peak_force) },
     ResultColumn { name: "peak_indentation_m", is_plastic: false, value: |row| Some(row.peak_indentation) },
     ResultColumn { name: "residual_indentation_m", is_plastic: true, value: |row| Some(row.residual_indentation) },

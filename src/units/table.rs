@@ -31,7 +31,7 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
     Unit { name, dimension, scale, is_shown: false }
 }
 
-use Dimension::{Density, Energy, Force, Length, Mass, Pressure, Ratio, Speed, Time};
+use Dimension::{Acceleration, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Time};
 
 pub(super) const UNITS: &[Unit] = &[
     shown("nm", Length, -9),
@@ -52,6 +52,13 @@ pub(super) const UNITS: &[Unit] = &[
     read("km/h", Speed, Scale::Over(3.6)),
     shown("m/s", Speed, 0),
     shown("km/s", Speed, 3),
+    read("mm/s^2", Acceleration, Scale::Ten(-3)),
+    read("cm/s^2", Acceleration, Scale::Ten(-2)),
+    shown("m/s^2", Acceleration, 0),
+    read("ms/m", InverseSpeed, Scale::Ten(-3)),
+    shown("s/m", InverseSpeed, 0),
+    read("s/cm", InverseSpeed, Scale::Ten(2)),
+    shown("s/mm", InverseSpeed, 3),
     shown("ng", Mass, -12),
     shown("µg", Mass, -9),
     shown("mg", Mass, -6),

@@ -1,0 +1,293 @@
+//! An impact under gravity, or with the damping of Hunt and Crossley, without stepping.
+//!
+//! Under gravity alone the motion is conservative on each branch; with w = m g/Φ, x the indentation and u the speed
+//!
+//! ```text
+//! (2/5) u² = (2/5) q² + w x − W(x)
+//! ```
+//!
+//! With the force factor 1 + χ u and no gravity, u du = −(5/4) f (1 + χ u) dx is separable,
+//!
+//! ```text
+//! G(u) = G(q) − (5/4) W(x),   G(u) = u/χ − ln(1 + χ u)/χ²        (½ u² for χ → 0)
+//! ```
+//!
+//! So peak and rebound are roots in both, and the time is ∫ dx/u: in closed form on straight pieces under gravity, by a
+//! quadrature that knows the distances from both ends elsewhere.
+
+use super::forced::{Fate, ForcedOutcome, Load};
+use super::forces::Damping;
+use super::scales::ACCELERATION;
+use crate::integrate::State;
+use crate::law::curve::{Piece, Shape};
+use crate::law::{Law, Peak, Unloading};
+use crate::power::power;
+use crate::quadrature;
+
+/// Where an impact of energy `kinetic` (in units of Φ L) and weight w turns: the piece, and the distance from its start.
+#[must_use]
+pub fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
+    let pieces = law.loading.pieces();
+    let touch = law.touch();
+    // W(x) − w x is convex, and at most the energy up to the peak
+    let last = if law.stays_on_branch(kinetic, weight) {
+        0
+    } else {
+        pieces.partition_point(|piece| piece.work - weight * (piece.start - touch) <= kinetic).saturating_sub(1)
+    };
+    let piece = &pieces[last];
+    let rest = (kinetic + weight * (piece.start - touch) - piece.work).max(0.0);
+    (last, way_to_turn(piece, rest, weight))
+}
+
+/// Distance from the start of a piece, passed with energy `rest`, to the turning point.
+fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
+    match piece.shape {
+        Shape::Straight { slope, .. } => {
+            let pull = piece.force - weight;
+            let root = (pull * pull + 2.0 * slope * rest).sqrt();
+            if pull > 0.0 { 2.0 * rest / (pull + root) } else { (root - pull) / slope }
+        }
+        Shape::Power { stiffness, exponent } => power_turn(stiffness, exponent, rest, weight),
+        Shape::Smooth(smooth) => smooth.distance_at_work_against(piece.start, piece.work, rest, weight),
+        Shape::LatePower { stiffness, exponent, lead } => {
+            let p = exponent + 1.0;
+            let from_zero = rest + stiffness * power(lead, exponent) * lead / p - weight * lead;
+            let mut d = power_turn(stiffness, exponent, from_zero.max(0.0), weight);
+            // a weight that the piece begins far below of: Newton's method from above, as in `power_turn`
+            for _ in 0..60 {
+                let force = stiffness * power(d, exponent);
+                let next = d - (force * d / p - from_zero - weight * d) / (force - weight);
+                if next >= d || !next.is_finite() {
+                    break;
+                }
+                d = next;
+            }
+            (d - lead).max(0.0)
+        }
+    }
+}
+
+/// The positive root of k d^(n+1)/(n+1) = rest + w d.
+///
+/// With a the root without weight, b the one without `rest`, and d = (a + b) z it is z^(n+1) = â^(n+1) + b̂^n z (hats:
+/// over a + b), convex and not negative at z = 1, so that Newton's method from there falls towards the root.
+#[must_use]
+pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
+    let p = exponent + 1.0;
+    let of_rest = (p * rest / stiffness).powf(1.0 / p);
+    if weight == 0.0 {
+        return of_rest;
+    }
+    let of_weight = (p * weight / stiffness).powf(1.0 / exponent);
+    let both = of_rest + of_weight;
+    let (constant, slope) = ((of_rest / both).powf(p), (of_weight / both).powf(exponent));
+    let mut z = 1.0_f64;
+    for _ in 0..60 {
+        let higher = z.powf(exponent);
+        let next = z - (z * higher - constant - slope * z) / (p * higher - slope);
+        if next >= z || !next.is_finite() {
+            break;
+        }
+        z = next;
+    }
+    both * z
+}
+
+/// G(u) of the file's head, and back.
+#[derive(Debug, Clone, Copy)]
+struct Speeds {
+    /// χ in units of 1/V; 0 is ½ u².
+    chi: f64,
+}
+
+impl Speeds {
+    /// G(u); u is negative on the way out.
+    fn energy(self, u: f64) -> f64 {
+        let v = self.chi * u;
+        if v == 0.0 { 0.5 * u * u } else { excess(v) / (self.chi * self.chi) }
+    }
+
+    /// |u| where G(u) = `energy` ≥ 0, on the way in (`sign` 1) or out (−1).
+    fn speed(self, energy: f64, sign: f64) -> f64 {
+        let elastic = (2.0 * energy).max(0.0).sqrt();
+        let wanted = energy * self.chi * self.chi;
+        if wanted <= 0.0 {
+            return elastic;
+        }
+        let mut v = sign * elastic * self.chi;
+        // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
+        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { -(1.0 - (-elastic * self.chi - wanted).exp()) };
+        for _ in 0..50 {
+            let change = (excess(v) - wanted) * (1.0 + v) / v;
+            let next = v - change;
+            let next = if next <= -1.0 { 0.5 * (v - 1.0) } else { next };
+            if (next - v).abs() <= 2.0 * f64::EPSILON * v.abs() {
+                v = next;
+                break;
+            }
+            v = next;
+        }
+        v.abs() / self.chi
+    }
+}
+
+/// v − ln(1 + v), without cancellation for small v.
+fn excess(v: f64) -> f64 {
+    if v.abs() > 0.05 {
+        return v - v.ln_1p();
+    }
+    // Σ (−1)^k v^k/k, k ≥ 2: the first term left out is 0.05^14/15 of the first
+    let mut total = 0.0;
+    for k in (2..=15).rev() {
+        total = 1.0 / f64::from(k) - v * total;
+    }
+    v * v * total
+}
+
+/// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
+#[must_use]
+pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
+    let chi = match load.damping {
+        None => 0.0,
+        Some(Damping::HuntCrossley(chi)) if load.weight == 0.0 || chi == 0.0 => chi,
+        Some(Damping::Viscous(0.0)) => 0.0,
+        Some(_) => return None,
+    };
+    let (speeds, weight) = (Speeds { chi }, load.weight);
+    // other curves than powers and straight lines are integrated
+    if law.loading.pieces().iter().any(|piece| matches!(piece.shape, Shape::Smooth(_))) {
+        return None;
+    }
+    let kinetic = speeds.energy(q) / ACCELERATION;
+    let (last, distance) = peak(law, kinetic, weight);
+    let unloading = law.unloading(law.state_at(last, distance));
+    if !unloading.is_power() {
+        return None;
+    }
+    let loading_time = loading_time(&law.loading.pieces()[..=last], distance, q, weight, speeds);
+
+    let residual = law.dent(&unloading.peak).residual();
+    let back = Back { unloading: &unloading, residual, weight, speeds, at_peak: loading_time };
+    let Peak { elastic_approach, .. } = unloading.peak;
+    let is_captured = load.captures(&unloading, q);
+    let is_elastic = (residual <= 0.0 || law.branch_at(unloading.peak.indentation).is_some()) && chi == 0.0;
+    let stored = unloading.capacity();
+    // where the dent does not grow and nothing is lost the rebound is the impact
+    let rebound = if is_elastic { q } else { speeds.speed(ACCELERATION * (stored - weight * elastic_approach), -1.0) };
+    let end = if is_captured { back.to_rest(load) } else { back.to_separation(rebound) };
+    let loss = if chi == 0.0 {
+        0.0
+    } else {
+        // what is missing of the energy on both ways
+        let way_in = 0.4 * q * q - law.work_to(&unloading.peak);
+        way_in + stored - 0.4 * rebound * rebound
+    };
+    Some(ForcedOutcome {
+        unloading,
+        restitution: if is_captured { 0.0 } else { rebound / q },
+        loading_time,
+        end,
+        fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        loss,
+    })
+}
+
+/// Time along these pieces to the turning point at `distance` from the start of the last one.
+fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Speeds) -> f64 {
+    let mut time = 0.0;
+    let (mut entry, mut energy) = (q, speeds.energy(q));
+    for (index, piece) in pieces.iter().enumerate() {
+        let next = pieces.get(index + 1);
+        let (length, left) = next.map_or((distance, 0.0), |next| {
+            let spent = next.work - piece.work - weight * (next.start - piece.start);
+            (next.start - piece.start, (energy - ACCELERATION * spent).max(0.0))
+        });
+        let exit = speeds.speed(left, 1.0);
+        time += match piece.shape {
+            Shape::Straight { slope, .. } if speeds.chi == 0.0 => {
+                let omega = (ACCELERATION * slope).sqrt();
+                if next.is_none() {
+                    (omega * entry).atan2(ACCELERATION * (piece.force - weight)) / omega
+                } else {
+                    // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω
+                    2.0 * (omega * length / (entry + exit)).atan() / omega
+                }
+            }
+            _ => quadrature::integrate(length, |below, above| {
+                // from the nearer end, where nothing cancels
+                let near = if below < above {
+                    energy - ACCELERATION * (work_between(piece, 0.0, below) - weight * below)
+                } else {
+                    left + ACCELERATION * (work_between(piece, length - above, above) - weight * above)
+                };
+                1.0 / speeds.speed(near, 1.0)
+            }),
+        };
+        (entry, energy) = (exit, left);
+    }
+    time
+}
+
+/// Work on a piece from `distance` behind its start over a stretch `by`.
+fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
+    match piece.shape {
+        Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
+        Shape::Power { stiffness, exponent } => stiffness * power_between(exponent, distance, by),
+        Shape::LatePower { stiffness, exponent, lead } => stiffness * power_between(exponent, lead + distance, by),
+        Shape::Smooth(smooth) => smooth.work(piece.start, distance, distance + by),
+    }
+}
+
+/// ∫ d^n from `distance` over a stretch `by`: d^(n+1)/(n+1) at both ends without their cancelling.
+fn power_between(exponent: f64, distance: f64, by: f64) -> f64 {
+    let p = exponent + 1.0;
+    let end = distance + by;
+    power(end, exponent) * end / p * -(p * (-by / end).ln_1p()).exp_m1()
+}
+
+/// The way back from the peak.
+struct Back<'a> {
+    unloading: &'a Unloading,
+    /// x_r of the dent.
+    residual: f64,
+    weight: f64,
+    speeds: Speeds,
+    at_peak: f64,
+}
+
+impl Back<'_> {
+    /// To separation at the residual indentation.
+    fn to_separation(&self, rebound: f64) -> State {
+        let length = self.unloading.peak.elastic_approach;
+        let at_end = self.speeds.energy(-rebound);
+        let time = self.at_peak + self.time(0.0, length, at_end);
+        State { time, distance: self.residual, speed: -rebound }
+    }
+
+    /// To the static indentation on the way out, where a captured contact's run ends.
+    fn to_rest(&self, load: &Load) -> State {
+        let peak = &self.unloading.peak;
+        let at_rest = load.static_approach(self.unloading);
+        let length = (peak.elastic_approach - at_rest).max(0.0);
+        let energy = ACCELERATION
+            * (self.unloading.stiffness() * power_between(self.unloading.exponent, at_rest, length)
+                - self.weight * length);
+        let speed = -self.speeds.speed(energy.max(0.0), -1.0);
+        let time = self.at_peak + self.time(at_rest, length, energy);
+        State { time, distance: self.residual + at_rest, speed }
+    }
+
+    /// From rest at the peak down a `length` to the elastic approach `low`, where the energy is `at_end`.
+    fn time(&self, low: f64, length: f64, at_end: f64) -> f64 {
+        let (k, n) = (self.unloading.stiffness(), self.unloading.exponent);
+        quadrature::integrate(length, |below, above| {
+            let near = if below < above {
+                at_end - ACCELERATION * (k * power_between(n, low, below) - self.weight * below)
+            } else {
+                ACCELERATION * (k * power_between(n, low + below, above) - self.weight * above)
+            };
+            1.0 / self.speeds.speed(near, -1.0)
+        })
+    }
+}

@@ -1,0 +1,123 @@
+//! A place on the half-space and what it remembers, so that it can be hit again.
+
+use super::closed_form;
+use super::{Contact, Essentials, Impact, ImpactError, Method, Scales, Solver};
+use crate::law::{ElasticApproach, Law, Peak};
+use crate::material::{OutOfFloatRange, normal};
+
+/// A place on the half-space. Indentations of every impact on it count from the surface as it was when fresh: first touch
+/// is at the depth of the dent.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spot {
+    /// The law of the next impact; `None` on fresh surface.
+    law: Option<Law>,
+}
+
+impl Spot {
+    /// A place that nothing has hit.
+    #[must_use]
+    pub fn fresh() -> Self {
+        Self::default()
+    }
+
+    /// A place of a contact that was loaded to `memory`, in units of the yield point. Fresh if that is elastic, or the
+    /// half-space is.
+    #[must_use]
+    pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
+        let law = contact.yielding.as_ref().filter(|_| memory.indentation > 1.0);
+        Self { law: law.map(|(_, law)| law.reloaded(memory)) }
+    }
+
+    /// The largest state so far, in units of the yield point; `None` if the place never yielded.
+    #[must_use]
+    pub fn memory(&self) -> Option<Peak> {
+        Some(self.law.as_ref()?.branch()?.peak)
+    }
+
+    fn remember(&mut self, after: Option<Law>) {
+        if after.is_some() {
+            self.law = after;
+        }
+    }
+}
+
+impl Contact {
+    /// Depth of the dent on a spot \[m\]: where the sphere touches next.
+    #[must_use]
+    pub fn dent_depth(&self, spot: &Spot) -> f64 {
+        match (&self.yielding, spot.memory()) {
+            (Some((scales, _)), Some(memory)) => memory.residual() * scales.length,
+            _ => 0.0,
+        }
+    }
+
+    /// Fastest impact on a spot \[m/s\] that leaves it as it is; `None` for a half-space that stays elastic.
+    #[must_use]
+    pub fn elastic_speed(&self, spot: &Spot) -> Option<f64> {
+        let (scales, _) = self.yielding.as_ref()?;
+        let branch = spot.law.as_ref().and_then(Law::branch);
+        Some(branch.map_or(scales.speed, |branch| scales.speed * (2.5 * branch.capacity()).sqrt()))
+    }
+
+    /// As [`Contact::closed_form`], on a spot, which then remembers the impact.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
+    pub fn closed_form_on(&self, spot: &mut Spot, speed: f64) -> Result<Impact, ImpactError> {
+        self.impact_on(spot, speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
+    }
+
+    /// What a table holds of an impact by the law alone, on a spot, which then remembers the impact.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
+    pub fn essentials_on(&self, spot: &mut Spot, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+        let (scales, law, q) = self.scaled_on(spot, speed)?;
+        let outcome = closed_form::solve(law, q);
+        let essentials = Essentials::new(self.mass, speed, &scales, law, &outcome)?;
+        let after = after(law, &outcome.unloading.peak);
+        spot.remember(after);
+        Ok(essentials)
+    }
+
+    /// As [`Contact::impact`], on a spot, which then remembers the impact.
+    ///
+    /// # Errors
+    /// As [`Contact::impact`]; the spot is then as before.
+    pub fn impact_on(
+        &self,
+        spot: &mut Spot,
+        speed: f64,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<Impact, ImpactError> {
+        let (impact, after) = if self.forces.is_none() {
+            let (scales, law, q) = self.scaled_on(spot, speed)?;
+            let (impact, outcome) = self.impact_by(&scales, law, q, speed, solver, samples)?;
+            (impact, after(law, &outcome.unloading.peak))
+        } else {
+            self.impact_with_forces_on(spot.law.as_ref(), speed, solver, samples)?
+        };
+        spot.remember(after);
+        Ok(impact)
+    }
+
+    /// As [`Contact::scaled`], on a spot: one that has yielded is hit in units of its yield point.
+    fn scaled_on<'a>(&'a self, spot: &'a Spot, speed: f64) -> Result<(Scales, &'a Law, f64), OutOfFloatRange> {
+        match (&self.yielding, &spot.law) {
+            (Some((scales, _)), Some(law)) => {
+                let ratio = speed / scales.speed;
+                normal("kinetic energy in units of that at first yield", ratio * ratio)?;
+                Ok((*scales, law, ratio))
+            }
+            _ => self.scaled(speed),
+        }
+    }
+}
+
+/// The law of the place after an impact that turned at `peak`; `None` if it is as before.
+pub(super) fn after(law: &Law, peak: &Peak) -> Option<Law> {
+    // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
+    let stays = matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation);
+    (!stays).then(|| law.reloaded(*peak))
+}

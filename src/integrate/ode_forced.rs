@@ -1,0 +1,239 @@
+//! The crate `ode_solvers` behind [`ForcedIntegrator`], with the time as independent variable.
+//!
+//! The step that passes the end of a leg is thrown away, and from the state before it the rest is integrated to the time
+//! at which the event is, found by Newton's method: the event's derivative along the time is known from the state.
+
+use std::cell::{Cell, RefCell};
+
+use nalgebra::Vector3;
+use ode_solvers::System;
+
+use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::ode_solvers::{Method, OdeSolvers};
+use super::{IntegrationError, Leg, Sampler, State, Work};
+
+/// `ode_solvers` for motions with drag.
+#[derive(Debug, Clone)]
+pub struct OdeForced(OdeSolvers);
+
+impl OdeForced {
+    /// An integrator with this relative tolerance.
+    #[must_use]
+    pub fn new(method: Method, tolerance: f64) -> Self {
+        Self(OdeSolvers::new(method, tolerance))
+    }
+}
+
+/// [t, d, u, loss] in units of the sizes.
+type Node = [f64; 4];
+
+/// What ends a leg.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Event {
+    End,
+    Turning,
+    LiftOff,
+}
+
+/// The equations in variables of size one: y = (d, u, loss).
+struct Equations<'a> {
+    path: &'a ForcedPath,
+    /// Given: stops once past the end of the leg, and collects the nodes before it.
+    nodes: Option<&'a RefCell<Vec<Node>>>,
+    landing: &'a Cell<Option<ForcedLanding>>,
+    evaluations: &'a Cell<u64>,
+}
+
+impl Equations<'_> {
+    /// Acceleration and what drag takes, in units of speed²/distance.
+    fn accelerations(&self, d: f64, u: f64) -> (f64, f64) {
+        let sizes = &self.path.path.sizes;
+        let (distance, speed) = (d * sizes.distance, u * sizes.speed);
+        let unit = sizes.distance / (sizes.speed * sizes.speed);
+        ((self.path.pull - self.path.contact(distance, speed)) * unit, self.path.drag(distance, speed) * unit)
+    }
+
+    /// A function that falls through zero at the event, and its derivative along the time.
+    fn event(&self, event: Event, [_, d, u, _]: Node) -> (f64, f64) {
+        let sizes = &self.path.path.sizes;
+        let (sign, end) = match self.path.path.leg {
+            Leg::Outward(end) => (1.0, end),
+            Leg::Back => (-1.0, self.path.back_to),
+        };
+        let (acceleration, _) = self.accelerations(d, u);
+        match event {
+            Event::End => (sign * (end / sizes.distance - d), -sign * u),
+            Event::Turning => (sign * u, sign * acceleration),
+            Event::LiftOff => {
+                let of = |d: f64, u: f64| {
+                    let force = self.path.contact(d * sizes.distance, u * sizes.speed);
+                    // below zero the law goes on as an odd function, its drag as an even one
+                    if d > 0.0 { force } else { force.min(0.0) }
+                };
+                // along the motion, by a difference that leaves Newton's method its speed
+                let by = 1e-6;
+                let next = of(d + by * u, u + by * acceleration);
+                let last = of(d - by * u, u - by * acceleration);
+                (of(d, u), (next - last) / (2.0 * by))
+            }
+        }
+    }
+
+    fn passed(&self, node: Node) -> Option<Event> {
+        let is_past = |event| self.event(event, node).0 <= 0.0;
+        let is_back = self.path.path.leg == Leg::Back;
+        if is_back && self.path.can_lift_off() && is_past(Event::LiftOff) {
+            return Some(Event::LiftOff);
+        }
+        let starts = is_back && node[0] == 0.0;
+        if !starts && is_past(Event::Turning) && (is_back || node[0] > 0.0) {
+            return Some(Event::Turning);
+        }
+        is_past(Event::End).then_some(Event::End)
+    }
+}
+
+impl System<f64, Vector3<f64>> for Equations<'_> {
+    fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let (acceleration, drag) = self.accelerations(y[0], y[1]);
+        *dy = Vector3::new(y[1], acceleration, drag * y[1]);
+    }
+
+    fn solout(&mut self, time: f64, y: &Vector3<f64>, _dy: &Vector3<f64>) -> bool {
+        let Some(nodes) = self.nodes else { return false };
+        let node = [time, y[0], y[1], y[2]];
+        if self.passed(node).is_some() {
+            return true;
+        }
+        nodes.borrow_mut().push(node);
+        let sizes = &self.path.path.sizes;
+        let is_at_rest = time > 0.0 && self.path.is_at_rest(y[0] * sizes.distance, y[1] * sizes.speed);
+        if is_at_rest {
+            self.landing.set(Some(ForcedLanding::Rest));
+        }
+        is_at_rest
+    }
+}
+
+impl OdeForced {
+    /// The state a `time` after a node.
+    fn after(&mut self, path: &ForcedPath, node: Node, time: f64) -> Result<Node, IntegrationError> {
+        let (evaluations, landing) = (Cell::new(0), Cell::new(None));
+        let equations = Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
+        let end =
+            self.0.drive(equations, &evaluations, node[0], node[0] + time, Vector3::new(node[1], node[2], node[3]))?;
+        Ok([node[0] + time, end[0], end[1], end[2]])
+    }
+
+    /// From the last node before an event to the event that comes first.
+    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<(ForcedLanding, Node), IntegrationError> {
+        let (evaluations, landing) = (Cell::new(0), Cell::new(None));
+        let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
+        let is_back = path.path.leg == Leg::Back;
+        let candidates = match (is_back, path.can_lift_off()) {
+            (true, true) => [Event::LiftOff, Event::Turning],
+            (true, false) => [Event::End, Event::Turning],
+            (false, _) => [Event::Turning, Event::End],
+        };
+        let mut first: Option<(Event, Node)> = None;
+        for event in candidates {
+            let limit = first.map_or(f64::INFINITY, |(_, at)| at[0] - node[0]);
+            let Some(at) = self.reach(&equations(), path, event, node, limit)? else { continue };
+            if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
+                first = Some((event, at));
+            }
+        }
+        let (event, at) = first.ok_or(IntegrationError::NotFinite { time: node[0] })?;
+        Ok(match event {
+            Event::End => (ForcedLanding::End, at),
+            Event::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
+            Event::LiftOff => (ForcedLanding::LiftOff, at),
+        })
+    }
+
+    /// The state at an event behind `node`, by Newton's method on the time; `None` if it is not within reach.
+    fn reach(
+        &mut self,
+        equations: &Equations,
+        path: &ForcedPath,
+        event: Event,
+        node: Node,
+        limit: f64,
+    ) -> Result<Option<Node>, IntegrationError> {
+        /// Longer than any step that was thrown away.
+        const FAR: f64 = 1.0;
+        let (mut low, mut high) = (0.0, FAR.min(limit));
+        let (mut tau, mut at) = (0.0, node);
+        let mut is_passed = false;
+        for _ in 0..60 {
+            let (value, slope) = equations.event(event, at);
+            if value > 0.0 {
+                low = tau;
+            } else {
+                (high, is_passed) = (tau, true);
+            }
+            let newton = tau - value / slope;
+            let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+            if (next - tau).abs() <= 1e-16 * (1.0 + node[0].abs()) || (is_passed && value == 0.0) {
+                break;
+            }
+            tau = next;
+            at = self.after(path, node, tau)?;
+        }
+        let size = if event == Event::LiftOff { equations.event(event, node).0 } else { 1.0 };
+        let is_there = equations.event(event, at).0.abs() <= 1e-9 * size;
+        Ok(is_there.then_some(at))
+    }
+}
+
+impl ForcedIntegrator for OdeForced {
+    fn traverse(
+        &mut self,
+        path: &ForcedPath,
+        state: &mut ForcedState,
+        samples: Option<&mut Sampler>,
+    ) -> Result<ForcedLanding, IntegrationError> {
+        /// Longer than any leg but one of an overdamped sphere that creeps.
+        const LONG: f64 = 1e6;
+        let super::Sizes { distance, speed } = path.path.sizes;
+        let unit_of_time = distance / speed;
+        let begun = state.state;
+        let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
+        let nodes = RefCell::new(vec![start]);
+        let (evaluations, resting) = (Cell::new(0), Cell::new(None));
+        let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
+        self.0.drive(equations, &evaluations, 0.0, LONG, Vector3::new(start[1], start[2], start[3]))?;
+        let nodes = nodes.into_inner();
+        let last = nodes.last().copied().unwrap_or(start);
+        let (landing, end) = match resting.get() {
+            Some(landing) => (landing, last),
+            None => self.land(path, last)?,
+        };
+        if let Some(samples) = samples {
+            while let Some(time) = samples.due_before(begun.time + end[0] * unit_of_time) {
+                let t = (time - begun.time) / unit_of_time;
+                let node = nodes[nodes.partition_point(|node| node[0] <= t).saturating_sub(1)];
+                let [_, d, u, loss] = self.after(path, node, t - node[0])?;
+                samples.take(State { time, distance: d * distance, speed: u * speed });
+                samples.losses.push(loss * speed * speed);
+            }
+        }
+        let landed = match (landing, path.path.leg) {
+            (ForcedLanding::End, Leg::Outward(at)) => at,
+            (ForcedLanding::End, Leg::Back) => path.back_to,
+            _ => end[1] * distance,
+        };
+        let time = begun.time + end[0] * unit_of_time;
+        *state = ForcedState {
+            state: State { time, distance: landed, speed: end[2] * speed },
+            loss: end[3] * speed * speed,
+        };
+        Ok(landing)
+    }
+
+    fn work(&self) -> Work {
+        use super::Integrator as _;
+        self.0.work()
+    }
+}

@@ -1,0 +1,188 @@
+//! The law of a spot that was loaded before: back up the old unloading branch, then on along the old loading curve.
+//!
+//! ```text
+//! f = the branch, f_m ((x − x_r)/ε_m)^n x_r ≤ x ≤ x_m     (a turn here leaves the memory as it is)
+//! f, ε as on fresh surface              x > x_m           (a turn here is the new memory)
+//! ```
+//!
+//! x is measured from the surface as it was before the first impact, so first touch is at x_r. On the branch the work is
+//! counted from x_r: a reload turns at the old peak if it brings just the energy stored there, f_m ε_m/(n + 1), and its
+//! turning point beyond depends on the sum of what was spent before and what it brings in excess of that:
+//!
+//! ```text
+//! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
+//! ```
+
+use super::published::OutsideLaw;
+use super::{ElasticApproach, Law, Peak, Unloading};
+
+/// Energy of a reload over what the branch can hold, less one, below which it turns at the old peak: some ten roundings.
+/// A sphere that comes back with the speed it left with has that energy but for rounding.
+pub const GRAZING: f64 = 32.0 * f64::EPSILON;
+
+/// What a spot remembers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reloaded {
+    /// From the largest state so far.
+    pub branch: Unloading,
+    /// a/â there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to â = f/ε.
+    radius_per_equivalent: f64,
+    /// The law of fresh surface.
+    fresh: Law,
+}
+
+impl Reloaded {
+    fn is_on_branch(&self, x: f64) -> bool {
+        x <= self.branch.peak.indentation
+    }
+
+    /// ε at (x, f).
+    pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        if self.is_on_branch(x) { x - self.branch.peak.residual() } else { self.fresh.elastic_approach(x, force) }
+    }
+
+    /// The unloading branch from a peak.
+    pub(super) fn unloading(&self, peak: Peak) -> Unloading {
+        if self.is_on_branch(peak.indentation) { self.branch.below(peak) } else { self.fresh.unloading(peak) }
+    }
+
+    /// Whether the law says anything of a peak.
+    pub(super) fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
+        if self.is_on_branch(peak.indentation) { Ok(()) } else { self.fresh.accept(peak) }
+    }
+
+    /// a/a_Y at a peak.
+    pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
+        if self.is_on_branch(peak.indentation) {
+            peak.force / peak.elastic_approach * self.radius_per_equivalent
+        } else {
+            self.fresh.contact_radius(peak)
+        }
+    }
+
+    /// Whether a reload with this energy turns on the branch.
+    #[inline]
+    fn holds(&self, kinetic: f64) -> bool {
+        kinetic <= self.branch.capacity() * (1.0 + GRAZING)
+    }
+
+    /// The state at a distance from x_r, which has digits that x has not.
+    fn state_at(&self, distance: f64) -> Peak {
+        let peak = self.branch.peak;
+        if distance >= peak.elastic_approach {
+            return peak;
+        }
+        let indentation = (peak.residual() + distance).min(peak.indentation);
+        Peak { indentation, force: self.branch.force_after(distance), elastic_approach: distance }
+    }
+}
+
+impl Law {
+    /// The law of a spot whose largest state so far is `memory`, a peak of this law. The deeper of two memories stays.
+    #[must_use]
+    pub fn reloaded(&self, memory: Peak) -> Self {
+        let fresh = match &self.elastic {
+            ElasticApproach::Reloaded(old) if old.is_on_branch(memory.indentation) => return self.clone(),
+            ElasticApproach::Reloaded(old) => old.fresh.clone(),
+            _ => self.clone(),
+        };
+        let branch = fresh.unloading(memory);
+        let radius_per_equivalent = fresh.contact_radius(&memory) * (memory.elastic_approach / memory.force);
+        Self {
+            loading: fresh.loading.reloaded(&branch),
+            radius_ratio: fresh.radius_ratio.clone(),
+            exponent: fresh.exponent,
+            elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius_per_equivalent, fresh })),
+        }
+    }
+
+    fn memory_of(&self) -> Option<&Reloaded> {
+        match &self.elastic {
+            ElasticApproach::Reloaded(reloaded) => Some(reloaded),
+            _ => None,
+        }
+    }
+
+    /// The unloading branch that a reload runs back up; `None` on fresh surface.
+    #[must_use]
+    pub fn branch(&self) -> Option<&Unloading> {
+        self.memory_of().map(|reloaded| &reloaded.branch)
+    }
+
+    /// The branch, if a state at x lies on it.
+    #[must_use]
+    pub fn branch_at(&self, x: f64) -> Option<&Unloading> {
+        self.branch().filter(|branch| x <= branch.peak.indentation)
+    }
+
+    /// x of first touch: x_r of the branch, 0 on fresh surface.
+    #[must_use]
+    pub fn touch(&self) -> f64 {
+        self.branch().map_or(0.0, |branch| branch.peak.residual())
+    }
+
+    /// The peak that shaped the dent of an impact that turned at `peak`: the memory, if it turned on the branch.
+    #[must_use]
+    pub fn dent(&self, peak: &Peak) -> Peak {
+        self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
+    }
+
+    /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
+    #[inline]
+    #[must_use]
+    pub fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
+        self.memory_of()
+            .is_some_and(|reloaded| reloaded.holds(kinetic + weight * reloaded.branch.peak.elastic_approach))
+    }
+
+    /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.
+    #[inline]
+    #[must_use]
+    pub fn turning_piece(&self, kinetic: f64) -> usize {
+        match &self.elastic {
+            ElasticApproach::Reloaded(reloaded) if reloaded.holds(kinetic) => 0,
+            _ => self.loading.pieces().partition_point(|piece| piece.work <= kinetic).saturating_sub(1),
+        }
+    }
+
+    /// Whether an impact that turns at x leaves the contact as it was: at most first yield, or on the branch.
+    #[inline]
+    #[must_use]
+    pub fn is_elastic_to(&self, x: f64) -> bool {
+        x <= self.elastic_until()
+    }
+
+    /// The state at a distance from the start of a piece.
+    #[inline]
+    #[must_use]
+    pub fn state_at(&self, index: usize, distance: f64) -> Peak {
+        match &self.elastic {
+            ElasticApproach::Reloaded(reloaded) if index == 0 => reloaded.state_at(distance),
+            _ => {
+                let piece = &self.loading.pieces()[index];
+                let indentation = piece.start + distance;
+                let force = piece.force_at(indentation);
+                Peak { indentation, force, elastic_approach: self.elastic_approach(indentation, force) }
+            }
+        }
+    }
+
+    /// Work from first touch to a state of the loading curve; on the branch from ε, not from x.
+    #[must_use]
+    pub fn work_to(&self, state: &Peak) -> f64 {
+        match self.branch_at(state.indentation) {
+            Some(branch) => branch.stored_after(state.elastic_approach, state.force),
+            None => self.loading.work(state.indentation),
+        }
+    }
+
+    /// Work that an impact spent on the dent: w(x_m) − f_m ε_m/(n + 1), and nothing on the branch.
+    #[must_use]
+    pub fn spent(&self, unloading: &Unloading) -> f64 {
+        let peak = &unloading.peak;
+        match self.branch_at(peak.indentation) {
+            Some(_) => 0.0,
+            None => self.loading.work(peak.indentation) - unloading.stored(peak.indentation),
+        }
+    }
+}

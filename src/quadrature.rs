@@ -1,0 +1,73 @@
+//! Integrals over an interval whose ends may be singular: the double exponential rule. A leaf.
+//!
+//! Takahasi and Mori (1974), Publ. RIMS 9, 721-741: with x = a + (b − a)/(1 + exp(−π sinh t)) the trapezoidal rule in t
+//! converges exponentially, also where the integrand has an integrable singularity at an end.
+
+/// How far t runs: the weights are below 1e-30 there.
+const FARTHEST: f64 = 4.0;
+/// The coarsest step is 1/2, the finest 2^-LEVELS.
+const LEVELS: u32 = 9;
+
+/// ∫ f over an interval of this `length`; f is given the distances from its lower and upper end, neither of which cancels.
+/// Halves its step until the relative change is below 1e-13, or about 4000 evaluations.
+pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
+    use std::f64::consts::PI;
+    if length <= 0.0 {
+        return 0.0;
+    }
+    let mut at = |t: f64| {
+        let s = PI * t.sinh();
+        // shares of the interval below and above, and their product
+        let (small, large) = {
+            let e = (-s.abs()).exp();
+            (e / (1.0 + e), 1.0 / (1.0 + e))
+        };
+        let (below, above) = if s < 0.0 { (small, large) } else { (large, small) };
+        let weight = PI * t.cosh() * small * large;
+        let value = if small * length > 0.0 { f(below * length, above * length) * weight } else { 0.0 };
+        if value.is_finite() { value } else { 0.0 }
+    };
+    let mut step = 0.5;
+    let mut total = at(0.0);
+    let mut sum_at = |first: f64, step: f64| {
+        let (mut sum, mut t) = (0.0, first);
+        while t <= FARTHEST {
+            sum += at(t) + at(-t);
+            t += step;
+        }
+        sum
+    };
+    total += sum_at(step, step);
+    let mut integral = total * step;
+    for level in 2..=LEVELS {
+        total += sum_at(0.5 * step, step);
+        step *= 0.5;
+        let finer = total * step;
+        let change = (finer - integral).abs();
+        integral = finer;
+        if level > 3 && change <= 1e-13 * integral.abs() {
+            break;
+        }
+    }
+    integral * length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn singular_ends_are_integrated_to_rounding() {
+        // ∫ 1/√(x (1 − x)) = π; ∫ x^1.5 = 0.4; ∫ ln x = −1; ∫ 1/√(a² + x) with a = 1e-6: 2 (√(1 + a²) − a)
+        approx::assert_relative_eq!(
+            integrate(1.0, |x, y| 1.0 / (x * y).sqrt()),
+            std::f64::consts::PI,
+            max_relative = 1e-14
+        );
+        approx::assert_relative_eq!(integrate(1.0, |x, _| x * x.sqrt()), 0.4, max_relative = 1e-14);
+        approx::assert_relative_eq!(integrate(1.0, |x, _| x.ln()), -1.0, max_relative = 1e-14);
+        let near = 2.0 * ((1.0 + 1e-12_f64).sqrt() - 1e-6);
+        approx::assert_relative_eq!(integrate(1.0, |x, _| 1.0 / (1e-12 + x).sqrt()), near, max_relative = 1e-13);
+        approx::assert_relative_eq!(integrate(3.0, |x, _| x * x), 9.0, max_relative = 1e-14);
+    }
+}
