@@ -178,7 +178,8 @@ impl Impact {
             .map(|row| row.energy_drift)
             .chain([at_peak, at_separation])
             .fold(0.0, |worst: f64, d| worst.max(d.abs()));
-        let mut impact = Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
+        let mut impact =
+            Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
         impact.energy.drift = drift;
         impact.work = work;
         impact.accuracy = Accuracy {

@@ -183,8 +183,16 @@ impl Contact {
         let Scene { scales, law, q, load } = scene;
         let essentials = self.row(speed, scene, outcome)?;
         let ledger = Ledger { law, load, outcome, q: *q };
-        let mut impact =
-            Impact::of_essentials(self, speed, method, scales, law, &outcome.unloading, outcome.loading_time, &essentials);
+        let mut impact = Impact::of_essentials(
+            self,
+            speed,
+            method,
+            scales,
+            law,
+            &outcome.unloading,
+            outcome.loading_time,
+            &essentials,
+        );
         impact.trace = points.iter().map(|point| ledger.row(point, scales, self.pair().sphere_compliance)).collect();
         let rows = impact.trace.iter().map(|row| row.energy_drift);
         let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst: f64, d| worst.max(d.abs()));

@@ -110,7 +110,8 @@ impl Law {
     #[inline]
     #[must_use]
     pub fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
-        self.memory_of().is_some_and(|reloaded| reloaded.holds(kinetic + weight * reloaded.branch.peak.elastic_approach))
+        self.memory_of()
+            .is_some_and(|reloaded| reloaded.holds(kinetic + weight * reloaded.branch.peak.elastic_approach))
     }
 
     /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.
