@@ -86,7 +86,7 @@ fn a_ball_of_constant_restitution_follows_the_geometric_series() {
     // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), but for gravity in
     // the contact: m g over the peak force, below 1e-5 here
     let contact = contact(elastic(), Some(Damping::Viscous(0.05)));
-    let sequence = bouncing(Place::Same, 2.0, 30, None).run(&contact, &solver(Method::Rk8, 1e-10), 2).unwrap();
+    let sequence = bouncing(Place::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2).unwrap();
     let e = sequence.hits[0].restitution;
     assert!(e > 0.8 && e < 0.95, "{e}");
     for (i, hit) in sequence.hits.iter().enumerate() {
@@ -185,7 +185,7 @@ fn capture_ends_a_series_at_its_limit() {
     };
     let contact = contact(scene, None);
     let weight = contact.mass() * GRAVITY;
-    let run = |speed| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10).unwrap();
+    let run = |speed: f64| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10).unwrap();
     let is_captured = |hit: &Hit| hit.peak_force <= 2.5 * weight;
     // the limit by bisection between a captured and a free first impact
     let (mut low, mut high) = (1e-3, 1e3);
