@@ -13,6 +13,7 @@ pub mod forced;
 mod landing;
 mod lanes;
 pub mod lockstep;
+mod motions;
 mod nystrom;
 pub mod ode_forced;
 pub mod ode_solvers;

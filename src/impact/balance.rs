@@ -128,9 +128,8 @@ fn excess(v: f64) -> f64 {
 #[must_use]
 pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let chi = match load.damping {
-        None => 0.0,
         Some(Damping::HuntCrossley(chi)) if load.weight == 0.0 || chi == 0.0 => chi,
-        Some(Damping::Viscous(0.0)) => 0.0,
+        None | Some(Damping::Viscous(0.0)) => 0.0,
         Some(_) => return None,
     };
     let (speeds, weight) = (Speeds { chi }, load.weight);
