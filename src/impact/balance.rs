@@ -96,7 +96,7 @@ impl Speeds {
         }
         let mut v = sign * elastic * self.chi;
         // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
-        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { -(1.0 - (-elastic * self.chi - wanted).exp()) };
+        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (-elastic * self.chi - wanted).exp_m1() };
         for _ in 0..50 {
             let change = (excess(v) - wanted) * (1.0 + v) / v;
             let next = v - change;
