@@ -132,6 +132,12 @@ pub enum IntegrationError {
         /// The limit.
         steps: u64,
     },
+    /// A motion that creeps, damped far beyond critical.
+    #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
+    Creeping {
+        /// The limit.
+        steps: u64,
+    },
     /// A state that is no number.
     #[error("the state became infinite or not a number at dimensionless time {time:e}")]
     NotFinite {

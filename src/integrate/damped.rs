@@ -18,8 +18,9 @@ use super::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedSta
 use super::motions::{Hertz, Piece, Power, Straight};
 use super::{IntegrationError, Leg, Restoring, Sampler, State, Work};
 
-/// More steps than a leg needs unless its drag is far beyond critical.
-const MOST_STEPS: u64 = 200_000;
+/// More steps than a leg needs unless its drag is hundreds of times beyond critical: explicit steps are no longer than the
+/// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
+const MOST_STEPS: u64 = 1_000_000;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
 const PART: f64 = 0.2;
@@ -258,7 +259,7 @@ impl Damped {
             (node, rates) = (next.node, next.rates);
             h *= (0.9 * next.error.powf(-0.125)).min(5.0);
         }
-        Err(IntegrationError::TooManySteps { steps: MOST_STEPS })
+        Err(IntegrationError::Creeping { steps: MOST_STEPS })
     }
 }
 
