@@ -40,6 +40,13 @@ pub fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     (last, way_to_turn(piece, rest, weight))
 }
 
+/// The whole way from first touch to there.
+#[must_use]
+pub fn way_to_peak(law: &Law, kinetic: f64, weight: f64) -> f64 {
+    let (last, distance) = peak(law, kinetic, weight);
+    law.loading.pieces()[last].start - law.touch() + distance
+}
+
 /// Distance from the start of a piece, passed with energy `rest`, to the turning point.
 fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
     match piece.shape {
@@ -116,7 +123,7 @@ impl Speeds {
         }
         let mut v = sign * elastic * self.chi;
         // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
-        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { -(1.0 - (-elastic * self.chi - wanted).exp()) };
+        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (-elastic * self.chi - wanted).exp_m1() };
         for _ in 0..50 {
             let change = (excess(v) - wanted) * (1.0 + v) / v;
             let next = v - change;
@@ -148,9 +155,8 @@ fn excess(v: f64) -> f64 {
 #[must_use]
 pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let chi = match load.damping {
-        None => 0.0,
         Some(Damping::HuntCrossley(chi)) if load.weight == 0.0 || chi == 0.0 => chi,
-        Some(Damping::Viscous(0.0)) => 0.0,
+        None | Some(Damping::Viscous(0.0)) => 0.0,
         Some(_) => return None,
     };
     let (speeds, weight) = (Speeds { chi }, load.weight);

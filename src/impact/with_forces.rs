@@ -1,7 +1,8 @@
 //! An impact under gravity or damping from a contact and a speed to the numbers of a report.
 
 use super::essentials::Essentials;
-use super::forced::{self, Fate, ForcedOutcome, ForcedPoint, ForcedRecorder, Load};
+use super::forced::{self, Fate, ForcedOutcome, Load};
+use super::forced_trace::{ForcedPoint, ForcedRecorder};
 use super::forces::Damping;
 use super::outcome::{Branch, Impact, TraceRow};
 use super::scales::Scales;

@@ -126,8 +126,9 @@ impl OdeForced {
         Ok([node[0] + time, end[0], end[1], end[2]])
     }
 
-    /// From the last node before an event to the event that comes first.
-    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<(ForcedLanding, Node), IntegrationError> {
+    /// From the last node before an event to the event that comes first; `None` if at a loose tolerance the shorter steps
+    /// of the search do not find what the long one had passed.
+    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<Option<(ForcedLanding, Node)>, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
         let is_back = path.path.leg == Leg::Back;
@@ -144,12 +145,11 @@ impl OdeForced {
                 first = Some((event, at));
             }
         }
-        let (event, at) = first.ok_or(IntegrationError::NotFinite { time: node[0] })?;
-        Ok(match event {
+        Ok(first.map(|(event, at)| match event {
             Event::End => (ForcedLanding::End, at),
             Event::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
             Event::LiftOff => (ForcedLanding::LiftOff, at),
-        })
+        }))
     }
 
     /// The state at an event behind `node`, by Newton's method on the time; `None` if it is not within reach.
@@ -181,8 +181,9 @@ impl OdeForced {
             tau = next;
             at = self.after(path, node, tau)?;
         }
+        // the bracket has closed on it, or it was met from before
         let size = if event == Event::LiftOff { equations.event(event, node).0 } else { 1.0 };
-        let is_there = equations.event(event, at).0.abs() <= 1e-9 * size;
+        let is_there = is_passed || equations.event(event, at).0.abs() <= 1e-9 * size;
         Ok(is_there.then_some(at))
     }
 }
@@ -196,20 +197,33 @@ impl ForcedIntegrator for OdeForced {
     ) -> Result<ForcedLanding, IntegrationError> {
         /// Longer than any leg but one of an overdamped sphere that creeps.
         const LONG: f64 = 1e6;
+        /// Steps that pass an event and are found not to, and how far they are followed.
+        const MOST_ATTEMPTS: u64 = 10_000;
+        const STRETCH: f64 = 0.25;
         let super::Sizes { distance, speed } = path.path.sizes;
         let unit_of_time = distance / speed;
         let begun = state.state;
         let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
         let nodes = RefCell::new(vec![start]);
         let (evaluations, resting) = (Cell::new(0), Cell::new(None));
-        let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
-        self.0.drive(equations, &evaluations, 0.0, LONG, Vector3::new(start[1], start[2], start[3]))?;
+        let mut landed = None;
+        for _ in 0..MOST_ATTEMPTS {
+            let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
+            let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
+            self.0.drive(equations, &evaluations, t, LONG, Vector3::new(d, u, loss))?;
+            let last = nodes.borrow().last().copied().unwrap_or(start);
+            landed = match resting.get() {
+                Some(landing) => Some((landing, last)),
+                None => self.land(path, last)?,
+            };
+            if landed.is_some() {
+                break;
+            }
+            let further = self.after(path, last, STRETCH)?;
+            nodes.borrow_mut().push(further);
+        }
+        let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
         let nodes = nodes.into_inner();
-        let last = nodes.last().copied().unwrap_or(start);
-        let (landing, end) = match resting.get() {
-            Some(landing) => (landing, last),
-            None => self.land(path, last)?,
-        };
         if let Some(samples) = samples {
             while let Some(time) = samples.due_before(begun.time + end[0] * unit_of_time) {
                 let t = (time - begun.time) / unit_of_time;

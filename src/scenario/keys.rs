@@ -2,9 +2,9 @@
 //! `check` share this one table.
 
 use super::Scene;
+use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
 use super::quantity::{
-    ACCELERATION, DENSITY, DROP_HEIGHT, EXPONENT, Exponent, HUNT_CROSSLEY, LENGTH, MODULUS, POISSONS_RATIO, Quantity,
-    SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE, VISCOUS,
+    DENSITY, EXPONENT, Exponent, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE,
 };
 use crate::impact::Damping;
 use crate::law::UnloadingExponent;

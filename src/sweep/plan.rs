@@ -77,7 +77,9 @@ impl From<ImpactError> for Failure {
             ImpactError::Range(_) => Self::OutOfFloatRange,
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
-            ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
+            ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
+                Self::TooManySteps
+            }
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
         }
     }
