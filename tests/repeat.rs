@@ -53,21 +53,19 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
 #[test]
 fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
     // e = 1 on every impact, so that impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms rounds by 1e-12
-    for place in Place::ALL {
-        let contact = contact(elastic(), None);
-        let sequence = bouncing(place, 1.0, 100_000, None).run(&contact, &auto(), 20).unwrap();
-        let (first, last) = (sequence.hits[0], sequence.hits[99_999]);
-        assert_eq!((sequence.end, sequence.hits.len()), (End::Impacts, 100_000));
-        assert!(off(last.kinetic_in, first.kinetic_in) < 1e-9, "{:e}", off(last.kinetic_in, first.kinetic_in));
-        assert_eq!(last.speed, 1.0);
-        let period = 2.0 / GRAVITY + first.contact_time;
-        assert!(off(last.time.unwrap(), 99_999.0 * period) < 1e-11);
-        // and says that there is no end to it
-        assert_eq!(sequence.remaining_time, None);
-        // the trace is bounded
-        let rows: usize = sequence.traced.iter().map(|impact| 2 * impact.trace.len()).sum();
-        assert!(rows < 300_000, "{rows}");
-    }
+    let contact = contact(elastic(), None);
+    let sequence = bouncing(Place::Same, 1.0, 100_000, None).run(&contact, &auto(), 20).unwrap();
+    let (first, last) = (sequence.hits[0], sequence.hits[99_999]);
+    assert_eq!((sequence.end, sequence.hits.len()), (End::Impacts, 100_000));
+    assert!(off(last.kinetic_in, first.kinetic_in) < 1e-9, "{:e}", off(last.kinetic_in, first.kinetic_in));
+    assert_eq!(last.speed, 1.0);
+    let period = 2.0 / GRAVITY + first.contact_time;
+    assert!(off(last.time.unwrap(), 99_999.0 * period) < 1e-11);
+    // and says that there is no end to it
+    assert_eq!(sequence.remaining_time, None);
+    // the trace is bounded
+    let rows: usize = sequence.traced.iter().map(|impact| 2 * impact.trace.len()).sum();
+    assert!(rows < 300_000, "{rows}");
 }
 
 #[test]
