@@ -44,7 +44,7 @@ pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     let sequence =
         repeat.run(&contact, &scene.solver, scene.samples).map_err(|reason| Error::impact(scenario, reason))?;
-    let provenance = provenance(scenario, &scene, sequence.method, command);
+    let provenance = provenance(scenario, &scene, sequence.method, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let mut files = vec![
         file("summary.json", report::repeat_summary::summary(&contact, &repeat, &sequence, &provenance)?.into_bytes()),
