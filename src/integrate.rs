@@ -17,6 +17,7 @@ mod motions;
 mod nystrom;
 pub mod ode_forced;
 pub mod ode_solvers;
+pub mod pulled;
 pub mod rk8;
 pub mod verlet;
 

@@ -127,6 +127,20 @@ impl<const M: u8> Piece for Power<M> {
     }
 }
 
+/// Where in (0, 1) the cubic with these values and slopes at both ends is least, if it falls at first and rises at last.
+pub(super) fn cubic_minimum(before: f64, slope_before: f64, after: f64, slope_after: f64) -> Option<f64> {
+    if slope_before >= 0.0 || slope_after <= 0.0 {
+        return None;
+    }
+    // slope s_0 + 2 b x + 3 a x², which has one rising zero between
+    let rise = after - before;
+    let b = 3.0 * rise - 2.0 * slope_before - slope_after;
+    let a = slope_before + slope_after - 2.0 * rise;
+    let root = (b * b - 3.0 * a * slope_before).max(0.0).sqrt();
+    let x = if b > 0.0 { -slope_before / (b + root) } else { (root - b) / (3.0 * a) };
+    (x > 0.0 && x < 1.0).then_some(x)
+}
+
 /// √ of −du'/dr of a power law.
 fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
     let m = f64::from(m);

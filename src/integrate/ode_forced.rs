@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use ode_solvers::System;
 
 use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::motions::cubic_minimum;
 use super::ode_solvers::{Method, OdeSolvers};
 use super::{IntegrationError, Leg, Sampler, State, Work};
 
@@ -93,6 +94,24 @@ impl Equations<'_> {
     }
 }
 
+impl Equations<'_> {
+    /// Whether the contact force vanishes and comes again on the step to this node.
+    fn dips_before(&self, node: Node) -> bool {
+        let Some(last) = self.nodes.and_then(|nodes| nodes.borrow().last().copied()) else { return false };
+        if self.path.path.leg != Leg::Back || !self.path.can_lift_off() || node[0] <= last[0] {
+            return false;
+        }
+        let h = node[0] - last[0];
+        let ((before, falls), (after, rises)) = (self.event(Event::LiftOff, last), self.event(Event::LiftOff, node));
+        let (falls, rises) = (falls * h, rises * h);
+        cubic_minimum(before, falls, after, rises).is_some_and(|x| {
+            let y = 1.0 - x;
+            let ends = y * y * ((1.0 + 2.0 * x) * before + x * falls);
+            ends + x * x * ((3.0 - 2.0 * x) * after - y * rises) <= 0.0
+        })
+    }
+}
+
 impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
         self.evaluations.set(self.evaluations.get() + 1);
@@ -103,7 +122,7 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     fn solout(&mut self, time: f64, y: &Vector3<f64>, _dy: &Vector3<f64>) -> bool {
         let Some(nodes) = self.nodes else { return false };
         let node = [time, y[0], y[1], y[2]];
-        if self.passed(node).is_some() {
+        if self.passed(node).is_some() || self.dips_before(node) {
             return true;
         }
         nodes.borrow_mut().push(node);
@@ -168,8 +187,11 @@ impl OdeForced {
         let mut is_passed = false;
         for _ in 0..60 {
             let (value, slope) = equations.event(event, at);
-            if value > 0.0 {
+            if value > 0.0 && (slope < 0.0 || event != Event::LiftOff) {
                 low = tau;
+            } else if value > 0.0 {
+                // the force comes again: it vanished before, if it did
+                high = tau;
             } else {
                 (high, is_passed) = (tau, true);
             }

@@ -153,7 +153,9 @@ impl Plan {
             }),
             Cases::MonteCarlo { .. } => None,
         };
-        let is_stepped = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
+        let by_method = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
+        // damping has no closed form but for Hunt and Crossley without gravity: auto integrates it
+        let is_stepped = by_method || scene.solver.method == Method::Auto && scene.forces.damping.is_some();
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {
