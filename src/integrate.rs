@@ -13,9 +13,11 @@ pub mod forced;
 mod landing;
 mod lanes;
 pub mod lockstep;
+mod motions;
 mod nystrom;
 pub mod ode_forced;
 pub mod ode_solvers;
+pub mod pulled;
 pub mod rk8;
 pub mod verlet;
 
@@ -138,6 +140,12 @@ pub enum IntegrationError {
     /// More steps than any impact needs.
     #[error("no landing within {steps} steps; loosen the tolerance or use method = \"closed_form\"")]
     TooManySteps {
+        /// The limit.
+        steps: u64,
+    },
+    /// A motion that creeps, damped far beyond critical.
+    #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
+    Creeping {
         /// The limit.
         steps: u64,
     },

@@ -14,6 +14,8 @@ pub mod histogram;
 pub mod history;
 mod key;
 pub mod lines;
+pub mod repeat;
+pub mod stack;
 mod style;
 
 use thiserror::Error;
@@ -24,6 +26,7 @@ pub use heatmap::Heatmap;
 pub use histogram::Histogram;
 pub use history::history;
 pub use lines::{Guide, Lines, Look, Series};
+pub use stack::{Panel, Stack};
 pub use style::Mark;
 
 /// Size of every picture \[px\].

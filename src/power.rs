@@ -137,3 +137,29 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
     }
     at(phi)
 }
+
+/// The positive root of k d^(n+1)/(n+1) = rest + w d.
+///
+/// With a the root without weight, b the one without `rest`, and d = (a + b) z it is z^(n+1) = â^(n+1) + b̂^n z (hats:
+/// over a + b), convex and not negative at z = 1, so that Newton's method from there falls towards the root.
+#[must_use]
+pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
+    let p = exponent + 1.0;
+    let of_rest = (p * rest / stiffness).powf(1.0 / p);
+    if weight == 0.0 {
+        return of_rest;
+    }
+    let of_weight = (p * weight / stiffness).powf(1.0 / exponent);
+    let both = of_rest + of_weight;
+    let (constant, slope) = ((of_rest / both).powf(p), (of_weight / both).powf(exponent));
+    let mut z = 1.0_f64;
+    for _ in 0..60 {
+        let higher = z.powf(exponent);
+        let next = z - (z * higher - constant - slope * z) / (p * higher - slope);
+        if next >= z || !next.is_finite() {
+            break;
+        }
+        z = next;
+    }
+    both * z
+}

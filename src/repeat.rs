@@ -10,7 +10,7 @@ pub mod flight;
 
 use std::mem::discriminant;
 
-use crate::impact::{Contact, Impact, ImpactError, Method, Solver, Spot, Warning};
+use crate::impact::{Contact, Fate, Impact, ImpactError, Method, Solver, Spot, Warning};
 use flight::Flight;
 
 /// More impacts than anyone will look at.
@@ -119,14 +119,18 @@ pub struct Hit {
     pub residual_indentation: f64,
     /// How much deeper this impact made it \[m\].
     pub dent_growth: f64,
-    /// First touch to separation \[s\].
+    /// First touch to separation \[s\]; infinite if captured.
     pub contact_time: f64,
+    /// δ at separation \[m\]: that of the dent, or more under viscous damping.
+    pub end_indentation: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
     /// ½ m (e v)² \[J\].
     pub recovered: f64,
     /// Spent on the dent \[J\]; `None` for a half-space without a yield strength.
     pub plastic: Option<f64>,
+    /// Taken by damping \[J\], if there is any.
+    pub damping: Option<f64>,
     /// Error of the impact's own ledger \[1\].
     pub drift: f64,
     /// Whether the sphere stays in its dent: F_m ≤ (n + 1) m g.
@@ -147,8 +151,8 @@ pub struct Sequence {
     /// Why it ended.
     pub end: End,
     /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
-    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out. `None` where
-    /// that is infinite (e = 1), or nothing bounces.
+    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out, and where e rises
+    /// as the speed falls this is a lower bound. `None` where it is infinite (e = 1), or nothing bounces.
     pub remaining_time: Option<f64>,
     /// Method of the impacts.
     pub method: Method,
@@ -169,35 +173,30 @@ impl Repeat {
     /// # Errors
     /// [`ImpactError`] of the first impact that has no result.
     pub fn run(&self, contact: &Contact, solver: &Solver, samples: usize) -> Result<Sequence, ImpactError> {
-        let method = if solver.method == Method::Auto { Method::ClosedForm } else { solver.method };
-        let solver = Solver { method, ..*solver };
-        let traced = MOST_ROWS / (2 * samples).max(1);
+        let traced = (MOST_ROWS / (2 * samples).max(1)).max(1);
         let mut sequence = Sequence {
             hits: Vec::new(),
             traced: Vec::new(),
             fall: None,
             end: End::Shots,
             remaining_time: None,
-            method,
+            method: solver.method,
             warnings: Vec::new(),
         };
-        let gravity = match self.drive {
-            Drive::Bouncing { gravity, .. } => gravity,
-            Drive::Shots(_) => 0.0,
-        };
         let mut spot = Spot::fresh();
-        let mut strike = |sequence: &mut Sequence, speed: f64, time: Option<f64>| -> Result<Hit, ImpactError> {
+        let mut hit = |sequence: &mut Sequence, speed: f64, time: Option<f64>| -> Result<Hit, ImpactError> {
             if self.place == Place::Fresh {
                 spot = Spot::fresh();
             }
             let before = contact.dent_depth(&spot);
             let number = sequence.hits.len() + 1;
-            let wants_trace = number <= traced.max(1);
-            let impact = contact.impact_on(&mut spot, speed, &solver, wants_trace.then_some(samples))?;
-            let hit = Hit::of(&impact, time, before, contact.mass() * gravity);
+            let samples = (number <= traced).then_some(samples);
+            let impact = strike(contact, &mut spot, speed, solver, samples)?;
+            let hit = Hit::of(&impact, time, before);
+            sequence.method = impact.method;
             sequence.warn(number, &impact.warnings);
             sequence.hits.push(hit);
-            if wants_trace {
+            if samples.is_some() {
                 sequence.traced.push(impact);
             }
             Ok(hit)
@@ -205,7 +204,7 @@ impl Repeat {
         match self.drive {
             Drive::Shots(ref speeds) => {
                 for speed in speeds {
-                    strike(&mut sequence, *speed, None)?;
+                    hit(&mut sequence, *speed, None)?;
                 }
             }
             Drive::Bouncing { gravity, drop_height, speed, most, until } => {
@@ -213,15 +212,13 @@ impl Repeat {
                 let mut time = sequence.fall.map_or(0.0, |fall| fall.duration);
                 let mut speed = speed;
                 sequence.end = loop {
-                    let hit = strike(&mut sequence, speed, Some(time))?;
+                    let hit = hit(&mut sequence, speed, Some(time))?;
                     if hit.is_captured {
                         break End::Captured;
                     }
-                    let dent = hit.residual_indentation;
-                    let touch = if self.place == Place::Same { dent } else { 0.0 };
-                    let Some(flight) =
-                        Flight::between(gravity, time + hit.contact_time, dent, hit.rebound_speed, touch)
-                    else {
+                    let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
+                    let (begin, from) = (time + hit.contact_time, hit.end_indentation);
+                    let Some(flight) = Flight::between(gravity, begin, from, hit.rebound_speed, touch) else {
                         break End::InDent;
                     };
                     if until.is_some_and(|until| flight.landing_speed < until) {
@@ -243,35 +240,55 @@ impl Repeat {
     }
 }
 
+/// One impact on a spot, with a trace if there are samples. The cheapest method takes no steps for the numbers that the
+/// next impact depends on, so that a long series gathers no error of steps; its trace is then a run of its own.
+fn strike(
+    contact: &Contact,
+    spot: &mut Spot,
+    speed: f64,
+    solver: &Solver,
+    samples: Option<usize>,
+) -> Result<Impact, ImpactError> {
+    if !matches!(solver.method, Method::Auto | Method::ClosedForm) {
+        return contact.impact_on(spot, speed, solver, samples);
+    }
+    let mut before = spot.clone();
+    let mut impact = contact.impact_on(spot, speed, solver, None)?;
+    if samples.is_some() {
+        let method = if contact.forces().is_none() { Method::ClosedForm } else { Method::Rk8 };
+        impact.trace = contact.impact_on(&mut before, speed, &Solver { method, ..*solver }, samples)?.trace;
+    }
+    Ok(impact)
+}
+
 impl Hit {
-    fn of(impact: &Impact, time: Option<f64>, dent_before: f64, weight: f64) -> Self {
-        let energy = &impact.energy;
-        // an impact that leaves its spot as it was gives back all that it brought
-        let is_captured = impact.restitution < 1.0 && impact.peak_force <= (impact.unloading_exponent + 1.0) * weight;
-        let rebound_speed = if is_captured { 0.0 } else { impact.rebound_speed };
+    fn of(impact: &Impact, time: Option<f64>, dent_before: f64) -> Self {
+        let (energy, under_forces) = (&impact.energy, impact.under_forces.as_ref());
         Self {
             time,
             speed: impact.speed,
-            restitution: if is_captured { 0.0 } else { impact.restitution },
-            rebound_speed,
+            restitution: impact.restitution,
+            rebound_speed: impact.rebound_speed,
             peak_force: impact.peak_force,
             peak_indentation: impact.peak_indentation,
             residual_indentation: impact.residual_indentation,
             dent_growth: impact.residual_indentation - dent_before,
             contact_time: impact.contact_time,
+            end_indentation: under_forces.map_or(impact.residual_indentation, |forces| forces.end_indentation),
             kinetic_in: energy.kinetic_in,
             recovered: energy.recovered,
             plastic: energy.plastic,
+            damping: under_forces.and_then(|forces| forces.damping_loss),
             drift: energy.drift,
-            is_captured,
+            is_captured: under_forces.is_some_and(|forces| forces.fate == Fate::Captured),
             flight: None,
         }
     }
 
-    /// First touch of the next impact would be no earlier than this \[s\].
+    /// Time of separation \[s\]; `None` for shots and for a captured sphere.
     #[must_use]
     pub fn separation_time(&self) -> Option<f64> {
-        self.time.map(|time| time + self.contact_time)
+        self.time.filter(|_| !self.is_captured).map(|time| time + self.contact_time)
     }
 }
 

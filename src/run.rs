@@ -1,7 +1,9 @@
 //! One scene from a scenario to its output files.
 
+pub mod repeat;
+
 use crate::error::Error;
-use crate::impact::{Contact, Impact};
+use crate::impact::{Contact, Impact, Method};
 use crate::law::LawChoice;
 use crate::output::{OutputDirectory, OutputFile};
 use crate::plot;
@@ -44,7 +46,7 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
         .impact(scene.speed, &scene.solver, Some(scene.samples))
         .map_err(|reason| Error::impact(scenario, reason))?;
     impact.warnings.extend(&scene.warnings);
-    let provenance = provenance(scenario, &scene, &impact, command)?;
+    let provenance = provenance(scenario, &scene, impact.method, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
         file("summary.json", report::summary(&contact, &impact, &provenance)?.into_bytes()),
@@ -70,7 +72,7 @@ impl Run {
     }
 }
 
-fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Result<Provenance, Error> {
+fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str) -> Result<Provenance, Error> {
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
     let can_yield = scene.half_space.yield_strength.is_some();
     let coefficients = (is_plm && can_yield).then_some(&scene.coefficients.provenance);
@@ -79,7 +81,7 @@ fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str
         scenario_file: scenario.document.name().to_owned(),
         scenario_sha256: scenario.sha256()?,
         command: command.to_owned(),
-        method: impact.method.name().to_owned(),
+        method: method.name().to_owned(),
         tolerance: scene.solver.tolerance,
         law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
         law_source: (can_yield && !is_plm).then(|| scene.law.source()),

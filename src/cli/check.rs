@@ -4,6 +4,8 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::report::plan::plan_lines;
+use plm_impact::report::repeat::repeat_lines;
+use plm_impact::run::repeat::prepare_repeat;
 use plm_impact::scenario::overview::overview;
 use plm_impact::scenario::{Kind, Scenario};
 
@@ -21,6 +23,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(&scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
+        Kind::Repeat => repeat(&scenario),
     }
 }
 
@@ -32,6 +35,14 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     }
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
     super::print(&text).context("standard output")
+}
+
+fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contact, repeat) = prepare_repeat(scenario)?;
+    for warning in &scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    super::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
 }
 
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {

@@ -6,6 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
+use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -33,6 +34,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(arguments, &scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
+        Kind::Repeat => repeat(arguments, &scenario),
     }
 }
 
@@ -50,11 +52,28 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
 }
 
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for_one_impact()?;
+    arguments.sweep.refuse_without_table("one impact: give it a [sweep] or a [monte_carlo]")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
     let run = plm_impact::run::run(scenario, &command_line())?;
     for warning in &run.impact.warnings {
+        eprintln!("warning: {warning}");
+    }
+    run.write(scenario, directory, arguments.strict)?;
+    if !arguments.quiet {
+        super::print(&run.table).context("standard output")?;
+        let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
+        eprintln!("wrote {} to {}", names.join(", "), out.display());
+    }
+    Ok(())
+}
+
+fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_without_table("impacts one after the other, with a small table of their own")?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let out = directory.path().to_owned();
+    let run = run_repeat(scenario, &command_line())?;
+    for warning in &run.warnings {
         eprintln!("warning: {warning}");
     }
     run.write(scenario, directory, arguments.strict)?;

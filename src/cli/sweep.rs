@@ -49,8 +49,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// One impact has no table.
-    pub fn refuse_for_one_impact(&self) -> Result<(), Error> {
+    /// Only sweeps have a table; `what` else the scenario is.
+    pub fn refuse_without_table(&self, what: &str) -> Result<(), Error> {
         let given = [
             ("--format", self.format.is_some()),
             ("--shard", self.shard.is_some()),
@@ -58,9 +58,7 @@ impl Options {
             ("--threads", self.threads.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(Error::Option(format!(
-                "{name} is for tables, and this scenario is one impact: give it a [sweep] or a [monte_carlo]"
-            ))),
+            Some((name, _)) => Err(Error::Option(format!("{name} is for tables, and this scenario is {what}"))),
             None => Ok(()),
         }
     }

@@ -21,7 +21,7 @@ use super::scales::ACCELERATION;
 use crate::integrate::State;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
-use crate::power::power;
+use crate::power::{power, power_turn};
 use crate::quadrature;
 
 /// Where an impact of energy `kinetic` (in units of Φ L) and weight w turns: the piece, and the distance from its start.
@@ -38,6 +38,13 @@ pub fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     let piece = &pieces[last];
     let rest = (kinetic + weight * (piece.start - touch) - piece.work).max(0.0);
     (last, way_to_turn(piece, rest, weight))
+}
+
+/// The whole way from first touch to there.
+#[must_use]
+pub fn way_to_peak(law: &Law, kinetic: f64, weight: f64) -> f64 {
+    let (last, distance) = peak(law, kinetic, weight);
+    law.loading.pieces()[last].start - law.touch() + distance
 }
 
 /// Distance from the start of a piece, passed with energy `rest`, to the turning point.
@@ -68,32 +75,6 @@ fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
     }
 }
 
-/// The positive root of k d^(n+1)/(n+1) = rest + w d.
-///
-/// With a the root without weight, b the one without `rest`, and d = (a + b) z it is z^(n+1) = â^(n+1) + b̂^n z (hats:
-/// over a + b), convex and not negative at z = 1, so that Newton's method from there falls towards the root.
-#[must_use]
-pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
-    let p = exponent + 1.0;
-    let of_rest = (p * rest / stiffness).powf(1.0 / p);
-    if weight == 0.0 {
-        return of_rest;
-    }
-    let of_weight = (p * weight / stiffness).powf(1.0 / exponent);
-    let both = of_rest + of_weight;
-    let (constant, slope) = ((of_rest / both).powf(p), (of_weight / both).powf(exponent));
-    let mut z = 1.0_f64;
-    for _ in 0..60 {
-        let higher = z.powf(exponent);
-        let next = z - (z * higher - constant - slope * z) / (p * higher - slope);
-        if next >= z || !next.is_finite() {
-            break;
-        }
-        z = next;
-    }
-    both * z
-}
-
 /// G(u) of the file's head, and back.
 #[derive(Debug, Clone, Copy)]
 struct Speeds {
@@ -117,7 +98,7 @@ impl Speeds {
         }
         let mut v = sign * elastic * self.chi;
         // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
-        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { -(1.0 - (-elastic * self.chi - wanted).exp()) };
+        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (-elastic * self.chi - wanted).exp_m1() };
         for _ in 0..50 {
             let change = (excess(v) - wanted) * (1.0 + v) / v;
             let next = v - change;
@@ -149,9 +130,8 @@ fn excess(v: f64) -> f64 {
 #[must_use]
 pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let chi = match load.damping {
-        None => 0.0,
         Some(Damping::HuntCrossley(chi)) if load.weight == 0.0 || chi == 0.0 => chi,
-        Some(Damping::Viscous(0.0)) => 0.0,
+        None | Some(Damping::Viscous(0.0)) => 0.0,
         Some(_) => return None,
     };
     let (speeds, weight) = (Speeds { chi }, load.weight);

@@ -14,15 +14,15 @@
 //!   overdamped sphere has crept up to its static indentation, to one part in a thousand.
 
 use super::balance;
-use super::course::Event;
+use super::course::{Event, entry_of, unloading_from, way_back, way_out};
+use super::forced_trace::{ForcedRecorder, On};
 use super::forces::Damping;
 use super::outcome::Outcome;
 use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
-use crate::integrate::{IntegrationError, Leg, Sampler, Sizes, State};
+use crate::integrate::{IntegrationError, Leg, Sizes, State};
 use crate::law::curve::Shape;
-use crate::law::{ElasticApproach, Law, Peak, Unloading};
-use crate::power::power;
+use crate::law::{ElasticApproach, Law, Unloading};
 
 /// Gravity and damping in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,6 +83,17 @@ pub enum Fate {
     Captured,
 }
 
+impl Fate {
+    /// `separated` or `captured`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Separated => "separated",
+            Self::Captured => "captured",
+        }
+    }
+}
+
 /// What an impact under forces comes to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForcedOutcome {
@@ -106,91 +117,6 @@ impl ForcedOutcome {
     pub fn outcome(&self) -> Outcome {
         let Self { unloading, restitution, loading_time, end, .. } = *self;
         Outcome { unloading, restitution, loading_time, contact_time: end.time }
-    }
-}
-
-/// A point of a trace, dimensionless.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ForcedPoint {
-    /// Time, x and u.
-    pub state: State,
-    /// Force of the law.
-    pub force: f64,
-    /// With damping.
-    pub total_force: f64,
-    /// ε.
-    pub elastic_approach: f64,
-    /// What damping has taken so far, in units of Φ L.
-    pub loss: f64,
-    /// Whether compression is over.
-    pub is_unloading: bool,
-    /// The event, if it is one.
-    pub event: Option<Event>,
-}
-
-/// Collects a trace: even samples in time and every event.
-#[derive(Debug, Clone, Default)]
-pub struct ForcedRecorder {
-    pub(super) sampler: Sampler,
-    /// The points in order of time.
-    pub points: Vec<ForcedPoint>,
-}
-
-impl ForcedRecorder {
-    /// A recorder of `samples` points evenly spaced over `duration`, both ends included (they are events).
-    #[must_use]
-    pub fn new(samples: usize, duration: f64) -> Self {
-        let inner = samples.saturating_sub(2);
-        #[allow(clippy::cast_precision_loss)]
-        let interval = duration / (inner + 1) as f64;
-        Self { sampler: Sampler::every(interval, inner), points: Vec::with_capacity(samples + 16) }
-    }
-
-    /// Turns the samples of a leg, and the event at its end, into points.
-    fn take(&mut self, leg: &On, event: Option<(Event, &ForcedState)>) {
-        let states = std::mem::take(&mut self.sampler.states);
-        let losses = std::mem::take(&mut self.sampler.losses);
-        let sampled =
-            states.iter().zip(&losses).map(|(state, loss)| leg.point(&ForcedState { state: *state, loss: *loss }));
-        self.points.extend(sampled);
-        self.points.extend(event.map(|(event, at)| ForcedPoint { event: Some(event), ..leg.point(at) }));
-    }
-}
-
-/// A branch of the law that points lie on.
-pub(super) enum On<'a> {
-    Piece { law: &'a Law, index: usize, drag: Drag },
-    Unloading { unloading: &'a Unloading, drag: Drag },
-}
-
-impl On<'_> {
-    /// `at.state.distance` is from the zero of a power law, from the start of a straight piece, or from the residual
-    /// indentation.
-    pub(super) fn point(&self, at: &ForcedState) -> ForcedPoint {
-        let State { time, distance, speed } = at.state;
-        let (x, force, slope, elastic_approach, drag, is_unloading) = match *self {
-            Self::Piece { law, index, drag } => {
-                let Peak { indentation, force, elastic_approach } = super::course::loaded(law, index, distance);
-                let piece = &law.loading.pieces()[index];
-                let slope = piece.slope_beyond(distance - piece.shape.lead());
-                (indentation, force, slope, elastic_approach, drag, false)
-            }
-            Self::Unloading { unloading, drag } => {
-                let (k, n, d) = (unloading.stiffness(), unloading.exponent, distance.max(0.0));
-                let slope = k * n * power(d, n - 1.0);
-                (unloading.peak.residual() + distance, k * power(d, n), slope, distance, drag, true)
-            }
-        };
-        let of_drag = match drag {
-            Drag::None => 0.0,
-            Drag::OfForce(chi) => force * chi * speed,
-            Drag::OfStiffness(eta) => eta * (slope / ACCELERATION).sqrt() * speed,
-        };
-        let state = State { time, distance: x, speed };
-        // where it lifts off the total is zero up to rounding
-        let total_force = (force + of_drag).max(0.0);
-        let loss = at.loss / ACCELERATION;
-        ForcedPoint { state, force, total_force, elastic_approach, loss, is_unloading, event: None }
     }
 }
 
@@ -223,12 +149,12 @@ impl Load {
     }
 }
 
-/// What the integrator itself takes for rest.
-fn rest(distance: f64, creep: Option<Creep>) -> Option<Rest> {
-    creep.map(|creep| {
+impl Creep {
+    /// What the integrator itself takes for rest.
+    fn rest(self, distance: f64) -> Rest {
         let nearer = NEARER / NEAR;
-        Rest { distance, within: nearer * creep.within, below: nearer * creep.below }
-    })
+        Rest { distance, within: nearer * self.within, below: nearer * self.below }
+    }
 }
 
 /// x at which the loading curve carries the weight, and its piece.
@@ -245,6 +171,25 @@ pub(super) fn equilibrium(law: &Law, weight: f64) -> (f64, usize) {
     (piece.start + distance, index)
 }
 
+/// What stays the same along an impact.
+struct Course<'a> {
+    law: &'a Law,
+    load: &'a Load,
+    q: f64,
+    pull: f64,
+    drag: Drag,
+    sizes: Sizes,
+}
+
+/// Where compression ended.
+struct Deepest {
+    piece: usize,
+    /// Distance as the integrator counts it.
+    at: ForcedState,
+    /// Whether it will never be over: the sphere has crept up to its static indentation.
+    is_at_rest: bool,
+}
+
 /// Integrates an impact at q = v/V from first touch to its end.
 ///
 /// # Errors
@@ -256,130 +201,155 @@ pub fn integrate<I: ForcedIntegrator>(
     integrator: &mut I,
     mut recorder: Option<&mut ForcedRecorder>,
 ) -> Result<ForcedOutcome, IntegrationError> {
-    let pieces = law.loading.pieces();
-    let (last, distance) = balance::peak(law, 0.4 * q * q, load.weight);
-    let deepest = (pieces[last].start - pieces[0].start) + distance;
-    let (pull, drag) = (ACCELERATION * load.weight, load.drag());
-    let sizes = Sizes { distance: deepest, speed: (q * q + pull * deepest).sqrt() };
-    let balanced = (pull > 0.0 && drag != Drag::None).then(|| equilibrium(law, load.weight));
-    let mut state = ForcedState { state: State { time: 0.0, distance: 0.0, speed: q }, loss: 0.0 };
-    let mut index = 0;
-    let on = |index: usize| On::Piece { law, index, drag };
-    let touch = law.touch();
+    let distance = balance::way_to_peak(law, 0.4 * q * q, load.weight);
+    let pull = ACCELERATION * load.weight;
+    let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+    let course = Course { law, load, q, pull, drag: load.drag(), sizes };
+    let deepest = course.compress(integrator, recorder.as_deref_mut())?;
+    let Deepest { piece, at, is_at_rest } = deepest;
+    let unloading = unloading_from(law, piece, at.state.distance);
     if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.take(&on(0), Some((Event::Touch, &state)));
+        let event = if is_at_rest { Event::Captured } else { Event::Peak };
+        recorder.take(&course.on(piece), Some((event, &at)));
     }
-    if q == 0.0 {
-        // so little of the way that the force is nothing beside the weight, also under viscous damping: free fall
-        let distance = 1e-22 * (equilibrium(law, load.weight).0 - touch);
-        state.state = State { time: (2.0 * distance / pull).sqrt(), distance, speed: (2.0 * distance * pull).sqrt() };
+    let (mut end, fate) = if is_at_rest {
+        (ForcedState { state: State { distance: unloading.peak.elastic_approach, ..at.state }, ..at }, Fate::Captured)
+    } else {
+        course.go_back(&unloading, &at, integrator, recorder)?
+    };
+    end.state.distance += law.dent(&unloading.peak).residual();
+    Ok(ForcedOutcome {
+        unloading,
+        restitution: if fate == Fate::Captured { 0.0 } else { -end.state.speed / q },
+        loading_time: at.state.time,
+        end: end.state,
+        fate,
+        loss: end.loss / ACCELERATION,
+    })
+}
+
+impl Course<'_> {
+    fn on(&self, piece: usize) -> On<'_> {
+        On::Piece { law: self.law, index: piece, drag: self.drag }
     }
-    let is_reload = law.branch().is_some();
-    let stays_on_branch = law.stays_on_branch(0.4 * q * q, load.weight);
-    let mut stops_at_yield = recorder.is_some() && !matches!(law.elastic, ElasticApproach::All) && !is_reload;
-    let is_at_rest = loop {
-        let piece = &pieces[index];
-        let mut path = super::course::way_out(law, index, sizes);
-        if stays_on_branch {
+
+    /// The first state: at first touch, or after so little of a fall from rest that the force is nothing beside the weight.
+    fn start(&self) -> State {
+        if self.q > 0.0 {
+            return State { time: 0.0, distance: 0.0, speed: self.q };
+        }
+        let distance = 1e-22 * (equilibrium(self.law, self.load.weight).0 - self.law.touch());
+        let speed = (2.0 * distance * self.pull).sqrt();
+        State { time: speed / self.pull, distance, speed }
+    }
+
+    /// The leg along a piece from `state` on, what is at its end, and the creep to rest if it ends near that.
+    fn leg(&self, index: usize, state: &State, mut stops_at_yield: bool) -> (ForcedPath, Option<Event>, Option<Creep>) {
+        let piece = &self.law.loading.pieces()[index];
+        let zero = piece.start - piece.shape.lead();
+        let mut path = way_out(self.law, index, self.sizes);
+        if self.law.stays_on_branch(0.4 * self.q * self.q, self.load.weight) {
             path.leg = Leg::Outward(f64::INFINITY);
         }
         let mut event = Some(Event::Knot);
-        if let Leg::Outward(end) = path.leg
-            && stops_at_yield
-            && piece.start + end > 1.0
-        {
-            path.leg = Leg::Outward(1.0 - piece.start);
-            event = Some(Event::Yield);
-            stops_at_yield = false;
-        }
-        let creep = balanced.filter(|(_, of)| *of == index).and_then(|(x, _)| {
-            let distance = x - piece.start + piece.shape.lead();
-            load.creep(x - touch, piece.slope_at(x)).map(|creep| (distance, creep))
-        });
-        if let (Leg::Outward(end), Some((distance, creep))) = (path.leg, creep)
-            && (state.state.distance..end).contains(&(distance - creep.within))
-            && state.state.distance < distance - creep.within
-        {
-            path.leg = Leg::Outward(distance - creep.within);
-            if event == Some(Event::Yield) {
-                stops_at_yield = true;
+        let creep = (self.pull > 0.0 && self.drag != Drag::None)
+            .then(|| equilibrium(self.law, self.load.weight))
+            .filter(|(_, of)| *of == index)
+            .and_then(|(x, _)| Some((x - zero, self.load.creep(x - self.law.touch(), piece.slope_at(x))?)));
+        let mut rests = None;
+        if let Leg::Outward(mut end) = path.leg {
+            if let Some((distance, creep)) = creep
+                && (state.distance..end).contains(&(distance - creep.within))
+                && state.distance < distance - creep.within
+            {
+                (end, event, rests) = (distance - creep.within, None, Some(creep));
             }
-            event = None;
-        }
-        let rest = creep.and_then(|(distance, creep)| rest(distance, Some(creep)));
-        let path = ForcedPath { path, pull, drag, back_to: 0.0, rest };
-        let landing = integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-        if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.take(&on(index), None);
-        }
-        if landing != ForcedLanding::End {
-            break landing == ForcedLanding::Rest;
-        }
-        if event.is_none() && creep.is_some_and(|(_, creep)| state.state.speed <= creep.below) {
-            break true;
-        }
-        if event == Some(Event::Knot) {
-            if is_reload && index == 0 {
-                event = Some(Event::Yield);
+            stops_at_yield &= piece.start + end > 1.0;
+            if stops_at_yield {
+                (end, event, rests) = (1.0 - piece.start, Some(Event::Yield), None);
             }
-            index += 1;
-            state.state.distance = super::course::entry_of(law, index);
+            path.leg = Leg::Outward(end);
         }
-        if let (Some(recorder), Some(event)) = (recorder.as_deref_mut(), event) {
-            recorder.take(&on(index), Some((event, &state)));
-        }
-    };
-    let loading_time = state.state.time;
-    let unloading = super::course::unloading_from(law, index, state.state.distance);
-    let last = if is_at_rest { Event::Captured } else { Event::Peak };
-    if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.take(&on(index), Some((last, &state)));
-    }
-    let residual = law.dent(&unloading.peak).residual();
-    let outcome = |state: &ForcedState, fate| ForcedOutcome {
-        unloading,
-        restitution: if fate == Fate::Captured { 0.0 } else { -state.state.speed / q },
-        loading_time,
-        end: state.state,
-        fate,
-        loss: state.loss / ACCELERATION,
-    };
-    if is_at_rest {
-        state.state.distance = unloading.peak.indentation;
-        return Ok(outcome(&state, Fate::Captured));
+        let rest = creep.map(|(distance, creep)| creep.rest(distance));
+        (ForcedPath { path, pull: self.pull, drag: self.drag, back_to: 0.0, rest }, event, rests)
     }
 
-    let is_captured = load.is_conservative() && load.captures(&unloading, q);
-    let at_rest = load.static_approach(&unloading);
-    let mut path = super::course::way_back(&unloading);
-    path.sizes.speed = path.sizes.speed.max(sizes.speed * f64::EPSILON);
-    let creep = load.creep(at_rest, unloading.exponent * load.weight / at_rest);
-    let mut path = ForcedPath { path, pull, drag, back_to: 0.0, rest: rest(at_rest, creep) };
-    state.state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };
-    let mut traverse = |path: &ForcedPath, state: &mut ForcedState| {
-        integrator.traverse(path, state, recorder.as_deref_mut().map(|r| &mut r.sampler))
-    };
-    if is_captured {
-        path.back_to = at_rest;
+    fn compress<I: ForcedIntegrator>(
+        &self,
+        integrator: &mut I,
+        mut recorder: Option<&mut ForcedRecorder>,
+    ) -> Result<Deepest, IntegrationError> {
+        let touch = ForcedState { state: State { time: 0.0, distance: 0.0, speed: self.q }, loss: 0.0 };
+        let mut at = ForcedState { state: self.start(), loss: 0.0 };
+        let mut piece = 0;
+        if let Some(recorder) = recorder.as_deref_mut() {
+            recorder.take(&self.on(0), Some((Event::Touch, &touch)));
+        }
+        let is_reload = self.law.branch().is_some();
+        let is_elastic = matches!(self.law.elastic, ElasticApproach::All);
+        let mut stops_at_yield = recorder.is_some() && !is_elastic && !is_reload;
+        loop {
+            let (path, mut event, creep) = self.leg(piece, &at.state, stops_at_yield);
+            let landing = integrator.traverse(&path, &mut at, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
+            if let Some(recorder) = recorder.as_deref_mut() {
+                recorder.take(&self.on(piece), None);
+            }
+            let is_near_rest = creep.is_some_and(|creep| at.state.speed <= creep.below);
+            if landing != ForcedLanding::End || is_near_rest {
+                let is_at_rest = landing == ForcedLanding::Rest || landing == ForcedLanding::End;
+                return Ok(Deepest { piece, at, is_at_rest });
+            }
+            if event == Some(Event::Knot) {
+                if is_reload && piece == 0 {
+                    event = Some(Event::Yield);
+                }
+                piece += 1;
+                at.state.distance = entry_of(self.law, piece);
+            }
+            stops_at_yield &= event != Some(Event::Yield);
+            if let (Some(recorder), Some(event)) = (recorder.as_deref_mut(), event) {
+                recorder.take(&self.on(piece), Some((event, &at)));
+            }
+        }
     }
-    let mut landing = ForcedLanding::End;
-    let mut creeps = false;
-    if let Some(creep) = creep.filter(|creep| at_rest + creep.within < state.state.distance) {
-        let near = ForcedPath { back_to: at_rest + creep.within, ..path };
-        landing = traverse(&near, &mut state)?;
-        creeps = landing == ForcedLanding::End && -state.state.speed <= creep.below;
+
+    /// From rest at the peak to the end; the distance of the end is from the residual indentation.
+    fn go_back<I: ForcedIntegrator>(
+        &self,
+        unloading: &Unloading,
+        deepest: &ForcedState,
+        integrator: &mut I,
+        mut recorder: Option<&mut ForcedRecorder>,
+    ) -> Result<(ForcedState, Fate), IntegrationError> {
+        // a sphere that had no speed has none to leave with
+        let is_captured = self.q == 0.0 || self.load.is_conservative() && self.load.captures(unloading, self.q);
+        let at_rest = self.load.static_approach(unloading);
+        let creep = self.load.creep(at_rest, unloading.exponent * self.load.weight / at_rest);
+        let back_to = if is_captured && self.load.is_conservative() { at_rest } else { 0.0 };
+        let rest = creep.map(|creep| creep.rest(at_rest));
+        let path = ForcedPath { path: way_back(unloading), pull: self.pull, drag: self.drag, back_to, rest };
+        let state = State { distance: unloading.peak.elastic_approach, speed: 0.0, ..deepest.state };
+        let mut at = ForcedState { state, ..*deepest };
+        let mut traverse = |path: &ForcedPath, at: &mut ForcedState| {
+            integrator.traverse(path, at, recorder.as_deref_mut().map(|r| &mut r.sampler))
+        };
+        let mut landing = ForcedLanding::End;
+        let mut creeps = false;
+        if let Some(creep) = creep.filter(|creep| at_rest + creep.within < at.state.distance) {
+            landing = traverse(&ForcedPath { back_to: at_rest + creep.within, ..path }, &mut at)?;
+            creeps = landing == ForcedLanding::End && -at.state.speed <= creep.below;
+        }
+        if landing == ForcedLanding::End && !creeps {
+            landing = traverse(&path, &mut at)?;
+        }
+        let fate = match landing {
+            ForcedLanding::End | ForcedLanding::LiftOff if !is_captured && !creeps => Fate::Separated,
+            _ => Fate::Captured,
+        };
+        if let Some(recorder) = recorder {
+            let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
+            recorder.take(&On::Unloading { unloading, drag: self.drag }, Some((event, &at)));
+        }
+        Ok((at, fate))
     }
-    if landing == ForcedLanding::End && !creeps {
-        landing = traverse(&path, &mut state)?;
-    }
-    let fate = match landing {
-        ForcedLanding::End | ForcedLanding::LiftOff if !is_captured && !creeps => Fate::Separated,
-        _ => Fate::Captured,
-    };
-    if let Some(recorder) = recorder {
-        let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
-        recorder.take(&On::Unloading { unloading: &unloading, drag }, Some((event, &state)));
-    }
-    state.state.distance += residual;
-    Ok(outcome(&state, fate))
 }

@@ -1,7 +1,8 @@
 //! An impact under forces by velocity Verlet in fixed steps, as DEM codes do it: no landing, kinks stepped over.
 
 use super::course::Event;
-use super::forced::{Fate, ForcedOutcome, ForcedRecorder, Load, On, equilibrium};
+use super::forced::{Fate, ForcedOutcome, Load, equilibrium};
+use super::forced_trace::{ForcedPoint, ForcedRecorder, On};
 use super::forces::Damping;
 use super::scales::ACCELERATION;
 use crate::integrate::forced::ForcedState;
@@ -160,6 +161,6 @@ fn record(
             (On::Unloading { unloading, drag }, law.dent(&unloading.peak).residual())
         };
         let along = ForcedState { state: State { distance: x - start, ..at.state }, ..*at };
-        recorder.points.push(super::forced::ForcedPoint { event: *event, ..on.point(&along) });
+        recorder.points.push(ForcedPoint { event: *event, ..on.point(&along) });
     }
 }

@@ -2,6 +2,7 @@
 
 use super::course::{Event, Point};
 use super::essentials::Essentials;
+use super::forced::Fate;
 use super::scales::Scales;
 use super::validity::{self, Warning};
 use super::with_forces::UnderForces;
@@ -246,6 +247,18 @@ impl Impact {
             warnings: Vec::new(),
             trace: Vec::new(),
         }
+    }
+
+    /// What became of a sphere that stays, if it does.
+    #[must_use]
+    pub fn captured(&self) -> Option<&UnderForces> {
+        self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
+    }
+
+    /// How long the impact was followed \[s\]: the contact time, or to where the run of a captured sphere ends.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.captured().map_or(self.contact_time, |under| under.end_time)
     }
 
     /// Whether the impact left a dent.

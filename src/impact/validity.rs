@@ -77,7 +77,7 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact) -> Vec<Warning> {
         warnings.push(Warning::SphereYields { pressure: impact.peak_mean_pressure, strength });
     }
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
-    let transits = impact.contact_time / transit;
+    let transits = impact.duration() / transit;
     if transits < 5.0 {
         warnings.push(Warning::ShortContact { transits });
     }

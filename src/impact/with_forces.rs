@@ -1,19 +1,21 @@
 //! An impact under gravity or damping from a contact and a speed to the numbers of a report.
 
 use super::essentials::Essentials;
-use super::forced::{self, Fate, ForcedOutcome, ForcedPoint, ForcedRecorder, Load};
+use super::forced::{self, Fate, ForcedOutcome, Load};
+use super::forced_trace::{ForcedPoint, ForcedRecorder};
 use super::forces::Damping;
 use super::outcome::{Branch, Impact, TraceRow};
 use super::scales::Scales;
 use super::validity;
 use super::{Contact, ImpactError, Method, Solver, balance};
-use crate::integrate::damped::Damped;
 use crate::integrate::forced::ForcedIntegrator;
 use crate::integrate::ode_forced::OdeForced;
 use crate::integrate::ode_solvers;
+use crate::integrate::pulled::Pulled;
 use crate::integrate::{IntegrationError, Work};
 use crate::law::{Law, Peak};
 use crate::material::{OutOfFloatRange, normal};
+use crate::power::power_turn;
 
 /// What only an impact under gravity or damping has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +79,7 @@ impl Contact {
     fn scales_of_drop(&self, speed: f64, gravity: f64) -> Result<Scales, OutOfFloatRange> {
         let stiffness = self.pair().hertz_stiffness();
         let per_mass = stiffness / self.mass();
-        let length = normal("peak indentation (m)", balance::power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity))?;
+        let length = normal("peak indentation (m)", power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity))?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         let contact_radius = (self.pair().radius * length).sqrt();
         Ok(Scales { length, force, speed: (speed * speed + 2.0 * gravity * length).sqrt(), contact_radius })
@@ -252,7 +254,7 @@ fn run(
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
         (Method::ClosedForm, Some(exact)) => Ok((*exact, Work::default())),
-        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Damped::new(tolerance), scene, recorder),
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Pulled::new(tolerance), scene, recorder),
         (Method::Dopri5, _) => with(OdeForced::new(ode_solvers::Method::Dopri5, tolerance), scene, recorder),
         (Method::Dop853, _) => with(OdeForced::new(ode_solvers::Method::Dop853, tolerance), scene, recorder),
         (Method::Verlet, _) => {

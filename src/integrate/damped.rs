@@ -13,16 +13,21 @@
 //! **Landing.** A step that has passed an event is taken again with the length that the cubic through both its ends gives,
 //! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two or three repeats.
 
-use super::dop853::{self, EVALUATIONS, Motion, Quad};
+use super::dop853::{self, EVALUATIONS, Quad};
 use super::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::motions::{Hertz, Piece, Power, Straight, cubic_minimum};
 use super::{IntegrationError, Leg, Restoring, Sampler, State, Work};
 use crate::smooth::Variable;
 use curves::{Curve, Plain, Rooted};
 
 mod curves;
 
-/// More steps than a leg needs unless its drag is far beyond critical.
-const MOST_STEPS: u64 = 200_000;
+/// More steps than a leg needs unless its drag is hundreds of times beyond critical: explicit steps are no longer than the
+/// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
+const MOST_STEPS: u64 = 1_000_000;
+
+/// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
+const PART: f64 = 0.05;
 
 /// The stepper.
 #[derive(Debug, Clone)]
@@ -37,138 +42,6 @@ impl Damped {
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, work: Work::default() }
     }
-}
-
-/// A straight piece: d'' = γ − (a + b d)(1 + χ u) − c u.
-#[derive(Debug, Clone, Copy)]
-struct Straight {
-    a: f64,
-    b: f64,
-    chi: f64,
-    c: f64,
-    pull: f64,
-}
-
-/// A power law in r = d^(1/m) for n = 3/2; `c` is √(k n) times the drag of stiffness.
-#[derive(Debug, Clone, Copy)]
-struct Hertz<const M: u8> {
-    k: f64,
-    chi: f64,
-    c: f64,
-    pull: f64,
-}
-
-/// The same for any exponent.
-#[derive(Debug, Clone, Copy)]
-struct Power<const M: u8> {
-    k: f64,
-    n: f64,
-    chi: f64,
-    c: f64,
-    pull: f64,
-}
-
-/// What stepping, landing and sampling need of a motion.
-trait Piece: Motion {
-    /// m.
-    const ROOT: i32;
-    /// A function that is zero where the contact force is, and its derivative.
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64);
-    /// About √g' at y, for the first step.
-    fn frequency(&self, y: f64) -> f64;
-
-    fn y_at(distance: f64) -> f64 {
-        match Self::ROOT {
-            1 => distance,
-            2 => distance.sqrt(),
-            _ => distance.sqrt().sqrt(),
-        }
-    }
-    fn distance_at(y: f64) -> f64 {
-        y.powi(Self::ROOT)
-    }
-}
-
-impl Motion for Straight {
-    #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
-        let force = self.a + self.b * y;
-        let drag = (force * self.chi + self.c) * u;
-        [u, self.pull - force - drag, 1.0, drag * u]
-    }
-}
-
-impl Piece for Straight {
-    const ROOT: i32 = 1;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        (self.a + self.b * node[0] + self.c * node[1], self.b * rates[0] + self.c * rates[1])
-    }
-    fn frequency(&self, _: f64) -> f64 {
-        self.b.sqrt()
-    }
-}
-
-impl<const M: u8> Motion for Hertz<M> {
-    #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
-        let square = y * y;
-        if M == 2 {
-            // per 2 s: k s³, and no drag of stiffness
-            let (clock, force) = (2.0 * y, 2.0 * self.k * square * square);
-            let drag = force * self.chi * u;
-            [u, clock * self.pull - force - drag, clock, drag * u]
-        } else {
-            let clock = 4.0 * square * y;
-            let force = clock * self.k * square * square * square;
-            let drag = (force * self.chi + clock * self.c * y) * u;
-            [u, clock * self.pull - force - drag, clock, drag * u]
-        }
-    }
-}
-
-impl<const M: u8> Piece for Hertz<M> {
-    const ROOT: i32 = M as i32;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        // contact force over d^¼, m = 4: k r⁵ + c u
-        let fourth = node[0].powi(4);
-        (self.k * fourth * node[0] + self.c * node[1], 5.0 * self.k * fourth * rates[0] + self.c * rates[1])
-    }
-    fn frequency(&self, y: f64) -> f64 {
-        frequency(self.k, 1.5, y, Self::ROOT)
-    }
-}
-
-impl<const M: u8> Motion for Power<M> {
-    #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
-        let m = f64::from(M);
-        let clock = m * y.powi(i32::from(M) - 1);
-        let size = y.abs();
-        let force = clock * self.k * size.powf(m * self.n);
-        let of_stiffness = if self.c == 0.0 { 0.0 } else { clock * self.c * size.powf(0.5 * m * (self.n - 1.0)) };
-        let drag = (force * self.chi + of_stiffness) * u;
-        [u, clock * self.pull - force - drag, clock, drag * u]
-    }
-}
-
-impl<const M: u8> Piece for Power<M> {
-    const ROOT: i32 = M as i32;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        // contact force over d^((n−1)/2): k r^(m(n+1)/2) + c u
-        let p = 0.5 * f64::from(M) * (self.n + 1.0);
-        let slope = self.k * p * node[0].abs().powf(p - 1.0);
-        (slope * node[0] / p + self.c * node[1], slope * rates[0] + self.c * rates[1])
-    }
-    fn frequency(&self, y: f64) -> f64 {
-        frequency(self.k, self.n, y, Self::ROOT)
-    }
-}
-
-/// √ of −du'/dr of a power law.
-fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
-    let m = f64::from(m);
-    let p = m - 1.0 + m * n;
-    (m * k * p * y.powf(p - 1.0)).sqrt()
 }
 
 /// What ends a leg, as a function that falls through zero there.
@@ -243,6 +116,16 @@ impl<P: Piece> Run<'_, P> {
         (length, landed)
     }
 
+    /// A shorter step to where the contact force is gone, if it vanishes and comes again within the step: under gravity a
+    /// sphere that hardly lifts off falls back.
+    fn dip(&self, work: &mut Work, start: (&Quad, &Quad), next: &dop853::Step, h: f64) -> Option<(dop853::Step, f64)> {
+        let (before, slope_before) = self.event(Event::LiftOff, start.0, start.1);
+        let (after, slope_after) = self.event(Event::LiftOff, &next.node, &next.rates);
+        let at = cubic_minimum(before, slope_before * h, after, slope_after * h)?;
+        let dip = self.step(work, start.0, start.1, at * h);
+        (self.event(Event::LiftOff, &dip.node, &dip.rates).0 <= 0.0).then_some((dip, at * h))
+    }
+
     /// The first event that the step from `start` to `next` has passed, landed on.
     fn landing(
         &self,
@@ -266,6 +149,13 @@ impl<P: Piece> Run<'_, P> {
         }
         if !outward && self.path.can_lift_off() && is_past(Event::LiftOff, next) {
             let (length, node) = self.land(work, Event::LiftOff, start, next, h);
+            return Some((ForcedLanding::LiftOff, length, node));
+        }
+        if !outward
+            && self.path.can_lift_off()
+            && let Some((dip, length)) = self.dip(work, start, next, h)
+        {
+            let (length, node) = self.land(work, Event::LiftOff, start, &dip, length);
             return Some((ForcedLanding::LiftOff, length, node));
         }
         if !outward && is_past(Event::Turning, next) {
@@ -347,7 +237,7 @@ impl Damped {
             Leg::Back => (P::y_at(path.back_to), -1.0),
         };
         let size = P::y_at(sizes.distance);
-        let inverse = |size: f64| 1.0 / (self.tolerance * size);
+        let inverse = |size: f64| 1.0 / (PART * self.tolerance * size);
         let inverse_sizes = [inverse(size), inverse(sizes.speed), inverse(sizes.speed * sizes.speed)];
         let run = Run { piece, path, end, direction, inverse_sizes };
         let begun = state.state;
@@ -355,17 +245,19 @@ impl Damped {
         let mut node = [P::y_at(begun.distance), begun.speed, begun.time, state.loss];
         let mut rates = piece.rates(node[0], node[1]);
         self.work.force_evaluations += 1;
+        if direction > 0.0 && begun.speed <= 0.0 {
+            // the piece began where the sphere turned, to the last bit
+            state.state.speed = 0.0;
+            return Ok(ForcedLanding::Turning);
+        }
         // a first step that the error control may still shrink
         let mut h = self.tolerance.powf(0.125) / piece.frequency(if end.is_finite() { end.max(node[0]) } else { size });
         for _ in 0..MOST_STEPS {
             let next = run.step(&mut self.work, &node, &rates, h);
-            if next.error.is_nan() {
-                return Err(IntegrationError::NotFinite { time: node[2] });
-            }
             if next.error > 1.0 {
                 self.work.rejected += 1;
                 h *= (0.9 * next.error.powf(-0.125)).max(0.2);
-                if h * node[1].abs().max(rates[1].abs() * h) == 0.0 {
+                if h < f64::MIN_POSITIVE {
                     return Err(IntegrationError::StepUnderflow { time: node[2], step: h });
                 }
                 continue;
@@ -388,7 +280,7 @@ impl Damped {
             (node, rates) = (next.node, next.rates);
             h *= (0.9 * next.error.powf(-0.125)).min(5.0);
         }
-        Err(IntegrationError::TooManySteps { steps: MOST_STEPS })
+        Err(IntegrationError::Creeping { steps: MOST_STEPS })
     }
 }
 

@@ -143,10 +143,17 @@ pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inve
         fifth = fifth.max((sum(E5, stages, part) * inverse).abs());
         third = third.max(((slope[part] - sum(B3, [&k1, &k9, &k12], part)) * inverse).abs());
     }
-    let node = std::array::from_fn(|part| node[part] + h * slope[part]);
+    let node: Quad = std::array::from_fn(|part| node[part] + h * slope[part]);
     // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
-    let scale = (fifth * fifth + 0.01 * third * third).sqrt();
-    let error = if scale > 0.0 { h.abs() * fifth * (fifth / scale) } else { h.abs() * fifth };
+    let scale = fifth.hypot(0.1 * third);
+    // a step far too long leaves the numbers
+    let error = if !node.iter().all(|part| part.is_finite()) {
+        f64::INFINITY
+    } else if scale > 0.0 {
+        h.abs() * fifth * (fifth / scale)
+    } else {
+        h.abs() * fifth
+    };
     Step { node, rates: motion.rates(node[0], node[1]), error }
 }
 

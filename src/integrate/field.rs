@@ -29,6 +29,11 @@ pub(super) trait Variables: Field<f64> {
     fn potential(self, y: f64) -> f64;
     /// The y > 0 of a given potential.
     fn at_potential(self, potential: f64) -> f64;
+    /// −g' at y, for the first step.
+    #[inline(always)]
+    fn stiffness(self, y: f64) -> f64 {
+        -self.derivatives(y).0
+    }
 }
 
 /// Straight: g = −(a + b y), y = d.

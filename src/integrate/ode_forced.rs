@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use ode_solvers::System;
 
 use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::motions::cubic_minimum;
 use super::ode_solvers::{Method, OdeSolvers};
 use super::{IntegrationError, Leg, Sampler, State, Work};
 
@@ -93,6 +94,24 @@ impl Equations<'_> {
     }
 }
 
+impl Equations<'_> {
+    /// Whether the contact force vanishes and comes again on the step to this node.
+    fn dips_before(&self, node: Node) -> bool {
+        let Some(last) = self.nodes.and_then(|nodes| nodes.borrow().last().copied()) else { return false };
+        if self.path.path.leg != Leg::Back || !self.path.can_lift_off() || node[0] <= last[0] {
+            return false;
+        }
+        let h = node[0] - last[0];
+        let ((before, falls), (after, rises)) = (self.event(Event::LiftOff, last), self.event(Event::LiftOff, node));
+        let (falls, rises) = (falls * h, rises * h);
+        cubic_minimum(before, falls, after, rises).is_some_and(|x| {
+            let y = 1.0 - x;
+            let ends = y * y * ((1.0 + 2.0 * x) * before + x * falls);
+            ends + x * x * ((3.0 - 2.0 * x) * after - y * rises) <= 0.0
+        })
+    }
+}
+
 impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
         self.evaluations.set(self.evaluations.get() + 1);
@@ -103,7 +122,7 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     fn solout(&mut self, time: f64, y: &Vector3<f64>, _dy: &Vector3<f64>) -> bool {
         let Some(nodes) = self.nodes else { return false };
         let node = [time, y[0], y[1], y[2]];
-        if self.passed(node).is_some() {
+        if self.passed(node).is_some() || self.dips_before(node) {
             return true;
         }
         nodes.borrow_mut().push(node);
@@ -126,8 +145,9 @@ impl OdeForced {
         Ok([node[0] + time, end[0], end[1], end[2]])
     }
 
-    /// From the last node before an event to the event that comes first.
-    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<(ForcedLanding, Node), IntegrationError> {
+    /// From the last node before an event to the event that comes first; `None` if at a loose tolerance the shorter steps
+    /// of the search do not find what the long one had passed.
+    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<Option<(ForcedLanding, Node)>, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
         let is_back = path.path.leg == Leg::Back;
@@ -144,12 +164,11 @@ impl OdeForced {
                 first = Some((event, at));
             }
         }
-        let (event, at) = first.ok_or(IntegrationError::NotFinite { time: node[0] })?;
-        Ok(match event {
+        Ok(first.map(|(event, at)| match event {
             Event::End => (ForcedLanding::End, at),
             Event::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
             Event::LiftOff => (ForcedLanding::LiftOff, at),
-        })
+        }))
     }
 
     /// The state at an event behind `node`, by Newton's method on the time; `None` if it is not within reach.
@@ -168,8 +187,11 @@ impl OdeForced {
         let mut is_passed = false;
         for _ in 0..60 {
             let (value, slope) = equations.event(event, at);
-            if value > 0.0 {
+            if value > 0.0 && (slope < 0.0 || event != Event::LiftOff) {
                 low = tau;
+            } else if value > 0.0 {
+                // the force comes again: it vanished before, if it did
+                high = tau;
             } else {
                 (high, is_passed) = (tau, true);
             }
@@ -181,8 +203,9 @@ impl OdeForced {
             tau = next;
             at = self.after(path, node, tau)?;
         }
+        // the bracket has closed on it, or it was met from before
         let size = if event == Event::LiftOff { equations.event(event, node).0 } else { 1.0 };
-        let is_there = equations.event(event, at).0.abs() <= 1e-9 * size;
+        let is_there = is_passed || equations.event(event, at).0.abs() <= 1e-9 * size;
         Ok(is_there.then_some(at))
     }
 }
@@ -196,20 +219,33 @@ impl ForcedIntegrator for OdeForced {
     ) -> Result<ForcedLanding, IntegrationError> {
         /// Longer than any leg but one of an overdamped sphere that creeps.
         const LONG: f64 = 1e6;
+        /// Steps that pass an event and are found not to, and how far they are followed.
+        const MOST_ATTEMPTS: u64 = 10_000;
+        const STRETCH: f64 = 0.25;
         let super::Sizes { distance, speed } = path.path.sizes;
         let unit_of_time = distance / speed;
         let begun = state.state;
         let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
         let nodes = RefCell::new(vec![start]);
         let (evaluations, resting) = (Cell::new(0), Cell::new(None));
-        let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
-        self.0.drive(equations, &evaluations, 0.0, LONG, Vector3::new(start[1], start[2], start[3]))?;
+        let mut landed = None;
+        for _ in 0..MOST_ATTEMPTS {
+            let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
+            let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
+            self.0.drive(equations, &evaluations, t, LONG, Vector3::new(d, u, loss))?;
+            let last = nodes.borrow().last().copied().unwrap_or(start);
+            landed = match resting.get() {
+                Some(landing) => Some((landing, last)),
+                None => self.land(path, last)?,
+            };
+            if landed.is_some() {
+                break;
+            }
+            let further = self.after(path, last, STRETCH)?;
+            nodes.borrow_mut().push(further);
+        }
+        let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
         let nodes = nodes.into_inner();
-        let last = nodes.last().copied().unwrap_or(start);
-        let (landing, end) = match resting.get() {
-            Some(landing) => (landing, last),
-            None => self.land(path, last)?,
-        };
         if let Some(samples) = samples {
             while let Some(time) = samples.due_before(begun.time + end[0] * unit_of_time) {
                 let t = (time - begun.time) / unit_of_time;

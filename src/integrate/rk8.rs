@@ -52,7 +52,7 @@ impl Rk8 {
         }
     }
 
-    fn traverse_field<F: Variables>(
+    pub(super) fn traverse_field<F: Variables>(
         &mut self,
         field: F,
         path: &Path,
@@ -109,7 +109,7 @@ impl Rk8 {
         let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
         // −g' is largest at the far end outward, at the start on the way back
         let fastest = if path.leg == Leg::Back { y } else { target.y };
-        let h = self.first_step / (-field.derivatives(fastest).0).sqrt();
+        let h = self.first_step / field.stiffness(fastest).sqrt();
         let left_out = 0.1 * self.tolerance * size;
         (Constants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
     }

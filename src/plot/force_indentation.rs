@@ -36,7 +36,9 @@ const LOOPS: [Loop; 3] = [
 /// [`PlotError::Data`] for an impact without a trace; otherwise what drawing and encoding report.
 pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
     let trace = &impact.trace;
-    let Some(turn) = trace.iter().position(|row| row.event == Some(Event::Peak)) else {
+    // a sphere that creeps to rest has no turning point: its last row is the deepest
+    let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
+    let Some(turn) = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1))) else {
         return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
     };
     let (loading, unloading) = (&trace[..=turn], &trace[turn..]);
@@ -47,7 +49,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
         x: Axis::engineering("Indentation", "m")
             .between(0.0, 1.06 * impact.peak_indentation)
             .fitted(std::iter::empty()),
-        y: Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force).fitted(std::iter::empty()),
+        y: Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact)).fitted(std::iter::empty()),
     };
     frame.draw_axes(&mut canvas)?;
     frame.draw_title(&mut canvas, &title(impact))?;
@@ -60,6 +62,12 @@ pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
         for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
             let curve = part.iter().map(|row| ((one.indentation)(row), row.force));
             frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke })?;
+        }
+    }
+    if is_damped(impact) {
+        for part in [loading, unloading] {
+            let curve = part.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
+            frame.curve(&mut canvas, curve, ELASTIC)?;
         }
     }
     for (one, (stroke, mark)) in LOOPS.iter().zip((0..).map(series)) {
@@ -105,6 +113,9 @@ fn entries(impact: &Impact) -> Vec<Entry> {
     } else {
         entries.push(Entry::line("loading and unloading", branch(SOLID)));
     }
+    if is_damped(impact) {
+        entries.push(Entry::line("force of the law", ELASTIC).and("without damping, against δ".to_owned()));
+    }
     let at_peak = format!("δₘ = {}", length(impact.peak_indentation));
     entries.push(
         Entry::mark("Peak", Mark::Square, MARK, INK)
@@ -125,7 +136,26 @@ fn entries(impact: &Impact) -> Vec<Entry> {
     entries
 }
 
+/// The force of the law alone, where the curves hold damping too.
+const ELASTIC: Stroke = Stroke { color: INK, width: 2.0, dash: DOTTED };
+
+fn is_damped(impact: &Impact) -> bool {
+    impact.under_forces.is_some_and(|under| under.damping_loss.is_some())
+}
+
+/// The largest force of the pictures: with viscous damping it comes before the peak indentation.
+pub(super) fn largest_force(impact: &Impact) -> f64 {
+    if is_damped(impact) {
+        impact.trace.iter().fold(impact.peak_force, |largest, row| largest.max(row.force))
+    } else {
+        impact.peak_force
+    }
+}
+
 /// The title of the pictures of one impact.
 pub(super) fn title(impact: &Impact) -> String {
+    if impact.captured().is_some() {
+        return format!("Impact at {}: captured", quantity(impact.speed, "m/s"));
+    }
     format!("Impact at {}: restitution e = {}", quantity(impact.speed, "m/s"), number(impact.restitution))
 }

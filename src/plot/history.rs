@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::force_indentation::title;
+use super::force_indentation::{largest_force, title};
 use super::frame::{Bounds, Frame};
 use super::key::{self, Entry};
 use super::style::{DASHED, GREY, INK, SOLID, Stroke, series};
@@ -33,9 +33,9 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
     }
     let indentations: [Quantity; 3] =
         [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
-    let speeds = (1.1 * -impact.rebound_speed, 1.1 * impact.speed);
+    let speeds = speeds(impact);
     let panels: [(Axis, &[Quantity], usize); 3] = [
-        (Axis::engineering("Force", "N").between(0.0, 1.1 * impact.peak_force), &[|row| row.force], 3),
+        (Axis::engineering("Force", "N").between(0.0, 1.1 * largest_force(impact)), &[|row| row.force], 3),
         (Axis::engineering("Indentation", "m").between(0.0, 1.1 * impact.peak_indentation), &indentations, 0),
         (Axis::engineering("Speed", "m/s").between(speeds.0, speeds.1), &[|row| row.speed], 4),
     ];
@@ -49,12 +49,12 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
     for (i, (axis, curves, first_color)) in panels.into_iter().enumerate() {
         let frame = Frame {
             bounds: Bounds { top, bottom: top + step - GAP, ..all },
-            x: Axis::engineering("Time", "s").between(0.0, 1.03 * impact.contact_time).fitted(std::iter::empty()),
+            x: Axis::engineering("Time", "s").between(0.0, 1.03 * impact.duration()).fitted(std::iter::empty()),
             y: axis.fitted(std::iter::empty()),
         };
         frame.draw_x(&mut canvas, i == 2)?;
         frame.draw_y(&mut canvas)?;
-        for (time, stroke) in [(impact.loading_time, peak), (impact.contact_time, separation)] {
+        for (time, stroke) in [(impact.loading_time, peak), (impact.duration(), separation)] {
             let (low, high) = (frame.y.value_at(0.0), frame.y.value_at(1.0));
             frame.curve(&mut canvas, [(time, low), (time, high)].into_iter(), stroke)?;
         }
@@ -86,15 +86,30 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
     canvas.to_png()
 }
 
+/// The ends of the axis of speeds: gravity may make a sphere faster than it came, and a captured one still moves.
+fn speeds(impact: &Impact) -> (f64, f64) {
+    if impact.under_forces.is_none() {
+        return (1.1 * -impact.rebound_speed, 1.1 * impact.speed);
+    }
+    let speeds = || impact.trace.iter().map(|row| row.speed);
+    (1.1 * speeds().fold(0.0, f64::min), 1.1 * speeds().fold(0.0, f64::max))
+}
+
 fn entries(impact: &Impact, peak: Stroke, separation: Stroke) -> Vec<Entry> {
     let curve = |name: &str, index: usize| {
         let (stroke, mark) = series(index);
         let entry = Entry::line(name, Stroke { dash: SOLID, width: width(index), ..stroke });
         Entry { mark: (index < 3).then_some((mark, 8.0, stroke.color)), ..entry }
     };
-    let mut left = Entry::line("Separation", separation)
-        .and(quantity(impact.contact_time, "s"))
-        .and(format!("rebound at {}", quantity(impact.rebound_speed, "m/s")));
+    let mut left = match impact.captured() {
+        None => Entry::line("Separation", separation)
+            .and(quantity(impact.contact_time, "s"))
+            .and(format!("rebound at {}", quantity(impact.rebound_speed, "m/s"))),
+        Some(under) => {
+            let rest = under.static_indentation.map_or_else(String::new, |depth| quantity(depth, "m"));
+            Entry::line("Captured", separation).and(quantity(under.end_time, "s")).and(format!("rest at δ = {rest}"))
+        }
+    };
     if impact.has_dent() {
         left = left.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, "m")));
     }

@@ -8,13 +8,13 @@ use super::ReportError;
 use super::human::{number, quantity};
 use super::trace::event_name;
 use crate::repeat::flight::Flight;
-use crate::repeat::{End, Hit, Place, Repeat, Sequence};
+use crate::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
 
 /// Why the series ended, for a person.
 #[must_use]
 pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
     let until = match repeat.drive {
-        crate::repeat::Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
+        Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
         _ => String::new(),
     };
     match sequence.end {
@@ -29,7 +29,7 @@ pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
 type Column = (&'static str, fn(&Hit) -> Option<f64>);
 
 /// `impacts.csv`: one row per impact. `time_s` is there for a bouncing sphere, `plastic_J` for a half-space that can
-/// yield.
+/// yield, `damping_J` with damping; the contact of a captured sphere has no time.
 ///
 /// # Errors
 /// [`ReportError::Csv`], which a buffer in memory does not give.
@@ -37,7 +37,7 @@ pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
     let first = sequence.hits.first();
     let (is_timed, can_yield) =
         (first.is_some_and(|hit| hit.time.is_some()), first.is_some_and(|hit| hit.plastic.is_some()));
-    let columns: [Column; 13] = [
+    let columns: [Column; 14] = [
         ("time_s", |hit| hit.time),
         ("impact_speed_m_per_s", |hit| Some(hit.speed)),
         ("restitution", |hit| Some(hit.restitution)),
@@ -46,26 +46,25 @@ pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
         ("peak_indentation_m", |hit| Some(hit.peak_indentation)),
         ("residual_indentation_m", |hit| Some(hit.residual_indentation)),
         ("dent_growth_m", |hit| Some(hit.dent_growth)),
-        ("contact_time_s", |hit| Some(hit.contact_time)),
+        ("contact_time_s", |hit| Some(hit.contact_time).filter(|time| time.is_finite())),
         ("kinetic_in_J", |hit| Some(hit.kinetic_in)),
         ("recovered_J", |hit| Some(hit.recovered)),
         ("plastic_J", |hit| hit.plastic),
+        ("damping_J", |hit| hit.damping),
         ("energy_drift", |hit| Some(hit.drift)),
     ];
     let is_written = |name: &str| match name {
         "time_s" => is_timed,
         "residual_indentation_m" | "dent_growth_m" | "plastic_J" => can_yield,
+        "damping_J" => first.is_some_and(|hit| hit.damping.is_some()),
         _ => true,
     };
     let columns: Vec<Column> = columns.into_iter().filter(|(name, _)| is_written(name)).collect();
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(std::iter::once("impact").chain(columns.iter().map(|(name, _)| *name)))?;
     for (i, hit) in sequence.hits.iter().enumerate() {
-        writer.write_field((i + 1).to_string())?;
-        for (_, value) in &columns {
-            writer.serialize(value(hit))?;
-        }
-        writer.write_record(None::<&[u8]>)?;
+        let values: Vec<Option<f64>> = columns.iter().map(|(_, value)| value(hit)).collect();
+        writer.serialize((i + 1, values))?;
     }
     writer.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
 }
@@ -154,7 +153,10 @@ pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
             line("time", format!("{} to the last separation", quantity(time, "s")));
             let rest = match (sequence.remaining_time, sequence.end) {
                 (Some(rest), _) => {
-                    format!("{} of bouncing left, 2 v/(g (1 - e)) with the last v and e", quantity(rest, "s"))
+                    format!(
+                        "{} of bouncing left if the last e held, 2 v/(g (1 - e)); more if e rises",
+                        quantity(rest, "s")
+                    )
                 }
                 (None, End::Impacts | End::Until) => "bounces without end: the last impact had e = 1".to_owned(),
                 (None, _) => "none".to_owned(),
@@ -200,7 +202,7 @@ fn rows(sequence: &Sequence) -> String {
             cells.push(quantity(hit.residual_indentation, "m"));
             cells.push(quantity(hit.dent_growth, "m"));
         }
-        cells.push(quantity(hit.contact_time, "s"));
+        cells.push(if hit.is_captured { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
         lines.push(cells);
     }
     let columns = lines[0].len();
@@ -212,5 +214,46 @@ fn rows(sequence: &Sequence) -> String {
         let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
         let _ = writeln!(text, "{}", cells.join("  ").trim_end());
     }
+    text
+}
+
+/// Speeds of a list that are shown one by one.
+const MOST_LISTED: usize = 8;
+
+/// What `check` says of a series before anything is run; the last line leads over to the scene.
+#[must_use]
+pub fn repeat_lines(repeat: &Repeat) -> String {
+    let place = match repeat.place {
+        Place::Same => "all on the same spot",
+        Place::Fresh => "each on fresh surface",
+    };
+    let mut text = String::new();
+    match &repeat.drive {
+        Drive::Bouncing { most, until, .. } => {
+            let _ = writeln!(text, "bouncing under gravity, {place}, until");
+            let _ = writeln!(text, "  there were {most} impacts");
+            if let Some(until) = until {
+                let _ = writeln!(text, "  or the next one would be slower than {}", quantity(*until, "m/s"));
+            }
+            if repeat.place == Place::Fresh {
+                let _ = writeln!(text, "  or the rebound does not lift the sphere out of its dent");
+            }
+            let _ = writeln!(text, "  or the sphere is captured, F_m <= (n + 1) m g");
+        }
+        Drive::Shots(speeds) => {
+            let _ = writeln!(text, "{} shots, {place}, at", speeds.len());
+            let say = |speed: &f64| quantity(*speed, "m/s");
+            let is_one = speeds.iter().all(|speed| *speed == speeds[0]);
+            let list = if is_one {
+                say(&speeds[0])
+            } else if speeds.len() <= MOST_LISTED {
+                speeds.iter().map(say).collect::<Vec<_>>().join(", ")
+            } else {
+                format!("{}, {} ... {}", say(&speeds[0]), say(&speeds[1]), say(&speeds[speeds.len() - 1]))
+            };
+            let _ = writeln!(text, "  {list}");
+        }
+    }
+    text.push_str("\nthe scene of the first impact:\n");
     text
 }

@@ -88,7 +88,8 @@ pub fn summary(
             last_separation_time_s: last.and_then(crate::repeat::Hit::separation_time),
             remaining_time_s: sequence.remaining_time,
             remaining_time: "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
-                             for all bounces to come, contact times left out; null if e = 1 or the sphere stays in its dent",
+                             for all bounces to come and contact times left out (a lower bound where e rises as the speed \
+                             falls); null if e = 1 or the sphere stays in its dent",
             highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(f64::max),
         }),
         Drive::Shots(_) => None,

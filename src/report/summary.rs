@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 use super::ReportError;
-use crate::impact::{Contact, Impact};
+use crate::impact::{Contact, Damping, Impact};
 
 /// Where a result comes from: enough to repeat it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -36,9 +36,11 @@ pub struct Provenance {
 
 #[derive(Serialize)]
 struct Summary<'a> {
-    restitution: f64,
+    /// `null` for a sphere that had no speed to begin with.
+    restitution: Option<f64>,
     rebound_speed_m_per_s: f64,
-    contact_time_s: f64,
+    /// `null` for a captured sphere.
+    contact_time_s: Option<f64>,
     loading_time_s: f64,
     #[serde(rename = "peak_force_N")]
     peak_force: f64,
@@ -50,6 +52,8 @@ struct Summary<'a> {
     elastic_approach_m: f64,
     #[serde(flatten)]
     plastic: Option<Plastic>,
+    #[serde(flatten)]
+    under_forces: Option<Forced>,
     energy: Energy,
     accuracy: Accuracy,
     work: Work,
@@ -76,6 +80,16 @@ struct Plastic {
     yield_force: Option<f64>,
 }
 
+/// What only a scene with gravity or damping has.
+#[derive(Serialize)]
+struct Forced {
+    outcome: &'static str,
+    end_time_s: f64,
+    end_indentation_m: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    static_indentation_m: Option<f64>,
+}
+
 #[derive(Serialize)]
 struct Energy {
     #[serde(rename = "kinetic_in_J")]
@@ -84,14 +98,19 @@ struct Energy {
     recovered: f64,
     #[serde(rename = "plastic_J", skip_serializing_if = "Option::is_none")]
     plastic: Option<f64>,
+    #[serde(rename = "damping_J", skip_serializing_if = "Option::is_none")]
+    damping: Option<f64>,
+    #[serde(rename = "gravity_work_J", skip_serializing_if = "Option::is_none")]
+    gravity_work: Option<f64>,
     drift: f64,
 }
 
+/// `null` where damping leaves no closed form.
 #[derive(Serialize)]
 struct Accuracy {
-    closed_form_restitution: f64,
-    restitution_error: f64,
-    contact_time_error: f64,
+    closed_form_restitution: Option<f64>,
+    restitution_error: Option<f64>,
+    contact_time_error: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -125,12 +144,24 @@ pub(super) struct Inputs {
     #[serde(rename = "half_space_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
     half_space_yield_strength: Option<f64>,
     impact_speed_m_per_s: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gravity_acceleration_m_per_s2: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_hunt_crossley_s_per_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_viscous: Option<f64>,
 }
 
 impl Inputs {
     pub(super) fn of(contact: &Contact, speed: f64) -> Self {
         let (sphere, half_space) = (contact.sphere(), contact.half_space());
         let modulus = sphere.material.youngs_modulus;
+        let forces = contact.forces();
+        let (hunt_crossley, viscous) = match forces.damping {
+            None => (None, None),
+            Some(Damping::HuntCrossley(chi)) => (Some(chi), None),
+            Some(Damping::Viscous(zeta)) => (None, Some(zeta)),
+        };
         Self {
             sphere_radius_m: sphere.radius,
             sphere_youngs_modulus: if modulus.is_finite() { Modulus::Finite(modulus) } else { Modulus::Rigid("rigid") },
@@ -141,8 +172,16 @@ impl Inputs {
             half_space_poissons_ratio: half_space.material.poissons_ratio,
             half_space_yield_strength: half_space.yield_strength,
             impact_speed_m_per_s: speed,
+            gravity_acceleration_m_per_s2: forces.gravity,
+            damping_hunt_crossley_s_per_m: hunt_crossley,
+            damping_viscous: viscous,
         }
     }
+}
+
+/// JSON has no infinity.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
 }
 
 /// `summary.json`, with a newline at its end.
@@ -162,9 +201,9 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
     });
     let (energy, accuracy, work) = (&impact.energy, &impact.accuracy, &impact.work);
     let summary = Summary {
-        restitution: impact.restitution,
+        restitution: (impact.speed > 0.0).then_some(impact.restitution),
         rebound_speed_m_per_s: impact.rebound_speed,
-        contact_time_s: impact.contact_time,
+        contact_time_s: finite(impact.contact_time),
         loading_time_s: impact.loading_time,
         peak_force: impact.peak_force,
         peak_indentation_m: impact.peak_indentation,
@@ -173,16 +212,24 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
         peak_mean_pressure: impact.peak_mean_pressure,
         elastic_approach_m: impact.elastic_approach,
         plastic,
+        under_forces: impact.under_forces.as_ref().map(|under| Forced {
+            outcome: under.fate.name(),
+            end_time_s: under.end_time,
+            end_indentation_m: under.end_indentation,
+            static_indentation_m: under.static_indentation,
+        }),
         energy: Energy {
             kinetic_in: energy.kinetic_in,
             recovered: energy.recovered,
             plastic: energy.plastic,
+            damping: impact.under_forces.and_then(|under| under.damping_loss),
+            gravity_work: impact.under_forces.and_then(|under| under.gravity_work),
             drift: energy.drift,
         },
         accuracy: Accuracy {
-            closed_form_restitution: accuracy.closed_form_restitution,
-            restitution_error: accuracy.restitution_error,
-            contact_time_error: accuracy.contact_time_error,
+            closed_form_restitution: finite(accuracy.closed_form_restitution),
+            restitution_error: finite(accuracy.restitution_error),
+            contact_time_error: finite(accuracy.contact_time_error),
         },
         work: Work { steps: work.steps, rejected: work.rejected, force_evaluations: work.force_evaluations },
         warnings: impact.warnings.iter().map(ToString::to_string).collect(),

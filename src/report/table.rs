@@ -1,7 +1,7 @@
 //! The short table a person reads on the terminal.
 
 use super::human::{number, percent, quantity};
-use crate::impact::{Contact, Impact};
+use crate::impact::{Contact, Impact, UnderForces};
 
 /// A few aligned lines: what came of the impact and how exact it is.
 #[must_use]
@@ -9,12 +9,25 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     let mut rows: Vec<(&str, String, String)> = Vec::new();
     let mut row = |name, value: String, remark: String| rows.push((name, value, remark));
     let is_elastic = contact.pair().yield_point.is_none();
-    row("restitution", number(impact.restitution), String::new());
+    let captured = impact.captured();
+    let end = captured.map_or_else(String::new, |under| {
+        let depth = under.static_indentation.map_or_else(String::new, |depth| quantity(depth, "m"));
+        format!("captured: the sphere comes to rest at an indentation of {depth}")
+    });
+    let e = if impact.speed > 0.0 { number(impact.restitution) } else { "none".to_owned() };
+    row("restitution", e, end);
     row("rebound speed", quantity(impact.rebound_speed, "m/s"), format!("impact at {}", quantity(impact.speed, "m/s")));
     row(
         "contact time",
-        quantity(impact.contact_time, "s"),
-        format!("compression {}", quantity(impact.loading_time, "s")),
+        captured.map_or_else(|| quantity(impact.contact_time, "s"), |_| "without end".to_owned()),
+        match captured {
+            None => format!("compression {}", quantity(impact.loading_time, "s")),
+            Some(under) => format!(
+                "compression {}, followed until {}",
+                quantity(impact.loading_time, "s"),
+                quantity(under.end_time, "s")
+            ),
+        },
     );
     row(
         "peak force",
@@ -45,7 +58,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         }
     }
     let energy = &impact.energy;
-    let split = match energy.plastic {
+    let mut split = match energy.plastic {
         Some(plastic) if !is_elastic => format!(
             "{} recovered, {} into the dent",
             percent(energy.recovered / energy.kinetic_in),
@@ -53,16 +66,23 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         ),
         _ => format!("{} recovered", percent(energy.recovered / energy.kinetic_in)),
     };
+    if let Some(under) = &impact.under_forces {
+        split = of_forces(impact, under);
+    }
     row("energy", quantity(energy.kinetic_in, "J"), split);
     let accuracy = &impact.accuracy;
-    row(
-        "accuracy",
-        format!("{:.1e}", accuracy.restitution_error.max(accuracy.contact_time_error)),
-        format!(
-            "relative, against the closed form (restitution {:.1e}, contact time {:.1e}); energy drift {:.1e}",
-            accuracy.restitution_error, accuracy.contact_time_error, energy.drift
-        ),
-    );
+    if accuracy.restitution_error.is_nan() {
+        row("accuracy", format!("{:.1e}", energy.drift), "energy drift; no closed form with this damping".to_owned());
+    } else {
+        row(
+            "accuracy",
+            format!("{:.1e}", accuracy.restitution_error.max(accuracy.contact_time_error)),
+            format!(
+                "relative, against the closed form (restitution {:.1e}, contact time {:.1e}); energy drift {:.1e}",
+                accuracy.restitution_error, accuracy.contact_time_error, energy.drift
+            ),
+        );
+    }
     let work = &impact.work;
     row(
         "work",
@@ -70,6 +90,23 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         format!("{} rejected, {} force evaluations", work.rejected, work.force_evaluations),
     );
     aligned(&rows)
+}
+
+/// Where the energy went under gravity and damping, in joules: shares of a kinetic energy that may be zero say nothing.
+fn of_forces(impact: &Impact, under: &UnderForces) -> String {
+    let mut parts = Vec::new();
+    let mut part = |value: f64, what: &str| parts.push(format!("{} {what}", quantity(value, "J")));
+    if let Some(work) = under.gravity_work {
+        part(work, "from gravity");
+    }
+    part(impact.energy.recovered, "recovered");
+    if let Some(plastic) = impact.energy.plastic {
+        part(plastic, "into the dent");
+    }
+    if let Some(loss) = under.damping_loss {
+        part(loss, "into damping");
+    }
+    parts.join(", ")
 }
 
 fn aligned(rows: &[(&str, String, String)]) -> String {

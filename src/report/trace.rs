@@ -28,9 +28,24 @@ struct Row {
     speed_m_per_s: f64,
     #[serde(rename = "force_N")]
     force: f64,
+    #[serde(rename = "elastic_force_N", skip_serializing_if = "Option::is_none")]
+    elastic_force: Option<f64>,
     branch: &'static str,
     event: &'static str,
 }
+
+/// The columns; `elastic_force_N`, the force without what damping adds to it, only where there is damping.
+const COLUMNS: [&str; 9] = [
+    "time_s",
+    "indentation_m",
+    "sphere_indentation_m",
+    "half_space_indentation_m",
+    "speed_m_per_s",
+    "force_N",
+    "elastic_force_N",
+    "branch",
+    "event",
+];
 
 /// The trace of an impact as CSV with a header line; only the header for an impact that recorded none.
 ///
@@ -38,16 +53,8 @@ struct Row {
 /// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn trace(impact: &Impact) -> Result<Vec<u8>, ReportError> {
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record([
-        "time_s",
-        "indentation_m",
-        "sphere_indentation_m",
-        "half_space_indentation_m",
-        "speed_m_per_s",
-        "force_N",
-        "branch",
-        "event",
-    ])?;
+    let is_damped = impact.under_forces.is_some_and(|under| under.damping_loss.is_some());
+    writer.write_record(COLUMNS.iter().filter(|name| is_damped || **name != "elastic_force_N"))?;
     for row in &impact.trace {
         writer.serialize(Row {
             time_s: row.time,
@@ -56,6 +63,7 @@ pub fn trace(impact: &Impact) -> Result<Vec<u8>, ReportError> {
             half_space_indentation_m: row.half_space_indentation,
             speed_m_per_s: row.speed,
             force: row.force,
+            elastic_force: row.elastic_force,
             branch: row.branch.name(),
             event: event_name(row.event),
         })?;

@@ -2,9 +2,28 @@
 
 use serde::Deserialize;
 
-use super::quantity::{Acceleration, HuntCrossley, ViscousFraction};
+use super::quantity::{Acceleration, Bound, HuntCrossley, Quantity, ViscousFraction, positive};
 use super::{Scenario, ScenarioError, Scene};
 use crate::impact::{Damping, Forces, drop_speed};
+use crate::units::Dimension;
+
+/// Gravity.
+pub const ACCELERATION: Quantity = Quantity {
+    hint: "to do without gravity leave the table out",
+    is_hint_low: true,
+    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
+};
+/// A height that the sphere falls from.
+pub const DROP_HEIGHT: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a drop height", Dimension::Length, "\"0.5 m\"") };
+/// χ of Hunt and Crossley.
+pub const HUNT_CROSSLEY: Quantity = Quantity {
+    low: Bound::Closed(0.0),
+    ..positive("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"")
+};
+/// Fraction of critical damping.
+pub const VISCOUS: Quantity =
+    Quantity { low: Bound::Closed(0.0), ..positive("a fraction of critical damping", Dimension::Ratio, "0.05") };
 
 /// `[gravity]`
 #[derive(Debug, Clone, PartialEq, Deserialize)]

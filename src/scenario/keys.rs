@@ -2,9 +2,10 @@
 //! `check` share this one table.
 
 use super::Scene;
+use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
 use super::quantity::{
-    ACCELERATION, AREA_FACTOR, DENSITY, DROP_HEIGHT, EXPONENT, Exponent, FACTOR, HUNT_CROSSLEY, LENGTH, MODULUS,
-    POISSONS_RATIO, Quantity, SHARE, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
+    AREA_FACTOR, DENSITY, EXPONENT, Exponent, FACTOR, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SHARE, SPEED,
+    SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
 };
 use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};

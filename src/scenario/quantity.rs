@@ -6,6 +6,7 @@ use std::fmt;
 use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, Visitor};
 use thiserror::Error;
 
+use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
 use crate::impact::Method;
 use crate::law::UnloadingExponent;
 use crate::nearest::nearest;
@@ -39,7 +40,7 @@ pub struct Quantity {
     pub is_hint_low: bool,
 }
 
-const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+pub(super) const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
     Quantity {
         name,
         dimension,
@@ -66,23 +67,6 @@ pub const STRENGTH: Quantity = Quantity {
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
-/// Gravity.
-pub const ACCELERATION: Quantity = Quantity {
-    hint: "to do without gravity leave the table out",
-    is_hint_low: true,
-    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
-};
-/// A height that the sphere falls from.
-pub const DROP_HEIGHT: Quantity =
-    Quantity { low: Bound::Closed(0.0), ..positive("a drop height", Dimension::Length, "\"0.5 m\"") };
-/// χ of Hunt and Crossley.
-pub const HUNT_CROSSLEY: Quantity = Quantity {
-    low: Bound::Closed(0.0),
-    ..positive("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"")
-};
-/// Fraction of critical damping.
-pub const VISCOUS: Quantity =
-    Quantity { low: Bound::Closed(0.0), ..positive("a fraction of critical damping", Dimension::Ratio, "0.05") };
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
     name: "a Poisson's ratio",

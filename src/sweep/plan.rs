@@ -82,7 +82,9 @@ impl From<ImpactError> for Failure {
             ImpactError::Law(_) => Self::OutsideLaw,
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
-            ImpactError::Integration(IntegrationError::TooManySteps { .. }) => Self::TooManySteps,
+            ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
+                Self::TooManySteps
+            }
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
         }
     }
@@ -156,7 +158,9 @@ impl Plan {
             }),
             Cases::MonteCarlo { .. } => None,
         };
-        let is_stepped = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
+        let by_method = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
+        // damping has no closed form but for Hunt and Crossley without gravity: auto integrates it
+        let is_stepped = by_method || scene.solver.method == Method::Auto && scene.forces.damping.is_some();
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {

@@ -1,0 +1,149 @@
+//! The pieces as the damped stepper sees them: rates in variables in which they are smooth (see [`super::damped`]).
+
+use super::dop853::{Motion, Quad};
+
+/// A straight piece: d'' = γ − (a + b d)(1 + χ u) − c u.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Straight {
+    pub(super) a: f64,
+    pub(super) b: f64,
+    pub(super) chi: f64,
+    pub(super) c: f64,
+    pub(super) pull: f64,
+}
+
+/// A power law in r = d^(1/m) for n = 3/2; `c` is √(k n) times the drag of stiffness.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hertz<const M: u8> {
+    pub(super) k: f64,
+    pub(super) chi: f64,
+    pub(super) c: f64,
+    pub(super) pull: f64,
+}
+
+/// The same for any exponent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Power<const M: u8> {
+    pub(super) k: f64,
+    pub(super) n: f64,
+    pub(super) chi: f64,
+    pub(super) c: f64,
+    pub(super) pull: f64,
+}
+
+/// What stepping, landing and sampling need of a motion.
+pub(super) trait Piece: Motion {
+    /// m.
+    const ROOT: i32;
+    /// A function that is zero where the contact force is, and its derivative.
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64);
+    /// About √g' at y, for the first step.
+    fn frequency(&self, y: f64) -> f64;
+
+    fn y_at(distance: f64) -> f64 {
+        match Self::ROOT {
+            1 => distance,
+            2 => distance.sqrt(),
+            _ => distance.sqrt().sqrt(),
+        }
+    }
+    fn distance_at(y: f64) -> f64 {
+        y.powi(Self::ROOT)
+    }
+}
+
+impl Motion for Straight {
+    #[inline(always)]
+    fn rates(&self, y: f64, u: f64) -> Quad {
+        let force = self.a + self.b * y;
+        let drag = (force * self.chi + self.c) * u;
+        [u, self.pull - force - drag, 1.0, drag * u]
+    }
+}
+
+impl Piece for Straight {
+    const ROOT: i32 = 1;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        (self.a + self.b * node[0] + self.c * node[1], self.b * rates[0] + self.c * rates[1])
+    }
+    fn frequency(&self, _: f64) -> f64 {
+        self.b.sqrt()
+    }
+}
+
+impl<const M: u8> Motion for Hertz<M> {
+    #[inline(always)]
+    fn rates(&self, y: f64, u: f64) -> Quad {
+        let square = y * y;
+        if M == 2 {
+            // per 2 s: k s³, and no drag of stiffness
+            let (clock, force) = (2.0 * y, 2.0 * self.k * square * square);
+            let drag = force * self.chi * u;
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        } else {
+            let clock = 4.0 * square * y;
+            let force = clock * self.k * square * square * square;
+            let drag = (force * self.chi + clock * self.c * y) * u;
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        }
+    }
+}
+
+impl<const M: u8> Piece for Hertz<M> {
+    const ROOT: i32 = M as i32;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        // contact force over d^¼, m = 4: k r⁵ + c u
+        let fourth = node[0].powi(4);
+        (self.k * fourth * node[0] + self.c * node[1], 5.0 * self.k * fourth * rates[0] + self.c * rates[1])
+    }
+    fn frequency(&self, y: f64) -> f64 {
+        frequency(self.k, 1.5, y, Self::ROOT)
+    }
+}
+
+impl<const M: u8> Motion for Power<M> {
+    #[inline(always)]
+    fn rates(&self, y: f64, u: f64) -> Quad {
+        let m = f64::from(M);
+        let clock = m * y.powi(i32::from(M) - 1);
+        let size = y.abs();
+        let force = clock * self.k * size.powf(m * self.n);
+        let of_stiffness = if self.c == 0.0 { 0.0 } else { clock * self.c * size.powf(0.5 * m * (self.n - 1.0)) };
+        let drag = (force * self.chi + of_stiffness) * u;
+        [u, clock * self.pull - force - drag, clock, drag * u]
+    }
+}
+
+impl<const M: u8> Piece for Power<M> {
+    const ROOT: i32 = M as i32;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        // contact force over d^((n−1)/2): k r^(m(n+1)/2) + c u
+        let p = 0.5 * f64::from(M) * (self.n + 1.0);
+        let slope = self.k * p * node[0].abs().powf(p - 1.0);
+        (slope * node[0] / p + self.c * node[1], slope * rates[0] + self.c * rates[1])
+    }
+    fn frequency(&self, y: f64) -> f64 {
+        frequency(self.k, self.n, y, Self::ROOT)
+    }
+}
+
+/// Where in (0, 1) the cubic with these values and slopes at both ends is least, if it falls at first and rises at last.
+pub(super) fn cubic_minimum(before: f64, slope_before: f64, after: f64, slope_after: f64) -> Option<f64> {
+    if slope_before >= 0.0 || slope_after <= 0.0 {
+        return None;
+    }
+    // slope s_0 + 2 b x + 3 a x², which has one rising zero between
+    let rise = after - before;
+    let b = 3.0 * rise - 2.0 * slope_before - slope_after;
+    let a = slope_before + slope_after - 2.0 * rise;
+    let root = (b * b - 3.0 * a * slope_before).max(0.0).sqrt();
+    let x = if b > 0.0 { -slope_before / (b + root) } else { (root - b) / (3.0 * a) };
+    (x > 0.0 && x < 1.0).then_some(x)
+}
+
+/// √ of −du'/dr of a power law.
+fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
+    let m = f64::from(m);
+    let p = m - 1.0 + m * n;
+    (m * k * p * y.powf(p - 1.0)).sqrt()
+}

@@ -1,0 +1,206 @@
+//! Pictures of repeated impacts: height against time with the dents, the loops of all impacts, e and dent against number.
+
+use super::axis::Axis;
+use super::canvas::Canvas;
+use super::frame::Frame;
+use super::key::{self, Entry};
+use super::lines::{Look, Series};
+use super::stack::{Panel, Stack};
+use super::style::{DASHED, GREY, PALETTE, SOLID, Stroke};
+use super::{PlotError, SIZE};
+use crate::impact::{Event, Impact};
+use crate::repeat::flight::Flight;
+use crate::repeat::{Place, Repeat, Sequence};
+use crate::report::human::{number, quantity};
+
+/// Points of a flight where there are few of them.
+const FLIGHT_POINTS: u32 = 48;
+/// Points of all flights together: enough for a picture of 1600 px.
+const MOST_POINTS: usize = 200_000;
+
+/// `height.png`: height of the sphere's lowest point, and depth of the dents, against time. `None` for shots, which have
+/// no time between them.
+///
+/// # Errors
+/// What drawing and encoding report.
+#[must_use]
+pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Vec<u8>, PlotError>> {
+    let last = sequence.hits.last()?;
+    let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
+    let flights: Vec<&Flight> =
+        sequence.fall.iter().chain(sequence.hits.iter().filter_map(|hit| hit.flight.as_ref())).collect();
+    let points = (MOST_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
+    let points = u32::try_from(points).unwrap_or(FLIGHT_POINTS);
+    let mut curve: Vec<(f64, f64)> = Vec::new();
+    for flight in flights {
+        curve.extend((0..=points).map(|i| {
+            let time = flight.duration * f64::from(i) / f64::from(points);
+            (flight.begin + time, flight.height_at(time))
+        }));
+    }
+    curve.extend(last.time.map(|time| (time, 0.0)));
+    let mut panels = vec![Panel {
+        y: Axis::engineering("Height", "m"),
+        share: 2.0,
+        series: vec![Series::line("Lowest point of the sphere", curve)],
+    }];
+    if sequence.deepest_dent() > 0.0 {
+        let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation)));
+        let look = if repeat.place == Place::Same { Look::MarkedLine } else { Look::Points };
+        let name = match repeat.place {
+            Place::Same => "Dent δᵣ of the one spot",
+            Place::Fresh => "Dent δᵣ, each on its spot",
+        };
+        let dents = Series { look, style: Some(1), ..Series::line(name, dents.collect()) };
+        let y = Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent());
+        panels.push(Panel { y, share: 1.0, series: vec![dents] });
+    }
+    let stack = Stack {
+        title: title(repeat, sequence),
+        x: Axis::engineering("Time", "s").between(0.0, 1.03 * end),
+        panels,
+        notes: Vec::new(),
+    };
+    Some(stack.to_png())
+}
+
+fn title(repeat: &Repeat, sequence: &Sequence) -> String {
+    let what = if repeat.is_bouncing() { "bounces" } else { "shots" };
+    let place = match repeat.place {
+        Place::Same => "on the same spot",
+        Place::Fresh => "on fresh surface",
+    };
+    let count = sequence.hits.len();
+    let what = if count == 1 { what.trim_end_matches('s') } else { what };
+    format!("{count} {what} {place}")
+}
+
+/// `impacts.png`: impact speed, e, and the depth of the dent against the number of the impact.
+///
+/// # Errors
+/// What drawing and encoding report.
+pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError> {
+    #[allow(clippy::cast_precision_loss)] // at most a million
+    let numbered = |value: fn(&crate::repeat::Hit) -> f64| -> Vec<(f64, f64)> {
+        sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit))).collect()
+    };
+    #[allow(clippy::cast_precision_loss)]
+    let last = sequence.hits.len() as f64;
+    let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
+    let marked = |name: &str, points, style| Series::marked_line(name, points).styled(style);
+    let largest = sequence.hits.iter().map(|hit| hit.restitution).fold(0.0, f64::max);
+    let mut panels = vec![
+        Panel {
+            y: Axis::engineering("Speed", "m/s").between(0.0, 1.15 * fastest),
+            share: 1.0,
+            series: vec![marked("Impact speed v", numbered(|hit| hit.speed), 4)],
+        },
+        Panel {
+            y: Axis::linear("Restitution", "").between(0.0, if largest > 0.8 { 1.1 } else { 1.2 * largest }),
+            share: 1.0,
+            series: vec![marked("Restitution e", numbered(|hit| hit.restitution), 0)],
+        },
+    ];
+    if sequence.deepest_dent() > 0.0 {
+        panels.push(Panel {
+            y: Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent()),
+            share: 1.0,
+            series: vec![marked("Dent δᵣ", numbered(|hit| hit.residual_indentation), 1)],
+        });
+    }
+    let x = if last > 200.0 {
+        Axis::log("Impact", "").between(0.9, 1.1 * last)
+    } else {
+        Axis::linear("Impact", "").between(0.0, last + 1.0)
+    };
+    Stack { title: title(repeat, sequence), x, panels, notes: Vec::new() }.to_png()
+}
+
+/// Loops with a colour and an entry in the key; all others are grey.
+const NAMED: usize = 7;
+/// Loops that are drawn; more would only cover each other.
+const DRAWN: usize = 300;
+
+/// `force_indentation.png`: force against approach of all traced impacts, each loading and unloading.
+///
+/// # Errors
+/// [`PlotError::Data`] for a series without traces; otherwise what drawing and encoding report.
+pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError> {
+    let traced = &sequence.traced;
+    if traced.is_empty() {
+        return Err(PlotError::Data("loops need traces: run the series with samples".into()));
+    }
+    let named = spread(traced.len(), NAMED);
+    let entries: Vec<Entry> = named
+        .iter()
+        .enumerate()
+        .map(|(i, index)| {
+            let impact = &traced[*index];
+            Entry::line(&format!("Impact {}", index + 1), Stroke::solid(PALETTE[i], width(i, named.len())))
+                .and(format!("{}, e = {}", quantity(impact.speed, "m/s"), number(impact.restitution)))
+        })
+        .chain([
+            Entry::line("loading", Stroke { color: GREY, width: 3.0, dash: SOLID }),
+            Entry::line("unloading", Stroke { color: GREY, width: 3.0, dash: DASHED }),
+        ])
+        .collect();
+    let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
+    let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
+    let mut canvas = Canvas::try_new(SIZE)?;
+    let frame = Frame {
+        bounds: key::bounds(&entries)?,
+        x: Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted(std::iter::empty()),
+        y: Axis::engineering("Force", "N").between(0.0, 1.08 * strongest).fitted(std::iter::empty()),
+    };
+    frame.draw_axes(&mut canvas)?;
+    frame.draw_title(&mut canvas, &title(repeat, sequence))?;
+    frame.draw_outline(&mut canvas)?;
+    for index in spread(traced.len(), DRAWN) {
+        draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5))?;
+    }
+    // later loops lie on earlier ones where they run up and down the same branch: each narrower than the one before
+    for (i, index) in named.iter().enumerate() {
+        draw(&frame, &mut canvas, &traced[*index], Stroke::solid(PALETTE[i], width(i, named.len())))?;
+    }
+    key::draw(&mut canvas, &entries, &frame)?;
+    canvas.to_png()
+}
+
+#[allow(clippy::cast_precision_loss)] // a handful
+fn width(index: usize, count: usize) -> f64 {
+    if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
+}
+
+fn draw(frame: &Frame, canvas: &mut Canvas, impact: &Impact, stroke: Stroke) -> Result<(), PlotError> {
+    let turn = impact.trace.iter().position(|row| row.event == Some(Event::Peak)).unwrap_or(0);
+    let (loading, unloading) = (&impact.trace[..=turn.min(impact.trace.len() - 1)], &impact.trace[turn..]);
+    for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
+        let curve = part.iter().map(|row| (row.indentation, row.force));
+        frame.curve(canvas, curve, Stroke { dash, ..stroke })?;
+    }
+    Ok(())
+}
+
+/// Indices of at most `wanted` of `count` things: all, or from the first to the last in even ratios.
+fn spread(count: usize, wanted: usize) -> Vec<usize> {
+    if count <= wanted {
+        return (0..count).collect();
+    }
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a million
+    let at = |i: usize| ((count as f64).powf(i as f64 / (wanted - 1) as f64).round() as usize).clamp(1, count) - 1;
+    let mut indices: Vec<usize> = (0..wanted).map(at).collect();
+    indices.dedup();
+    indices
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loops_are_picked_from_the_first_to_the_last() {
+        assert_eq!(spread(3, 7), [0, 1, 2]);
+        assert_eq!(spread(20, 7), [0, 1, 2, 3, 6, 11, 19]);
+        assert_eq!(*spread(1_000_000, 300).last().unwrap(), 999_999);
+    }
+}

@@ -1,0 +1,77 @@
+//! Repeated impacts from a scenario to their output files.
+
+use super::{prepare, provenance};
+use crate::error::Error;
+use crate::impact::{Contact, Method};
+use crate::output::{OutputDirectory, OutputFile};
+use crate::plot;
+use crate::repeat::{Repeat, Sequence};
+use crate::report;
+use crate::scenario::{Scenario, Scene};
+
+/// A scenario with `[repeat]` that was run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepeatRun {
+    /// What came of it.
+    pub sequence: Sequence,
+    /// Doubts about scene and impacts, for a person.
+    pub warnings: Vec<String>,
+    /// For the terminal.
+    pub table: String,
+    /// For the output directory.
+    pub files: Vec<OutputFile>,
+}
+
+/// What is to be run: scene, contact, series.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
+    let (mut scene, contact) = prepare(scenario)?;
+    let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;
+    if scenario.file.solver.method.is_none() {
+        // a series needs no steps where there is a closed form
+        scene.solver.method = Method::Auto;
+    }
+    Ok((scene, contact, repeat))
+}
+
+/// Runs a scenario with `[repeat]`; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
+pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error> {
+    let (scene, contact, repeat) = prepare_repeat(scenario)?;
+    let sequence =
+        repeat.run(&contact, &scene.solver, scene.samples).map_err(|reason| Error::impact(scenario, reason))?;
+    let provenance = provenance(scenario, &scene, sequence.method, command)?;
+    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    let mut files = vec![
+        file("summary.json", report::repeat_summary::summary(&contact, &repeat, &sequence, &provenance)?.into_bytes()),
+        file("impacts.csv", report::repeat::impacts(&sequence)?),
+        file("trace.csv", report::repeat::trace(&sequence, scene.samples)?),
+        file("force_indentation.png", plot::repeat::loops(&repeat, &sequence)?),
+        file("impacts.png", plot::repeat::impacts(&repeat, &sequence)?),
+    ];
+    if let Some(picture) = plot::repeat::height(&repeat, &sequence) {
+        files.push(file("height.png", picture?));
+    }
+    let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
+    let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
+    let table = report::repeat::table(&repeat, &sequence);
+    Ok(RepeatRun { sequence, warnings, table, files })
+}
+
+impl RepeatRun {
+    /// Writes the files; with `is_strict`, only if there is no warning.
+    ///
+    /// # Errors
+    /// [`Error::Strict`], [`Error::Unwritable`].
+    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
+        let count = self.warnings.len();
+        if is_strict && count > 0 {
+            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
+        }
+        directory.write(&self.files)
+    }
+}

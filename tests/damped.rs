@@ -1,0 +1,77 @@
+//! The integrators under drag, against the damped harmonic oscillator.
+#![allow(clippy::unwrap_used)]
+
+use plm_impact::integrate::damped::Damped;
+use plm_impact::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use plm_impact::integrate::ode_forced::OdeForced;
+use plm_impact::integrate::ode_solvers::Method;
+use plm_impact::integrate::{Leg, Path, Restoring, Sizes, State};
+
+/// In and out of a linear spring d'' = −ω² d − 2ζω d' at speed u: times and distances of the turning point and of lift-off.
+fn spring(
+    integrator: &mut dyn ForcedIntegrator,
+    omega: f64,
+    zeta: f64,
+    u: f64,
+) -> (ForcedState, ForcedState, ForcedLanding) {
+    let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
+    let sizes = Sizes { distance: u / omega, speed: u };
+    let path = |leg| ForcedPath {
+        path: Path { restoring, leg, sizes },
+        pull: 0.0,
+        drag: Drag::OfStiffness(2.0 * zeta),
+        back_to: 0.0,
+        rest: None,
+    };
+    let mut state = ForcedState { state: State { time: 0.0, distance: 0.0, speed: u }, loss: 0.0 };
+    assert_eq!(integrator.traverse(&path(Leg::Outward(f64::INFINITY)), &mut state, None), Ok(ForcedLanding::Turning));
+    let turned = state;
+    let landing = integrator.traverse(&path(Leg::Back), &mut state, None).unwrap();
+    (turned, state, landing)
+}
+
+#[test]
+fn a_viscous_spring_follows_its_closed_form() {
+    let (omega, u) = (3.0, 0.7);
+    for zeta in [1e-3, 0.05, 0.3, 0.9, 0.999_f64] {
+        // d = (u/ω_d) e^(−ζωt) sin ω_d t: at rest where tan ω_d t = ω_d/(ζω), at ω_d t = arccos ζ. From rest back the force
+        // −d'' vanishes after the same time again, and both times e^(−ζ arccos ζ/√(1−ζ²)) is left of the speed
+        let root = (1.0 - zeta * zeta).sqrt();
+        let angle = f64::acos(zeta);
+        let left = (-zeta * angle / root).exp();
+        let time = angle / (omega * root);
+        let mut own = Damped::new(1e-12);
+        let mut five = OdeForced::new(Method::Dopri5, 1e-12);
+        let mut eight = OdeForced::new(Method::Dop853, 1e-12);
+        let all: [&mut dyn ForcedIntegrator; 3] = [&mut own, &mut five, &mut eight];
+        for integrator in all {
+            let (turned, end, landing) = spring(integrator, omega, zeta, u);
+            assert_eq!(landing, ForcedLanding::LiftOff);
+            let near = |got: f64, want: f64| (got / want - 1.0).abs() < 1e-9;
+            assert!(near(turned.state.time, time) && near(turned.state.distance, u / omega * left), "{zeta}");
+            assert!(near(end.state.time, 2.0 * time) && near(end.state.speed, -u * left * left), "{zeta}");
+            // lift-off: ω² d + 2ζω d' = 0
+            assert!((omega * end.state.distance + 2.0 * zeta * end.state.speed).abs() < 1e-9 * u, "{zeta}");
+            let [d, v] = [end.state.distance, end.state.speed];
+            let ledger = 0.5 * v * v + 0.5 * omega * omega * d * d + end.loss;
+            assert!(near(ledger, 0.5 * u * u), "{zeta}");
+        }
+    }
+}
+
+#[test]
+fn critical_and_overdamped_springs_let_go_too() {
+    for zeta in [1.0, 1.5, 10.0_f64] {
+        let mut own = Damped::new(1e-11);
+        let (_, end, landing) = spring(&mut own, 1.0, zeta, 1.0);
+        assert_eq!(landing, ForcedLanding::LiftOff);
+        // e^(−2ζ arcosh ζ/√(ζ²−1)), the same formula beyond 1; e^(−2) at 1
+        let want = if zeta == 1.0 {
+            (-2.0_f64).exp()
+        } else {
+            let root = (zeta * zeta - 1.0).sqrt();
+            (-2.0 * zeta * zeta.acosh() / root).exp()
+        };
+        assert!((-end.state.speed / want - 1.0).abs() < 1e-9, "{zeta}: {} {want}", end.state.speed);
+    }
+}
