@@ -21,6 +21,10 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(&scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
+        Kind::Compare => {
+            let comparison = scenario.comparison().map_err(Error::from)?;
+            super::print(&plm_impact::report::compare::state(&comparison)).context("standard output")
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
+use plm_impact::report;
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -33,6 +34,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(arguments, &scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
+        Kind::Compare => compare(arguments, &scenario),
     }
 }
 
@@ -54,6 +56,21 @@ fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     if !arguments.quiet {
         super::print(&run.table).context("standard output")?;
         let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
+        eprintln!("wrote {} to {}", names.join(", "), out.display());
+    }
+    Ok(())
+}
+
+fn compare(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_for_one_impact()?;
+    let comparison = scenario.comparison().map_err(Error::from)?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let out = directory.path().to_owned();
+    let files = report::compare::files(&comparison, scenario, &command_line())?;
+    directory.write(&files)?;
+    if !arguments.quiet {
+        super::print(&report::compare::table(&comparison)).context("standard output")?;
+        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         eprintln!("wrote {} to {}", names.join(", "), out.display());
     }
     Ok(())

@@ -4,10 +4,13 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use crate::material::{HalfSpace, Material};
+
 use super::quantity::{
     Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
     Tolerance,
 };
+use super::compare::CompareTable;
 use super::law::LawTable;
 use super::sweep::{MonteCarloTable, SweepTable};
 
@@ -33,6 +36,8 @@ pub struct ScenarioFile {
     pub sweep: Option<SweepTable>,
     /// many random ones.
     pub monte_carlo: Option<MonteCarloTable>,
+    /// Unloading laws from one peak.
+    pub compare: Option<CompareTable>,
 }
 
 /// `[sphere]`
@@ -63,6 +68,15 @@ pub struct HalfSpaceTable {
     pub poissons_ratio: PoissonsRatio,
     /// Yield strength; without it the half-space is elastic.
     pub yield_strength: Option<Strength>,
+}
+
+impl HalfSpaceTable {
+    /// The half-space in SI.
+    #[must_use]
+    pub fn resolve(&self) -> HalfSpace {
+        let material = Material { youngs_modulus: self.youngs_modulus.0, poissons_ratio: self.poissons_ratio.0 };
+        HalfSpace { material, yield_strength: self.yield_strength.map(|strength| strength.0), density: None }
+    }
 }
 
 /// `[impact]`

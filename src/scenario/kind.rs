@@ -12,17 +12,20 @@ pub enum Kind {
     Sweep,
     /// `[monte_carlo]`: a table of random impacts.
     MonteCarlo,
+    /// `[compare]`: unloading laws from one peak.
+    Compare,
 }
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] = &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo)];
+    const TABLES: &[(&'static str, Self)] = &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("compare", Self::Compare)];
 
     fn is_given(self, file: &ScenarioFile) -> bool {
         match self {
             Self::Impact => file.impact.is_some(),
             Self::Sweep => file.sweep.is_some(),
             Self::MonteCarlo => file.monte_carlo.is_some(),
+            Self::Compare => file.compare.is_some(),
         }
     }
 }
