@@ -44,7 +44,7 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
         .impact(scene.speed, &scene.solver, Some(scene.samples))
         .map_err(|reason| Error::impact(scenario, reason))?;
     impact.warnings.extend(&scene.warnings);
-    let provenance = provenance(scenario, &scene, &impact, command);
+    let provenance = provenance(scenario, &scene, &impact, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
         file("summary.json", report::summary(&contact, &impact, &provenance)?.into_bytes()),
@@ -70,14 +70,14 @@ impl Run {
     }
 }
 
-fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Provenance {
+fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Result<Provenance, Error> {
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
     let can_yield = scene.half_space.yield_strength.is_some();
     let coefficients = (is_plm && can_yield).then_some(&scene.coefficients.provenance);
-    Provenance {
+    Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
-        scenario_sha256: scenario.document.sha256(),
+        scenario_sha256: scenario.sha256()?,
         command: command.to_owned(),
         method: impact.method.name().to_owned(),
         tolerance: scene.solver.tolerance,
@@ -85,5 +85,5 @@ fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str
         law_source: (can_yield && !is_plm).then(|| scene.law.source()),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
-    }
+    })
 }

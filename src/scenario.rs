@@ -216,6 +216,19 @@ impl Scenario {
         }
     }
 
+    /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] if that file cannot be read.
+    pub fn sha256(&self) -> Result<String, ScenarioError> {
+        let named = match &self.file.law {
+            Some(LawTable::Plm(PlmTable { coefficients: Some(path), .. })) => Some(self.directory.join(path)),
+            _ => None,
+        };
+        let text = named.map(|path| document::read_text(&path)).transpose()?;
+        Ok(self.document.sha256_with(text.as_deref()))
+    }
+
     fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {
         let Some(path) = &plm.coefficients else {
             return Ok(Arc::new(PlmCoefficients::built_in().clone()));

@@ -192,8 +192,11 @@ pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
         let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
         series.push(Series::points("finite elements", points).styled(BLACK));
     }
-    let title = format!("Unloading from {} x the yield indentation", number(comparison.peak.indentation));
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.03 * comparison.peak.indentation * length);
+    let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
+    // from a little before the shallowest dent on
+    let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
+    let last = comparison.peak.indentation * length;
+    let x = Axis::engineering("Indentation", "m").between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
     let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
     let origin = match comparison.origin {
         Origin::Plm => "peak: from the PLM",
@@ -227,7 +230,7 @@ pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Res
         },
         laws: rows,
         version: env!("CARGO_PKG_VERSION"),
-        scenario_sha256: scenario.document.sha256(),
+        scenario_sha256: scenario.sha256()?,
         command,
     };
     let mut json = serde_json::to_string_pretty(&summary).map_err(ReportError::from)?;
