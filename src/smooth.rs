@@ -172,6 +172,11 @@ impl Smooth {
         if before == 0.0 {
             distance = if start > 0.0 { start } else { 1.0 };
             done = self.work(start, 0.0, distance);
+            // a formula may end somewhere
+            while !done.is_finite() && distance > f64::MIN_POSITIVE {
+                distance *= 0.5;
+                done = self.work(start, 0.0, distance);
+            }
         }
         let total = before + work;
         for _ in 0..200 {
