@@ -2,6 +2,7 @@
 
 mod bench;
 mod check;
+mod laws;
 mod merge;
 mod run;
 mod sweep;
@@ -28,6 +29,7 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Merge(merge::Arguments),
+    Laws(laws::Arguments),
 }
 
 /// A scenario and what the command line changes in it.
@@ -57,6 +59,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
+        Command::Laws(arguments) => laws::laws(&arguments),
     }
 }
 

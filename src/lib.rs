@@ -63,6 +63,7 @@
 //! both. SI units at every border; inside an impact everything is dimensionless.
 
 pub mod bench;
+pub mod compare;
 pub mod error;
 pub mod impact;
 pub mod integrate;

@@ -1,7 +1,9 @@
 //! What is written about an impact: `summary.json`, `trace.csv` and the table on the terminal. Pure functions of the
 //! result; nothing here opens a file or prints.
 
+pub mod compare;
 pub mod human;
+pub mod laws;
 pub mod plan;
 pub mod repeat;
 pub mod repeat_summary;

@@ -22,6 +22,7 @@
 //! ```
 
 mod columns;
+pub mod compare;
 mod document;
 mod explain;
 pub mod file;
@@ -177,10 +178,7 @@ impl Scenario {
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
-        let plm = match law {
-            Some(LawTable::Plm(plm)) => plm.clone(),
-            _ => PlmTable::default(),
-        };
+        let plm = self.plm_table();
         let defaults = Solver::default();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let forces = self.forces()?;
@@ -191,14 +189,7 @@ impl Scenario {
             density: density.0,
             yield_strength: sphere.yield_strength.map(|strength| strength.0),
         };
-        let half_space = HalfSpace {
-            material: Material {
-                youngs_modulus: half_space.youngs_modulus.0,
-                poissons_ratio: half_space.poissons_ratio.0,
-            },
-            yield_strength: half_space.yield_strength.map(|strength| strength.0),
-            density: None,
-        };
+        let half_space = half_space.resolve();
         Ok(Scene {
             sphere,
             half_space,

@@ -166,16 +166,21 @@ impl Smooth {
         if work <= 0.0 || !work.is_finite() {
             return work.max(0.0);
         }
-        let total = before + work;
-        // the first guess is that of a straight line; what is known is never beyond the root by much
-        let force = self.value(start, 0.0);
         let (mut distance, mut done) = (0.0, 0.0);
-        if force <= 0.0 || before <= 0.0 {
+        // where the piece begins without force the logarithm is that of the distance
+        let (origin, before) = if self.value(start, 0.0) > 0.0 && before > 0.0 { (start, before) } else { (0.0, 0.0) };
+        if before == 0.0 {
             distance = if start > 0.0 { start } else { 1.0 };
             done = self.work(start, 0.0, distance);
+            // a formula may end somewhere
+            while !done.is_finite() && distance > f64::MIN_POSITIVE {
+                distance *= 0.5;
+                done = self.work(start, 0.0, distance);
+            }
         }
+        let total = before + work;
         for _ in 0..200 {
-            let (x, reached) = (start + distance, before + done);
+            let (x, reached) = (origin + distance, before + done);
             let force = self.value(start, distance);
             let miss = work - done;
             let newton = miss / force;

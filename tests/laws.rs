@@ -4,7 +4,6 @@ mod common;
 
 use common::{STEPPING, Scene, off, run, worst};
 use plm_impact::impact::{Contact, Method, closed_form};
-use plm_impact::law::combined::Combined;
 use plm_impact::law::jackson_green::{Hardness, JacksonGreen, Jumps};
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
@@ -189,8 +188,9 @@ fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
     for (depth, tabulated) in [(13.5, 0.229), (83.4, 0.690), (105.1, 0.724), (683.4, 0.892), (843.1, 0.902)] {
         let peak = law.loaded_to(depth);
         let radius = law.contact_radius(&peak);
-        let dent =
-            |radius| 1.0 - recovery(Loaded { indentation: depth, force: peak.force, radius }).elastic_approach / depth;
+        let dent = |radius| {
+            1.0 - recovery(Loaded { indentation: depth, force: peak.force, radius, elastic_approach: None }).elastic_approach / depth
+        };
         assert!((dent(2f64.sqrt() * radius) - tabulated).abs() < 5.1e-4);
         assert!(dent(radius) < tabulated - 0.03);
         let pressure = peak.force * bodies.yield_point.force
@@ -262,7 +262,7 @@ fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
             let peak = loading.loaded_to(depth);
             let radius = loading.contact_radius(&peak);
             let Recovered { elastic_approach, exponent, shape } =
-                recovery(Loaded { indentation: depth, force: peak.force, radius });
+                recovery(Loaded { indentation: depth, force: peak.force, radius, elastic_approach: None });
             let unloading = Unloading::new(Peak { elastic_approach, ..peak }, exponent, shape);
             let got = (unloading.stored(depth) / loading.loading.work(depth)).sqrt();
             let dent = 1.0 - elastic_approach / depth;
@@ -434,5 +434,168 @@ fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
         let found = jumps(&law_of(choice.get()));
         let is_printed = name.contains("Printed");
         assert!(is_printed || found.is_empty(), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn the_closed_form_traces_every_law_without_error() {
+    for (name, choice) in whole_laws() {
+        let contact = contact(&Scene::case_3(), &choice);
+        // 5 m/s, beyond the ranges that any of these laws refuses
+        for (method, drift) in [(Method::ClosedForm, 1e-12), (Method::Rk8, 2e-9)] {
+            let impact = contact.impact(5.0, &common::solver(method, 1e-10), Some(60)).unwrap();
+            assert!(impact.trace.len() >= 60 && impact.energy.drift < drift, "{name}: {method:?} {:e}", impact.energy.drift);
+            assert!(impact.trace.windows(2).all(|rows| rows[0].time <= rows[1].time), "{name}");
+            let residual = impact.residual_indentation;
+            let last = impact.trace.last().unwrap();
+            assert!((last.indentation - residual).abs() < 1e-12 * impact.peak_indentation && last.force.abs() < 1e-9 * impact.peak_force, "{name}");
+        }
+        let lost = impact_loss(&contact);
+        assert!(lost.abs() < 1e-12, "{name}: energy out less energy in {lost:e}");
+    }
+}
+
+/// Recovered + plastic − kinetic energy over kinetic energy.
+fn impact_loss(contact: &Contact) -> f64 {
+    let energy = contact.closed_form(5.0).unwrap().energy;
+    (energy.recovered + energy.plastic.unwrap()) / energy.kinetic_in - 1.0
+}
+
+#[test]
+fn plm_from_its_two_halves_is_the_plm() {
+    let scene = Scene::case_3();
+    let whole = scene.contact();
+    let halves = contact(&scene, &LawChoice::from_name("plm + plm").unwrap());
+    for speed in [1e-3, 0.05, 1.0, 10.0] {
+        assert_eq!(whole.closed_form(speed).unwrap(), halves.closed_form(speed).unwrap());
+    }
+}
+
+/// An unloading branch is a piece that a loading curve can begin with: the same force, and the work that it stores.
+#[test]
+fn unloading_branches_are_pieces() {
+    for (name, choice) in whole_laws() {
+        let law = law_of(choice.get());
+        let peak = law.loaded_to(105.1);
+        if law.accept(&peak).is_err() {
+            continue;
+        }
+        let unloading = law.unloading(peak);
+        let branch = unloading.branch();
+        assert!(off(branch.force_at(105.1), peak.force) < 1e-13, "{name}");
+        assert!(off(branch.work_at(105.1), unloading.stored(105.1)) < 1e-12, "{name}");
+        for share in [0.1, 0.5, 0.9] {
+            let x = peak.residual() + share * peak.elastic_approach;
+            assert!((branch.force_at(x) - unloading.force(x)).abs() < 1e-13 * peak.force, "{name}");
+            let h = 1e-5 * peak.elastic_approach;
+            // the error of a central difference is h²/6 f'''
+            let slope = (unloading.force(x + h) - unloading.force(x - h)) / (2.0 * h);
+            assert!(off(branch.slope_at(x), slope) < 1e-6, "{name} {share}: {} {slope}", branch.slope_at(x));
+            assert!(off(branch.indentation_at_work(branch.work_at(x)), x) < 1e-12, "{name}");
+        }
+        assert_eq!(unloading.force(peak.residual() - 1.0), 0.0);
+    }
+}
+
+/// Unloading from uniform pressure as Mesarovic and Johnson write it, by the contact radius t: F and δ at the same t.
+#[test]
+fn unloading_from_uniform_pressure_is_the_stack_of_punches() {
+    use std::f64::consts::PI;
+    let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
+    let peak = law.loaded_to(200.0);
+    let unloading = law.unloading(peak);
+    for t in [0.01_f64, 0.3, 0.7, 0.99, 1.0] {
+        let root = (1.0 - t * t).sqrt();
+        let force = 2.0 * peak.force / PI * (t.asin() - t * root);
+        let x = peak.indentation - peak.elastic_approach * root;
+        assert!((unloading.force(x) - force).abs() < 1e-12 * peak.force, "{t}");
+    }
+    // ∫ F dδ = 8 p_0² a³/(3 E*) = 4/(3π) F_m (δ_m − δ_r)
+    let stored = 4.0 / (3.0 * PI) * peak.force * peak.elastic_approach;
+    assert!(off(unloading.stored(200.0), stored) < 1e-14);
+    assert!(off(unloading.branch().work_at(200.0), stored) < 1e-13);
+}
+
+#[test]
+fn outside_its_range_a_law_has_no_answer() {
+    let refused = |name: &str, x: f64| {
+        let law = law_of(LawChoice::from_name(name).unwrap().get());
+        law.accept(&law.loaded_to(x)).err().map(|error| error.to_string())
+    };
+    // no elastic regime: the dent would be negative
+    for name in ["mesarovic_johnson", "johnson"] {
+        assert!(refused(name, 5.2).unwrap().contains("negative"), "{name}");
+        assert_eq!(refused(name, 20.0), None);
+    }
+    // more energy back than was spent, just above Stronge's own yield
+    assert!(refused("stronge", 2.0).unwrap().contains("more energy"));
+    assert_eq!(refused("stronge", 1.0), None);
+    assert_eq!(refused("stronge", 5.2), None);
+    // the residual indentation of the fit exceeds the indentation
+    assert!(refused("jackson_green", 2e4).is_some());
+    assert_eq!(refused("jackson_green", 5000.0), None);
+    // loading beyond a = R, and beyond δ = R/2
+    assert!(refused("jackson_green + johnson", 6000.0).unwrap().contains("range of its loading"));
+    assert!(refused("kogut_komvopoulos", 8700.0).unwrap().contains("range of its loading"));
+    // loading stiffer than Hertz leaves no depth for the moved Hertz curve
+    assert!(refused("stronge + yigit_christoforou", 5.2).is_some());
+    // and the impact says so
+    let contact = contact(&Scene::case_3(), &LawChoice::from_name("mesarovic_johnson").unwrap());
+    assert!(contact.impact(0.01, &common::solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
+    assert!(contact.essentials(0.01).is_err());
+}
+
+/// A half-space too soft for a fit (σ_Y/E* = 0.1), a rigid sphere, a strong one: numbers or a refusal, never nonsense.
+#[test]
+fn extreme_bodies_give_numbers_or_a_refusal() {
+    for (name, choice) in whole_laws() {
+        for (sphere, half_space, strength) in [(1e30, 1e9, 1e8), (f64::INFINITY, 210e9, 345e6), (1e9, 210e9, 1e4), (1e6, 1e6, 9e5)] {
+            let material = |youngs_modulus| plm_impact::material::Material { youngs_modulus, poissons_ratio: 0.45 };
+            let scene = Scene { sphere: material(sphere), half_space: material(half_space), yield_strength: Some(strength), ..Scene::case_3() };
+            let contact = contact(&scene, &choice);
+            for speed in [1e-6, 1e-2, 1.0, 100.0, 1e4] {
+                if let Ok(row) = contact.essentials(speed) {
+                    let numbers = [row.restitution, row.contact_time, row.peak_force, row.peak_indentation, row.peak_contact_radius];
+                    assert!(numbers.iter().all(|value| value.is_finite() && *value > 0.0), "{name} {scene:?} {speed}: {row:?}");
+                    assert!(row.restitution <= 1.0 + 1e-12 && row.residual_indentation >= 0.0, "{name} {scene:?} {speed}: {row:?}");
+                }
+            }
+        }
+    }
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config { cases: 48, failure_persistence: None, ..Default::default() })]
+
+    /// Random scenes: no energy gained, forces rise, the integration agrees with the quadrature.
+    #[test]
+    fn every_law_is_an_honest_contact(
+        sphere in 50e9..1e12_f64, half_space in 20e9..400e9_f64, strain in 1.0e-3..1.0e-2_f64, nu in 0.1..0.45_f64,
+        depth in 0.1..3.3_f64, pick in 0usize..1000,
+    ) {
+        let material = |youngs_modulus| plm_impact::material::Material { youngs_modulus, poissons_ratio: nu };
+        let scene = Scene {
+            sphere: material(sphere), half_space: material(half_space), yield_strength: Some(strain * half_space), ..Scene::case_3()
+        };
+        let laws = whole_laws();
+        let (name, choice) = &laws[pick % laws.len()];
+        let law = choice.get().law(&bodies(&scene)).unwrap();
+        let x = 10f64.powf(depth);
+        let xs: Vec<f64> = (0..200).map(|i| 0.01 * (2.0 * x / 0.01).powf(f64::from(i) / 199.0)).collect();
+        for pair in xs.windows(2) {
+            proptest::prop_assert!(law.loading.force(pair[0]) < law.loading.force(pair[1]), "{name}: force falls at {}", pair[0]);
+        }
+        let speed = (2.5 * law.loading.work(x)).sqrt();
+        let exact = closed_form::solve(&law, speed);
+        if law.accept(&exact.unloading.peak).is_ok() {
+            proptest::prop_assert!(exact.restitution <= 1.0 + 1e-12 && exact.restitution > 0.0, "{name}: {exact:?}");
+            let peak = exact.unloading.peak;
+            proptest::prop_assert!(peak.elastic_approach <= peak.indentation * (1.0 + 1e-15));
+            for (method, factor) in STEPPING {
+                let (outcome, _) = run(&law, speed, method, 1e-10).unwrap();
+                let error = worst(&outcome, &exact);
+                proptest::prop_assert!(error < factor * 1e-10, "{name} at {x} by {method:?}: {error:e}");
+            }
+        }
     }
 }

@@ -24,6 +24,10 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Impact => impact(&scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
         Kind::Repeat => repeat(&scenario),
+        Kind::Compare => {
+            let comparison = scenario.comparison().map_err(Error::from)?;
+            super::print(&plm_impact::report::compare::state(&comparison)).context("standard output")
+        }
     }
 }
 

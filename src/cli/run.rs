@@ -6,6 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
+use plm_impact::report;
 use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
 
@@ -35,6 +36,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Impact => impact(arguments, &scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
         Kind::Repeat => repeat(arguments, &scenario),
+        Kind::Compare => compare(arguments, &scenario),
     }
 }
 
@@ -80,6 +82,21 @@ fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     if !arguments.quiet {
         super::print(&run.table).context("standard output")?;
         let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
+        eprintln!("wrote {} to {}", names.join(", "), out.display());
+    }
+    Ok(())
+}
+
+fn compare(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_without_table("a comparison of laws from one peak, with a small table of its own")?;
+    let comparison = scenario.comparison().map_err(Error::from)?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let out = directory.path().to_owned();
+    let files = report::compare::files(&comparison, scenario, &command_line())?;
+    directory.write(&files)?;
+    if !arguments.quiet {
+        super::print(&report::compare::table(&comparison)).context("standard output")?;
+        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         eprintln!("wrote {} to {}", names.join(", "), out.display());
     }
     Ok(())

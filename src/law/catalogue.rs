@@ -106,6 +106,12 @@ impl LawChoice {
         self.about().unloading != NONE
     }
 
+    /// Whether its unloading is its own, not borrowed.
+    #[must_use]
+    pub fn has_own_unloading(&self) -> bool {
+        self.has_unloading() && !matches!(self, Self::KogutKomvopoulos(_))
+    }
+
     /// Its name in tables: of a combination "loading + unloading".
     #[must_use]
     pub fn name(&self) -> String {

@@ -96,8 +96,8 @@ pub trait ContactLaw: Debug {
 
 /// A law from two halves.
 pub(super) fn assemble(loading: Loading, recovery: RecoveryRule) -> Option<Law> {
-    let Loading { curve, elastic_until, holds_from, holds_until, stated, radius } = loading;
-    let published = Published { elastic_until, holds_from, holds_until, stated, radius, recovery };
+    let Loading { curve, elastic_until, holds_until, stated, radius } = loading;
+    let published = Published { elastic_until, holds_until, stated, radius, recovery };
     Some(Law {
         loading: curve,
         elastic: ElasticApproach::Published(Box::new(published)),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loaded, Loading, Recovered, RecoveryRule};
 use super::thornton;
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -85,7 +85,7 @@ impl ContactLaw for MaLiu {
         // that of the Hertz contact which unloading leaves from
         let recovery = self.recovery(bodies)?;
         Some(Loading::new(curve, 1.0, move |x, force| {
-            force / recovery(super::published::Loaded { indentation: x, force, radius: x.sqrt() }).elastic_approach
+            force / recovery(Loaded { indentation: x, force, radius: x.sqrt(), elastic_approach: None }).elastic_approach
         }))
     }
 

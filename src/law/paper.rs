@@ -9,8 +9,8 @@ use super::{Law, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// The piecewise-linear model ([`super::plm`]) with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
-/// As a half, the paper's unloading takes the elastic approach that the PLM has at the same force: it needs the sphere's own
-/// indentation at the peak, which no other law gives.
+/// The paper's unloading needs the sphere's own indentation at the peak, which no other law gives: as a half, where it was
+/// not measured, it takes the elastic approach that the PLM has at the same force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plm {
     /// Of the loading and of the elastic approach.
@@ -54,7 +54,8 @@ impl ContactLaw for Plm {
     fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
         let law = self.law(bodies)?;
         Some(Arc::new(move |peak| {
-            let elastic_approach = law.elastic_approach(peak.indentation, peak.force);
+            let of_plm = || law.elastic_approach(peak.indentation, peak.force);
+            let elastic_approach = peak.elastic_approach.unwrap_or_else(of_plm);
             let exponent = match law.exponent {
                 UnloadingExponent::Paper => 1.5,
                 UnloadingExponent::Fixed(n) => n,

@@ -25,6 +25,22 @@ pub struct Loaded {
     pub force: f64,
     /// a_m/a_Y.
     pub radius: f64,
+    /// (E_s*/E*) δ_sm/δ_Y, where the sphere's own indentation is known, as from a measurement.
+    pub elastic_approach: Option<f64>,
+}
+
+impl Loaded {
+    /// What an unloading law gives back from here, when `spent` (in units of F_Y δ_Y) was spent on loading.
+    ///
+    /// # Errors
+    /// [`OutsideLaw`] where the law has no answer.
+    pub fn unload(&self, recovery: &RecoveryRule, spent: f64) -> Result<Unloading, OutsideLaw> {
+        let raw = recovery(*self);
+        raw.accept(self.indentation, self.force, spent)?;
+        let elastic_approach = raw.bounded(self.indentation, self.force, spent);
+        let peak = Peak { indentation: self.indentation, force: self.force, elastic_approach };
+        Ok(Unloading::new(peak, raw.exponent, raw.shape))
+    }
 }
 
 /// What unloading from a peak gives back, by the law's own formulas.
@@ -44,6 +60,36 @@ impl Recovered {
     pub fn hertzian(elastic_approach: f64) -> Self {
         Self { elastic_approach, exponent: 1.5, shape: UnloadingShape::Power }
     }
+
+    /// n (or its equivalent) with this elastic approach.
+    fn exponent(&self, x: f64, force: f64, elastic_approach: f64) -> f64 {
+        Unloading::new(Peak { indentation: x, force, elastic_approach }, self.exponent, self.shape).exponent
+    }
+
+    /// ε, at most x and at most what the work of loading allows.
+    fn bounded(&self, x: f64, force: f64, spent: f64) -> f64 {
+        let raw = self.elastic_approach;
+        let bounded = if raw > 0.0 { raw.min(x) } else { x };
+        bounded.min((self.exponent(x, force, bounded) + 1.0) * spent / force)
+    }
+
+    /// Whether it is near to what is possible.
+    fn accept(&self, x: f64, force: f64, spent: f64) -> Result<(), OutsideLaw> {
+        let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
+        let raw = self.elastic_approach;
+        if !(raw > 0.0) {
+            return refuse("its residual indentation is the whole indentation or more");
+        }
+        if raw > (1.0 + LARGEST_CUT) * x {
+            return refuse("its residual indentation is negative");
+        }
+        let bounded = raw.min(x);
+        let given_back = force * bounded / (self.exponent(x, force, bounded) + 1.0);
+        if given_back > (1.0 + LARGEST_CUT) * spent {
+            return refuse("it gives back more energy than was spent");
+        }
+        Ok(())
+    }
 }
 
 /// a/a_Y at (x, f) of the loading curve.
@@ -58,9 +104,7 @@ pub struct Loading {
     pub curve: Curve,
     /// x up to which it is elastic.
     pub elastic_until: f64,
-    /// x from which a plastic peak can be on it, and
-    pub holds_from: f64,
-    /// up to which: outside, the law has no answer.
+    /// x up to which a peak can be on it: beyond, the law has no answer.
     pub holds_until: f64,
     /// The range of x that its authors state, if they do.
     pub stated: Option<(f64, f64)>,
@@ -70,15 +114,12 @@ pub struct Loading {
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
-    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self {
-            curve,
-            elastic_until,
-            holds_from: 0.0,
-            holds_until: f64::INFINITY,
-            stated: None,
-            radius: Arc::new(radius),
-        }
+    pub fn new(
+        curve: Curve,
+        elastic_until: f64,
+        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        Self { curve, elastic_until, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
     }
 }
 
@@ -108,9 +149,7 @@ pub enum OutsideLaw {
 pub struct Published {
     /// x up to which loading is elastic.
     pub elastic_until: f64,
-    /// x from which a plastic peak can be on the law, and
-    pub holds_from: f64,
-    /// up to which.
+    /// x up to which a peak can be on the law.
     pub holds_until: f64,
     /// The range of x that the authors state.
     pub stated: Option<(f64, f64)>,
@@ -140,7 +179,8 @@ impl Published {
         if indentation <= self.elastic_until {
             return Recovered::hertzian(indentation);
         }
-        (self.recovery)(Loaded { indentation, force, radius: (self.radius)(indentation, force) })
+        let radius = (self.radius)(indentation, force);
+        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None })
     }
 
     /// ε, at most x and at most what the work of loading allows.
@@ -148,12 +188,7 @@ impl Published {
         if x <= self.elastic_until {
             return x;
         }
-        let recovered = self.recovered(x, force);
-        let raw = recovered.elastic_approach;
-        let peak = |elastic_approach| Peak { indentation: x, force, elastic_approach };
-        let bounded = if raw > 0.0 { raw.min(x) } else { x };
-        let exponent = Unloading::new(peak(bounded), recovered.exponent, recovered.shape).exponent;
-        bounded.min((exponent + 1.0) * loading.work(x) / force)
+        self.recovered(x, force).bounded(x, force, loading.work(x))
     }
 
     /// The branch from a peak.
@@ -176,22 +211,9 @@ impl Published {
         if indentation <= self.elastic_until {
             return Ok(());
         }
-        let refuse = |problem| Err(OutsideLaw::Range { indentation, problem });
-        if !(indentation >= self.holds_from && indentation <= self.holds_until) {
-            return refuse("outside the range of its loading formulas");
+        if indentation > self.holds_until {
+            return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
         }
-        let raw = self.recovered(indentation, force);
-        if !(raw.elastic_approach > 0.0) {
-            return refuse("its residual indentation is the whole indentation or more");
-        }
-        if raw.elastic_approach > (1.0 + LARGEST_CUT) * indentation {
-            return refuse("its residual indentation is negative");
-        }
-        let peak = Peak { elastic_approach: raw.elastic_approach.min(indentation), ..*peak };
-        let given_back = force * peak.elastic_approach / (Unloading::new(peak, raw.exponent, raw.shape).exponent + 1.0);
-        if given_back > (1.0 + LARGEST_CUT) * loading.work(indentation) {
-            return refuse("it gives back more energy than was spent");
-        }
-        Ok(())
+        self.recovered(indentation, force).accept(indentation, force, loading.work(indentation))
     }
 }

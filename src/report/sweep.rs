@@ -14,6 +14,9 @@ use crate::sweep::statistics::Distribution;
 struct Summary<'a> {
     rows: u64,
     failures: u64,
+    /// Rows that the law has no answer for; left out where there are none.
+    #[serde(skip_serializing_if = "is_zero")]
+    outside_law: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     restitution: Option<Distribution>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -59,7 +62,7 @@ pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Re
         _ => (None, None),
     };
     let restitution = tally.statistics.distribution();
-    let summary = Summary { rows: tally.rows, failures: tally.failures, restitution, random, seed, provenance };
+    let summary = Summary { rows: tally.rows, failures: tally.failures, outside_law: tally.outside_law, restitution, random, seed, provenance };
     Ok(serde_json::to_string_pretty(&summary)? + "\n")
 }
 
@@ -73,10 +76,18 @@ fn random_key(variable: &random::Variable) -> Random {
     Random { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
 }
 
+#[allow(clippy::trivially_copy_pass_by_ref)] // as serde asks
+fn is_zero(count: &u64) -> bool {
+    *count == 0
+}
+
 /// What a person wants to know of a finished table.
 #[must_use]
 pub fn lines(tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
+    if tally.outside_law > 0 {
+        let _ = writeln!(text, "{} rows where the law has no answer (status outside_law)", tally.outside_law);
+    }
     if let Some(e) = tally.statistics.distribution() {
         let _ = writeln!(text, "restitution: mean {:.6}, standard deviation {:.6}", e.mean, e.standard_deviation);
         let (low, middle, high) = (e.quantile_05, e.quantile_50, e.quantile_95);

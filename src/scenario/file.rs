@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use super::compare::CompareTable;
 use super::forces::{DampingTable, GravityTable};
 use super::law::LawTable;
 use super::quantity::{
@@ -12,6 +13,7 @@ use super::quantity::{
 };
 use super::repeat::RepeatTable;
 use super::sweep::{MonteCarloTable, SweepTable};
+use crate::material::{HalfSpace, Material};
 
 /// The whole file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -39,8 +41,10 @@ pub struct ScenarioFile {
     pub sweep: Option<SweepTable>,
     /// many random ones, or
     pub monte_carlo: Option<MonteCarloTable>,
-    /// one after the other.
+    /// one after the other, or
     pub repeat: Option<RepeatTable>,
+    /// unloading laws from one peak.
+    pub compare: Option<CompareTable>,
 }
 
 /// `[sphere]`
@@ -71,6 +75,15 @@ pub struct HalfSpaceTable {
     pub poissons_ratio: PoissonsRatio,
     /// Yield strength; without it the half-space is elastic.
     pub yield_strength: Option<Strength>,
+}
+
+impl HalfSpaceTable {
+    /// The half-space in SI.
+    #[must_use]
+    pub fn resolve(&self) -> HalfSpace {
+        let material = Material { youngs_modulus: self.youngs_modulus.0, poissons_ratio: self.poissons_ratio.0 };
+        HalfSpace { material, yield_strength: self.yield_strength.map(|strength| strength.0), density: None }
+    }
 }
 
 /// `[impact]`

@@ -14,12 +14,18 @@ pub enum Kind {
     MonteCarlo,
     /// `[repeat]`: impacts one after the other.
     Repeat,
+    /// `[compare]`: unloading laws from one peak.
+    Compare,
 }
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] =
-        &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("repeat", Self::Repeat)];
+    const TABLES: &[(&'static str, Self)] = &[
+        ("sweep", Self::Sweep),
+        ("monte_carlo", Self::MonteCarlo),
+        ("repeat", Self::Repeat),
+        ("compare", Self::Compare),
+    ];
 
     fn is_given(self, file: &ScenarioFile) -> bool {
         match self {
@@ -27,6 +33,7 @@ impl Kind {
             Self::Sweep => file.sweep.is_some(),
             Self::MonteCarlo => file.monte_carlo.is_some(),
             Self::Repeat => file.repeat.is_some(),
+            Self::Compare => file.compare.is_some(),
         }
     }
 }

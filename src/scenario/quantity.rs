@@ -97,6 +97,12 @@ pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(
 pub const AREA_FACTOR: Quantity = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
 /// Indentation at full plasticity over that at yield.
 pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
+/// Indentation over that at yield, where there is something to unload plastically.
+pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Bound::Open(1.0), Bound::Closed(1e6), "105.1");
+/// A force.
+pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
+/// An energy.
+pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"");
 /// A share of something that may be all of it.
 pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
 
@@ -339,6 +345,12 @@ checked! {
     AreaFactor: AREA_FACTOR;
     /// A transition ratio.
     TransitionRatio: TRANSITION_RATIO;
+    /// Indentation over that at yield.
+    DepthRatio: DEPTH_RATIO;
+    /// A force.
+    Force: FORCE;
+    /// An energy.
+    Energy: ENERGY;
     /// A ratio of at most 1.
     Share: SHARE;
 }

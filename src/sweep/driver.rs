@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::plan::{Evaluator, Plan, Rows};
+use super::plan::{Count, Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable, column_names};
@@ -59,10 +59,10 @@ pub struct Written {
     pub resumed: u64,
 }
 
-/// The text of consecutive rows, and e of each.
+/// The text of consecutive rows, and how each counts.
 struct Chunk {
     text: Vec<u8>,
-    restitution: Vec<Option<f64>>,
+    counts: Vec<Count>,
 }
 
 impl Job<'_> {
@@ -162,8 +162,8 @@ impl Job<'_> {
                 || chunks(&evaluator, text, layout, next..end),
             );
             written.map_err(SweepError::file("cannot be written (free space, then the same command goes on)", part))?;
-            for restitution in ready.iter().flat_map(|chunk| &chunk.restitution) {
-                tally.push(*restitution, is_monte_carlo);
+            for count in ready.iter().flat_map(|chunk| &chunk.counts) {
+                tally.push(*count, is_monte_carlo);
             }
             (self.progress)(Progress { rows: tally.rows, total, resumed });
             if computed.is_empty() {
@@ -217,9 +217,8 @@ fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<
             // numbers take up to 24 characters
             let mut lines = Vec::with_capacity(computed.cases.len() * 192);
             text.write(&computed, end == layout.rows(), &mut lines);
-            let restitution =
-                computed.results.iter().map(|result| result.as_ref().ok().map(|row| row.restitution)).collect();
-            Chunk { text: lines, restitution }
+            let counts = computed.results.iter().map(Count::of).collect();
+            Chunk { text: lines, counts }
         })
         .collect()
 }

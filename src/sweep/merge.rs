@@ -124,7 +124,7 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
                 let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
                 SweepError::Damaged { path: (*table).clone(), problem }
             })?;
-        tally.push(row.restitution, sidecar.is_monte_carlo);
+        tally.push(row.count, sidecar.is_monte_carlo);
         let end: &[u8] = if is_json && tally.rows < sidecar.cases { b",\n" } else { b"\n" };
         writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;
     }

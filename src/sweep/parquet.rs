@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use super::SweepError;
 use super::axis::{Axis, Setting};
 use super::driver::{Job, Progress, compute};
-use super::plan::{Cases, Evaluator, Plan, Rows};
+use super::plan::{Count, Cases, Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Tally, part_path};
 use super::table::{ResultColumn, column_names, result_columns};
@@ -46,7 +46,7 @@ enum Column {
 /// A row group ready to be appended.
 struct Group {
     columns: Vec<(Bytes, ColumnCloseResult)>,
-    restitution: Vec<Option<f64>>,
+    counts: Vec<Count>,
 }
 
 fn columns(plan: &Plan) -> Vec<Column> {
@@ -175,8 +175,8 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
             .zip(descriptor.columns())
             .map(|(column, description)| encode(column, n_swept, &rows, description, &properties));
         let columns = encoded.collect::<Result<_, _>>()?;
-        let restitution = rows.results.iter().map(|row| row.as_ref().ok().map(|row| row.restitution)).collect();
-        Ok(Group { columns, restitution })
+        let counts = rows.results.iter().map(Count::of).collect();
+        Ok(Group { columns, counts })
     };
     let mut tally = Tally::default();
     let mut ready: Vec<Group> = Vec::new();
@@ -199,8 +199,8 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
             || starts.into_par_iter().map(encode_group).collect::<Result<Vec<_>, _>>(),
         );
         appended.map_err(failed)?;
-        for restitution in ready.iter().flat_map(|group| &group.restitution) {
-            tally.push(*restitution, job.plan.is_monte_carlo());
+        for count in ready.iter().flat_map(|group| &group.counts) {
+            tally.push(*count, job.plan.is_monte_carlo());
         }
         (job.progress)(Progress { rows: tally.rows, total, resumed: 0 });
         ready = encoded.map_err(failed)?;

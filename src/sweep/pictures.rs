@@ -134,8 +134,8 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(BLACK))
 }
 
-/// The place of black in the palette of curves.
-const BLACK: usize = 6;
+/// A black circle among the styles of curves, behind as many curves as a picture has.
+const BLACK: usize = 13;
 
 /// The range of the data, so that a guide does not stretch it.
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::SweepError;
+use super::plan::Count;
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable, read_line};
@@ -113,18 +114,21 @@ pub struct Tally {
     pub rows: u64,
     /// Rows without a result.
     pub failures: u64,
+    /// Rows that the law has no answer for.
+    pub outside_law: u64,
     /// Of e, for random values.
     pub statistics: Statistics,
 }
 
 impl Tally {
     /// Counts a row.
-    pub fn push(&mut self, restitution: Option<f64>, is_monte_carlo: bool) {
+    pub fn push(&mut self, count: Count, is_monte_carlo: bool) {
         self.rows += 1;
-        match restitution {
-            None => self.failures += 1,
-            Some(value) if is_monte_carlo => self.statistics.push(value),
-            Some(_) => {}
+        match count {
+            Count::Failure => self.failures += 1,
+            Count::OutsideLaw => self.outside_law += 1,
+            Count::Restitution(value) if is_monte_carlo => self.statistics.push(value),
+            Count::Restitution(_) => {}
         }
     }
 }
@@ -160,7 +164,7 @@ pub fn read_rows(path: &Path, table: &TextTable, sidecar: &Sidecar) -> Result<(T
                 let problem = format!("row {} is not case {expected}; delete it to start over", tally.rows + 1);
                 SweepError::Damaged { path: path.to_owned(), problem }
             })?;
-        tally.push(row.restitution, sidecar.is_monte_carlo);
+        tally.push(row.count, sidecar.is_monte_carlo);
         end += line.len() as u64;
     }
     Ok((tally, end))

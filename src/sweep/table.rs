@@ -3,7 +3,7 @@
 //! Digits are written straight into the block's buffer. No field needs a quote: they are numbers and snake_case names.
 
 use super::axis::{Axis, Setting};
-use super::plan::{Cases, Plan, Rows};
+use super::plan::{Cases, Count, Failure, Plan, Rows};
 use crate::impact::Essentials;
 
 /// What a table is written as.
@@ -210,8 +210,8 @@ fn swept(axis: &Axis, is_json: bool) -> Swept {
 pub struct Line {
     /// Case number.
     pub case: u64,
-    /// e; `None` for a failed case.
-    pub restitution: Option<f64>,
+    /// e, or why there is none.
+    pub count: Count,
 }
 
 /// Reads a line of a table (without its line end) whose restitution is in column `restitution`; `None` if it is no row.
@@ -223,6 +223,10 @@ pub fn read_line(line: &[u8], restitution: usize) -> Option<Line> {
     let case = fields.next()?.parse().ok()?;
     let value = fields.nth(restitution.checked_sub(1)?)?;
     let status = fields.next_back()?.trim_matches('"');
-    let restitution = if status == "ok" { Some(value.parse().ok()?) } else { None };
-    Some(Line { case, restitution })
+    let count = match status {
+        "ok" => Count::Restitution(value.parse().ok()?),
+        _ if status == Failure::OutsideLaw.name() => Count::OutsideLaw,
+        _ => Count::Failure,
+    };
+    Some(Line { case, count })
 }

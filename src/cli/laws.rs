@@ -1,0 +1,12 @@
+//! `plm-impact laws`
+
+use anyhow::Context as _;
+use clap::Args;
+
+/// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
+#[derive(Debug, Args)]
+pub struct Arguments {}
+
+pub fn laws(_: &Arguments) -> anyhow::Result<()> {
+    super::print(&plm_impact::report::laws::list()).context("standard output")
+}

@@ -1,0 +1,90 @@
+//! Unloading laws side by side, from one peak: the figure that Xie et al. (2024) draw for theirs (Fig. 10).
+//!
+//! The peak is a state of loading: indentation, force, contact radius, the sphere's own indentation. Every law unloads from
+//! it by its own formulas; nothing here knows of motion.
+
+use crate::law::published::Loaded;
+use crate::law::{Bodies, ContactLaw, LawChoice, OutsideLaw, Peak, Plm, Unloading};
+use crate::reference::{self, Unloaded, UnloadingCurve};
+
+/// Where a peak comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// The PLM at that indentation.
+    Plm,
+    /// Numbers of the scenario.
+    Given,
+}
+
+/// One peak and the laws that unload from it, in units of the yield point.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// The bodies.
+    pub bodies: Bodies,
+    /// E_s \[Pa\].
+    pub sphere_modulus: f64,
+    /// The peak.
+    pub peak: Loaded,
+    /// W/(F_Y δ_Y) spent on loading.
+    pub spent: f64,
+    /// Where the peak comes from.
+    pub origin: Origin,
+    /// The laws, in the order of table and picture.
+    pub laws: Vec<LawChoice>,
+}
+
+/// What one law makes of the peak.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Compared {
+    /// The law.
+    pub name: String,
+    /// Its branch, or why there is none.
+    pub unloading: Result<Unloading, OutsideLaw>,
+}
+
+impl Comparison {
+    /// The state of the PLM at x.
+    #[must_use]
+    pub fn of_plm(bodies: Bodies, sphere_modulus: f64, plm: &Plm, x: f64, laws: Vec<LawChoice>) -> Option<Self> {
+        let law = plm.law(&bodies)?;
+        let Peak { indentation, force, elastic_approach } = law.loaded_to(x);
+        let radius = law.contact_radius(&law.loaded_to(x));
+        let peak = Loaded { indentation, force, radius, elastic_approach: Some(elastic_approach) };
+        Some(Self { bodies, sphere_modulus, peak, spent: law.loading.work(x), origin: Origin::Plm, laws })
+    }
+
+    /// Every law's branch.
+    #[must_use]
+    pub fn compared(&self) -> Vec<Compared> {
+        let unload = |law: &LawChoice| {
+            let recovery = law.get().recovery(&self.bodies)?;
+            Some(Compared { name: law.name(), unloading: self.peak.unload(&recovery, self.spent) })
+        };
+        self.laws.iter().filter_map(unload).collect()
+    }
+
+    /// The finite-element unloading of the same materials whose peak is nearest to this one, within 1 % in indentation.
+    #[must_use]
+    pub fn finite_elements(&self) -> Option<&'static Unloaded> {
+        let x = self.peak.indentation;
+        let off = |row: &Unloaded| {
+            (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs()
+        };
+        reference::unloadings(self.sphere_modulus, &self.bodies)
+            .into_iter()
+            .filter(|row| (row.indentation / x - 1.0).abs() < 0.01)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
+
+    /// The finite-element curve there, if it is at hand.
+    #[must_use]
+    pub fn curve(&self) -> Option<&'static UnloadingCurve> {
+        reference::unloading_curve(self.sphere_modulus, &self.bodies, self.peak.indentation)
+    }
+
+    /// Quasi-static e of a branch: √(recovered/spent).
+    #[must_use]
+    pub fn restitution(&self, unloading: &Unloading) -> f64 {
+        (unloading.stored(self.peak.indentation) / self.spent).sqrt()
+    }
+}

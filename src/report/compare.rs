@@ -1,0 +1,244 @@
+//! `comparison.csv`, `comparison.json`, the picture and the table of a `[compare]` scene.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::ReportError;
+use super::human::{number, quantity};
+use crate::compare::{Comparison, Origin};
+use crate::error::Error;
+use crate::law::Unloading;
+use crate::output::OutputFile;
+use crate::plot::{Axis, Lines, PlotError, Series};
+use crate::scenario::Scenario;
+
+/// One law in the table; deviations are relative to the finite elements of the same peak.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// The law, or `finite_elements`.
+    pub law: String,
+    /// δ_r.
+    pub residual_indentation_m: Option<f64>,
+    /// δ_r/δ_m.
+    pub residual_share: Option<f64>,
+    /// Of unloading.
+    #[serde(rename = "recovered_energy_J")]
+    pub recovered_energy: Option<f64>,
+    /// √(recovered/spent).
+    pub restitution: Option<f64>,
+    /// δ_r over that of the finite elements, less 1.
+    pub residual_deviation: Option<f64>,
+    /// The same of the recovered energy.
+    pub recovered_energy_deviation: Option<f64>,
+    /// The same of e.
+    pub restitution_deviation: Option<f64>,
+    /// `ok`, or `outside_law`.
+    pub status: &'static str,
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    peak: Peak,
+    laws: Vec<Row>,
+    version: &'static str,
+    scenario_sha256: String,
+    command: &'a str,
+}
+
+#[derive(Serialize)]
+struct Peak {
+    origin: &'static str,
+    indentation_m: f64,
+    indentation_over_yield: f64,
+    #[serde(rename = "force_N")]
+    force: f64,
+    contact_radius_m: f64,
+    sphere_indentation_m: Option<f64>,
+    #[serde(rename = "spent_work_J")]
+    spent_work: f64,
+}
+
+/// The rows: the finite elements first, where there are some, then the laws.
+#[must_use]
+pub fn rows(comparison: &Comparison) -> Vec<Row> {
+    let point = &comparison.bodies.yield_point;
+    let energy = point.force * point.indentation;
+    let reference = comparison.finite_elements();
+    let row = |law: String, share: f64, recovered: f64, e: f64| {
+        // shares of the peak, as the peaks differ by up to 1 %
+        let deviation = |got: f64, want: fn(&crate::reference::Unloaded) -> f64| reference.map(|row| got / want(row) - 1.0);
+        Row {
+            law,
+            residual_indentation_m: Some(share * comparison.peak.indentation * point.indentation),
+            residual_share: Some(share),
+            recovered_energy: Some(recovered * energy),
+            restitution: Some(e),
+            residual_deviation: deviation(share, |row| row.residual_share),
+            recovered_energy_deviation: deviation(
+                recovered / (comparison.peak.force * comparison.peak.indentation),
+                |row| row.restitution * row.restitution * row.spent / (row.force * row.indentation),
+            ),
+            restitution_deviation: deviation(e, |row| row.restitution),
+            status: "ok",
+        }
+    };
+    let finite_elements = reference.map(|fe| {
+        let recovered = fe.restitution * fe.restitution * fe.spent;
+        let scale = comparison.peak.force * comparison.peak.indentation / (fe.force * fe.indentation);
+        row("finite_elements".to_owned(), fe.residual_share, recovered * scale, fe.restitution)
+    });
+    let laws = comparison.compared().into_iter().map(|one| match one.unloading {
+        Ok(unloading) => row(
+            one.name,
+            unloading.peak.residual() / comparison.peak.indentation,
+            unloading.stored(comparison.peak.indentation),
+            comparison.restitution(&unloading),
+        ),
+        Err(_) => Row {
+            law: one.name,
+            residual_indentation_m: None,
+            residual_share: None,
+            recovered_energy: None,
+            restitution: None,
+            residual_deviation: None,
+            recovered_energy_deviation: None,
+            restitution_deviation: None,
+            status: "outside_law",
+        },
+    });
+    finite_elements.into_iter().chain(laws).collect()
+}
+
+/// The peak in a few lines.
+#[must_use]
+pub fn state(comparison: &Comparison) -> String {
+    let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
+    let origin = match comparison.origin {
+        Origin::Plm => "from the PLM",
+        Origin::Given => "as given",
+    };
+    let mut text = format!(
+        "peak {origin}: indentation {} ({} x yield), force {}, contact radius {}",
+        quantity(peak.indentation * point.indentation, "m"),
+        number(peak.indentation),
+        quantity(peak.force * point.force, "N"),
+        quantity(peak.radius * point.contact_radius, "m"),
+    );
+    let _ = writeln!(text, ", spent work {}", quantity(comparison.spent * point.force * point.indentation, "J"));
+    text
+}
+
+/// For the terminal.
+#[must_use]
+pub fn table(comparison: &Comparison) -> String {
+    let percent = |value: Option<f64>| value.map_or_else(String::new, |share| format!("{:+.1} %", 100.0 * share));
+    let mut lines = vec![
+        ["law", "residual", "share", "recovered", "e", "residual", "energy", "e against FE"].map(str::to_owned),
+    ];
+    lines.extend(rows(comparison).into_iter().map(|row| {
+        let of = |value: Option<f64>, unit| value.map_or_else(|| "-".to_owned(), |value| quantity(value, unit));
+        let ratio = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.4}"));
+        let remark = if row.status == "ok" { percent(row.restitution_deviation) } else { "no answer here".to_owned() };
+        [
+            row.law,
+            of(row.residual_indentation_m, "m"),
+            ratio(row.residual_share),
+            of(row.recovered_energy, "J"),
+            ratio(row.restitution),
+            percent(row.residual_deviation),
+            percent(row.recovered_energy_deviation),
+            remark,
+        ]
+    }));
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..8).map(width).collect();
+    lines.iter().fold(state(comparison), |mut text, line| {
+        let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
+        text
+    })
+}
+
+/// Points of a curve.
+const POINTS: u32 = 200;
+
+fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
+    let (residual, way) = (unloading.peak.residual(), unloading.peak.elastic_approach);
+    (0..=POINTS)
+        .map(|i| residual + way * f64::from(i) / f64::from(POINTS))
+        .map(|x| (x * length, unloading.force(x) * force))
+        .collect()
+}
+
+/// The picture: force against indentation of every law, and of the finite elements.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
+    /// A black circle among the styles, behind as many curves as there are laws.
+    const BLACK: usize = 13;
+    let point = &comparison.bodies.yield_point;
+    let (length, force) = (point.indentation, point.force);
+    let mut series: Vec<Series> = comparison
+        .compared()
+        .into_iter()
+        .filter_map(|one| Some(Series::line(one.name, curve(&one.unloading.ok()?, length, force))))
+        .collect();
+    if let Some(curve) = comparison.curve() {
+        // from its own peak, which is within 1 % of this one
+        let (top_x, top_f) = curve.points.first().copied().unwrap_or((1.0, 1.0));
+        let (scale_x, scale_f) = (comparison.peak.indentation / top_x, comparison.peak.force / top_f);
+        let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
+        series.push(Series::points("finite elements", points).styled(BLACK));
+    }
+    let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
+    // from a little before the shallowest dent on
+    let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
+    let last = comparison.peak.indentation * length;
+    let x = Axis::engineering("Indentation", "m").between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
+    let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
+    let origin = match comparison.origin {
+        Origin::Plm => "peak: from the PLM",
+        Origin::Given => "peak: as given",
+    };
+    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.to_png()
+}
+
+/// All files of a comparison.
+///
+/// # Errors
+/// [`Error`] of reports and pictures.
+pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Result<Vec<OutputFile>, Error> {
+    let rows = rows(comparison);
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    for row in &rows {
+        csv.serialize(row).map_err(ReportError::from)?;
+    }
+    let table = csv.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))?;
+    let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
+    let pair = &comparison.bodies.pair;
+    let summary = Summary {
+        peak: Peak {
+            origin: if comparison.origin == Origin::Plm { "plm" } else { "given" },
+            indentation_m: peak.indentation * point.indentation,
+            indentation_over_yield: peak.indentation,
+            force: peak.force * point.force,
+            contact_radius_m: peak.radius * point.contact_radius,
+            sphere_indentation_m: peak.elastic_approach.map(|e| pair.sphere_compliance * e * point.indentation),
+            spent_work: comparison.spent * point.force * point.indentation,
+        },
+        laws: rows,
+        version: env!("CARGO_PKG_VERSION"),
+        scenario_sha256: scenario.sha256()?,
+        command,
+    };
+    let mut json = serde_json::to_string_pretty(&summary).map_err(ReportError::from)?;
+    json.push('\n');
+    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    Ok(vec![
+        file("summary.json", json.into_bytes()),
+        file("comparison.csv", table),
+        file("unloading.png", picture(comparison)?),
+    ])
+}

@@ -1,0 +1,32 @@
+//! The list of laws, for a person.
+
+use std::fmt::Write as _;
+
+use crate::law::LawChoice;
+use crate::law::catalogue::NOT_PUBLIC;
+
+/// Every law in a paragraph of its own, then those that are missing, and why.
+#[must_use]
+pub fn list() -> String {
+    let mut text = "Laws for [law.<name>], for the axis \"law\" of a sweep, and for the halves of [law.combined]:\n\n".to_owned();
+    for law in LawChoice::all() {
+        let about = law.about();
+        let _ = writeln!(text, "{}\n  {}", about.name, about.title);
+        let lines = [
+            ("source", about.source),
+            ("loading", about.loading),
+            ("unloading", about.unloading),
+            ("validity", about.validity),
+            ("confidence", about.confidence),
+        ];
+        for (name, line) in lines {
+            let _ = writeln!(text, "  {name:<10}  {line}");
+        }
+        text.push('\n');
+    }
+    text.push_str("Not here:\n\n");
+    for law in NOT_PUBLIC {
+        let _ = writeln!(text, "{}\n  {}", law.title, law.reason);
+    }
+    text
+}
