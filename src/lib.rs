@@ -72,6 +72,7 @@ pub mod nearest;
 pub mod output;
 pub mod plot;
 pub mod power;
+pub mod quadrature;
 pub mod report;
 pub mod run;
 pub mod scenario;

@@ -178,7 +178,7 @@ impl Scenario {
                 poissons_ratio: half_space.poissons_ratio.0,
             },
             yield_strength: half_space.yield_strength.map(|strength| strength.0),
-            density: None,
+            density: half_space.density.map(|density| density.0),
         };
         Ok(Scene {
             sphere,

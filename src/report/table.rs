@@ -10,6 +10,9 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     let mut row = |name, value: String, remark: String| rows.push((name, value, remark));
     let is_elastic = contact.pair().yield_point.is_none();
     row("restitution", number(impact.restitution), String::new());
+    if let (Some(loss), Some(restitution)) = (impact.wave_loss_fraction, impact.restitution_with_waves) {
+        row("with waves", number(restitution), format!("{} of the energy radiated", percent(loss)));
+    }
     row("rebound speed", quantity(impact.rebound_speed, "m/s"), format!("impact at {}", quantity(impact.speed, "m/s")));
     row(
         "contact time",

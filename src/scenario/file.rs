@@ -62,6 +62,8 @@ pub struct HalfSpaceTable {
     pub poissons_ratio: PoissonsRatio,
     /// Yield strength; without it the half-space is elastic.
     pub yield_strength: Option<Strength>,
+    /// Density; with it, the elastic waves that an impact radiates are reported.
+    pub density: Option<Density>,
 }
 
 /// `[impact]`

@@ -62,10 +62,18 @@ pub const RESULT_COLUMNS: &[ResultColumn] = &[
     ResultColumn { name: "plastic_fraction", is_plastic: true, value: |row| Some(row.plastic_fraction) },
 ];
 
+/// The columns behind them where the half-space's density is known.
+const WAVE_COLUMNS: &[ResultColumn] = &[
+    ResultColumn { name: "wave_loss_fraction", is_plastic: false, value: |row| row.wave_loss_fraction },
+    ResultColumn { name: "restitution_with_waves", is_plastic: false, value: Essentials::restitution_with_waves },
+];
+
 /// The result columns of a plan.
 #[must_use]
 pub fn result_columns(plan: &Plan) -> Vec<ResultColumn> {
-    RESULT_COLUMNS.iter().copied().filter(|column| plan.is_plastic() || !column.is_plastic).collect()
+    let waves = if plan.has_waves() { WAVE_COLUMNS } else { &[] };
+    let columns = RESULT_COLUMNS.iter().filter(|column| plan.is_plastic() || !column.is_plastic);
+    columns.chain(waves).copied().collect()
 }
 
 /// All column names of a plan.
