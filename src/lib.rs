@@ -65,6 +65,7 @@
 pub mod bench;
 pub mod error;
 pub mod impact;
+pub mod indentation;
 pub mod integrate;
 pub mod law;
 pub mod material;

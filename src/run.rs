@@ -1,5 +1,7 @@
 //! One scene from a scenario to its output files.
 
+pub mod indentation;
+
 use crate::error::Error;
 use crate::impact::{Contact, Impact};
 use crate::output::{OutputDirectory, OutputFile};

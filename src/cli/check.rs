@@ -3,7 +3,7 @@
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::overview::overview;
+use plm_impact::scenario::overview::{of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -19,6 +19,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact | Kind::Sweep | Kind::MonteCarlo => impact(&scenario),
+        Kind::Indentation => indentation(&scenario),
     }
 }
 
@@ -28,4 +29,12 @@ fn impact(scenario: &Scenario) -> anyhow::Result<()> {
         eprintln!("warning: {warning}");
     }
     super::print(&overview(&scene, &contact)).context("standard output")
+}
+
+fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
+    for warning in &scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    super::print(&of_indentation(&scene, &contacts)).context("standard output")
 }
