@@ -3,6 +3,7 @@
 
 pub mod human;
 pub mod indentation;
+pub mod plan;
 pub mod summary;
 pub mod sweep;
 pub mod table;

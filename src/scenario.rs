@@ -21,6 +21,7 @@
 //! # Ok::<(), plm_impact::scenario::ScenarioError>(())
 //! ```
 
+mod columns;
 mod document;
 mod explain;
 pub mod file;
@@ -203,6 +204,19 @@ impl Scenario {
                 Err(self.document.refuse("sphere.diameter", message.to_owned()))
             }
         }
+    }
+
+    /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] if that file cannot be read.
+    pub fn sha256(&self) -> Result<String, ScenarioError> {
+        let named = match &self.file.law {
+            Some(LawTable::Plm(PlmTable { coefficients: Some(path), .. })) => Some(self.directory.join(path)),
+            _ => None,
+        };
+        let text = named.map(|path| document::read_text(&path)).transpose()?;
+        Ok(self.document.sha256_with(text.as_deref()))
     }
 
     fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {

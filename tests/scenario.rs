@@ -232,17 +232,28 @@ fn errors_of_overrides_say_so() {
 }
 
 #[test]
-fn the_hash_is_of_text_and_overrides() {
-    let hash = |text: &str, overrides: &[&str]| {
+fn the_hash_is_of_text_overrides_and_coefficients() {
+    let directory = tempfile::tempdir().unwrap();
+    let coefficients = directory.path().join("my.toml");
+    let built_in = include_str!("../src/law/plm_coefficients.toml");
+    let file = directory.path().join("scenario.toml");
+    let hash = |text: &str, overrides: &[&str], table: &str| {
+        std::fs::write(&file, text).unwrap();
+        std::fs::write(&coefficients, table).unwrap();
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        Scenario::from_text("any", text, &overrides).unwrap().document.sha256()
+        Scenario::load(&file, &overrides).unwrap().sha256().unwrap()
     };
-    let plain = hash(STEEL, &[]);
+    let plain = hash(STEEL, &[], built_in);
     assert_eq!(plain.len(), 64);
-    assert_eq!(plain, hash(STEEL, &[]));
-    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[]));
-    assert_ne!(plain, hash(STEEL, &["impact.speed=3"]));
-    assert_ne!(hash(STEEL, &["impact.speed=3"]), hash(STEEL, &["impact.speed=4"]));
+    assert_eq!(plain, hash(STEEL, &[], built_in));
+    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[], built_in));
+    assert_ne!(plain, hash(STEEL, &["impact.speed=3"], built_in));
+    assert_ne!(hash(STEEL, &["impact.speed=3"], built_in), hash(STEEL, &["impact.speed=4"], built_in));
+    // a file of coefficients counts where it is named, and only there
+    let changed = format!("# mine\n{built_in}");
+    assert_eq!(plain, hash(STEEL, &[], &changed));
+    let named = format!("{STEEL}\n[law.plm]\ncoefficients = \"my.toml\"\n");
+    assert_ne!(hash(&named, &[], built_in), hash(&named, &[], &changed));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::report::plan::plan_lines;
 use plm_impact::scenario::overview::{of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
@@ -18,9 +19,20 @@ pub struct Arguments {
 pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     match scenario.kind().map_err(Error::from)? {
-        Kind::Impact | Kind::Sweep | Kind::MonteCarlo => impact(&scenario),
+        Kind::Impact => impact(&scenario),
+        Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
         Kind::Indentation => indentation(&scenario),
     }
+}
+
+fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
+    let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
+    let contact = plan.scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    for warning in &plan.scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
+    super::print(&text).context("standard output")
 }
 
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {

@@ -39,6 +39,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
+    let count = plan.scene.warnings.len();
+    if arguments.strict && count > 0 {
+        for warning in &plan.scene.warnings {
+            eprintln!("warning: {warning}");
+        }
+        return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count }.into());
+    }
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     super::sweep::run(&arguments.sweep, scenario, &plan, directory, &command_line(), arguments.quiet)
 }

@@ -56,7 +56,7 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
         warnings.extend(indentation.doubts.iter().map(named));
         tested.push(Tested { specimen: specimen.clone(), pair: *contact.pair(), indentation, spans });
     }
-    let provenance = provenance(scenario, &scene, command);
+    let provenance = provenance(scenario, &scene, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
         file("summary.json", indentation::summary(&scene.indenter, &tested, &warnings, &provenance)?.into_bytes()),
@@ -92,16 +92,16 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
     }
 }
 
-fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Provenance {
+fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Result<Provenance, Error> {
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let coefficients = can_yield.then_some(&scene.coefficients.provenance);
-    Provenance {
+    Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
-        scenario_sha256: scenario.document.sha256(),
+        scenario_sha256: scenario.sha256()?,
         command: command.to_owned(),
         law: if can_yield { "plm" } else { "hertz" }.to_owned(),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
-    }
+    })
 }

@@ -101,15 +101,19 @@ impl Document {
         &self.text
     }
 
-    /// SHA-256 of the file's text and the overrides, in hexadecimal.
+    /// SHA-256 of the file's text, the overrides, and the text of another file that it names, in hexadecimal.
     #[must_use]
-    pub fn sha256(&self) -> String {
+    pub fn sha256_with(&self, other: Option<&str>) -> String {
         let mut hasher = Sha256::new();
         hasher.update(&self.text);
         for given in &self.overrides {
             // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
             hasher.update([0]);
             hasher.update(&given.text);
+        }
+        if let Some(other) = other {
+            hasher.update([0, 0]);
+            hasher.update(other);
         }
         hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
             let _ = write!(hex, "{byte:02x}");

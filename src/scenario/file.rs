@@ -113,4 +113,6 @@ pub struct SolverTable {
 pub struct OutputTable {
     /// Evenly spaced rows of the trace.
     pub samples: Option<Samples>,
+    /// Of a table: the results it has besides the restitution; all if absent.
+    pub columns: Option<Vec<String>>,
 }

@@ -82,6 +82,7 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, ScenarioError> {
         let ScenarioFile { sphere, half_space, indentation, law, output, .. } = &self.file;
+        self.refuse_columns("an indentation")?;
         let table = indentation.as_ref().ok_or_else(|| self.document.missing("", "indentation"))?;
         let plm = plm_of(law.as_ref());
         let specimens = self.specimens(half_space.as_ref(), table.half_space.as_deref())?;

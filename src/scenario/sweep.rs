@@ -82,7 +82,8 @@ impl Scenario {
                 (Cases::MonteCarlo { samples: *samples, seed: *seed, variables }, "monte_carlo")
             }
         };
-        let plan = Plan { scene, cases };
+        let mut plan = Plan { scene, cases, columns: None };
+        self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = plan.unused() {
             return refuse(table, format!("\"{path}\" {problem}"));
         }

@@ -46,6 +46,29 @@ pub struct ResultColumn {
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
+impl ResultColumn {
+    /// Whether a table of this plan can have it.
+    #[must_use]
+    pub fn is_in(&self, plan: &Plan) -> bool {
+        self.missing(plan).is_none()
+    }
+
+    /// Why a table of this plan cannot have it, if it cannot.
+    #[must_use]
+    pub fn missing(&self, plan: &Plan) -> Option<&'static str> {
+        if self.is_plastic && !plan.is_plastic() {
+            Some("without half_space.yield_strength there is no dent")
+        } else if WAVES.contains(&self.name) && !plan.has_waves() {
+            Some("without half_space.density nothing is known of elastic waves")
+        } else {
+            None
+        }
+    }
+}
+
+/// Columns that need the half-space's density.
+const WAVES: [&str; 2] = ["wave_loss_fraction", "restitution_with_waves"];
+
 /// The columns between the swept values and the status.
 pub const RESULT_COLUMNS: &[ResultColumn] = &[
     ResultColumn { name: "restitution", is_plastic: false, value: |row| Some(row.restitution) },
@@ -60,20 +83,15 @@ pub const RESULT_COLUMNS: &[ResultColumn] = &[
     },
     ResultColumn { name: "recovered_fraction", is_plastic: false, value: |row| Some(row.recovered_fraction()) },
     ResultColumn { name: "plastic_fraction", is_plastic: true, value: |row| Some(row.plastic_fraction) },
-];
-
-/// The columns behind them where the half-space's density is known.
-const WAVE_COLUMNS: &[ResultColumn] = &[
-    ResultColumn { name: "wave_loss_fraction", is_plastic: false, value: |row| row.wave_loss_fraction },
-    ResultColumn { name: "restitution_with_waves", is_plastic: false, value: Essentials::restitution_with_waves },
+    ResultColumn { name: WAVES[0], is_plastic: false, value: |row| row.wave_loss_fraction },
+    ResultColumn { name: WAVES[1], is_plastic: false, value: Essentials::restitution_with_waves },
 ];
 
 /// The result columns of a plan.
 #[must_use]
 pub fn result_columns(plan: &Plan) -> Vec<ResultColumn> {
-    let waves = if plan.has_waves() { WAVE_COLUMNS } else { &[] };
-    let columns = RESULT_COLUMNS.iter().filter(|column| plan.is_plastic() || !column.is_plastic);
-    columns.chain(waves).copied().collect()
+    let is_wanted = |name| plan.columns.as_ref().is_none_or(|columns| columns.contains(&name));
+    RESULT_COLUMNS.iter().copied().filter(|column| column.is_in(plan) && is_wanted(column.name)).collect()
 }
 
 /// All column names of a plan.
