@@ -96,6 +96,7 @@ fn loading_integral(law: &Law, peak: &Peak) -> f64 {
                 power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, exponent)
             }
             Shape::Straight { slope, .. } => straight_integral(slope, piece.force_at(end), piece.force, entry, exit),
+            // as any shape can be
             Shape::Power { .. } => integral_by_quadrature(piece, end, speed_at),
         };
         entry = exit;

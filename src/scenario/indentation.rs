@@ -1,5 +1,7 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
+use std::sync::Arc;
+
 use serde::Deserialize;
 
 use super::file::{HalfSpaceTable, ScenarioFile};
@@ -10,7 +12,6 @@ use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::Material;
 use crate::units::{Dimension, human};
-use std::sync::Arc;
 
 /// Rows of a trace that make a file of about a gigabyte.
 const MOST_ROWS: usize = 10_000_000;
