@@ -25,6 +25,14 @@ pub enum Error {
         /// Why.
         reason: ImpactError,
     },
+    /// The scenario is well-formed, but its indentation has no result.
+    #[error("{scenario}: {reason}")]
+    Indentation {
+        /// The scenario file.
+        scenario: String,
+        /// Why.
+        reason: String,
+    },
     /// A report could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -84,6 +92,7 @@ impl Error {
             | Self::Option(_)
             | Self::Scenario(_)
             | Self::Unwritable { .. }
+            | Self::Indentation { .. }
             | Self::Impact {
                 reason: ImpactError::Range(_) | ImpactError::Law(_) | ImpactError::NoClosedForm, ..
             } => 2,

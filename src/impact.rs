@@ -16,6 +16,7 @@ pub mod outcome;
 pub mod scales;
 pub mod spot;
 pub mod validity;
+pub mod waves;
 pub mod with_forces;
 
 use std::sync::LazyLock;
@@ -37,6 +38,7 @@ pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use spot::Spot;
 pub use validity::Warning;
+use waves::Waves;
 pub use with_forces::UnderForces;
 
 /// How an impact is computed.
@@ -130,6 +132,8 @@ pub struct Contact {
     yield_speed: f64,
     /// What acts beside the law.
     forces: Forces,
+    /// How the half-space radiates, if its density is known.
+    waves: Option<Waves>,
 }
 
 impl Contact {
@@ -149,7 +153,7 @@ impl Contact {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?))
+        Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
     }
 
     /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength). A law that lacks loading
@@ -165,16 +169,23 @@ impl Contact {
             let law = law.law(&bodies).unwrap_or_else(Law::hertz);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?))
+        Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
     }
 
-    fn new(sphere: Sphere, half_space: HalfSpace, pair: Pair, mass: f64, yielding: Option<(Scales, Law)>) -> Self {
+    fn new(
+        sphere: Sphere,
+        half_space: HalfSpace,
+        pair: Pair,
+        mass: f64,
+        yielding: Option<(Scales, Law)>,
+    ) -> Result<Self, OutOfFloatRange> {
         // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
         let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
             let until = law.elastic_until();
             if until == 1.0 { scales.speed } else { scales.speed * until.powf(1.25) }
         });
-        Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default() }
+        let waves = Waves::of(&half_space)?;
+        Ok(Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default(), waves })
     }
 
     /// The same contact with gravity and damping.
@@ -205,6 +216,12 @@ impl Contact {
     #[must_use]
     pub fn forces(&self) -> &Forces {
         &self.forces
+    }
+
+    /// How the half-space radiates elastic waves; `None` for one of unknown density.
+    #[must_use]
+    pub fn waves(&self) -> Option<&Waves> {
+        self.waves.as_ref()
     }
 
     /// Mass of the sphere \[kg\].
@@ -305,7 +322,7 @@ impl Contact {
             _ => closed_form::solve(law, q),
         };
         law.accept(&outcome.unloading.peak)?;
-        Ok(Essentials::new(self.mass, speed, &scales, law, &outcome)?)
+        Ok(Essentials::new(self, speed, &scales, law, &outcome)?)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

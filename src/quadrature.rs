@@ -52,6 +52,11 @@ pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
     integral * length
 }
 
+/// ∫ f from `from` to `to` for an f of the place alone, whose digits near the ends are those of the place.
+pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    integrate(to - from, |below, above| f(if below < above { from + below } else { to - above }))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,5 +74,10 @@ mod tests {
         let near = 2.0 * ((1.0 + 1e-12_f64).sqrt() - 1e-6);
         approx::assert_relative_eq!(integrate(1.0, |x, _| 1.0 / (1e-12 + x).sqrt()), near, max_relative = 1e-13);
         approx::assert_relative_eq!(integrate(3.0, |x, _| x * x), 9.0, max_relative = 1e-14);
+        // a root just beyond an end, and a layer 10⁻⁶ wide: 1 − w ln(1 + 1/w)
+        let root = (1.0001_f64.powf(1.5) - 1e-6) / 1.5;
+        approx::assert_relative_eq!(over(0.0, 1.0, |x| (1.0001 - x).sqrt()), root, max_relative = 1e-13);
+        let layer = 1.0 - 1e-6 * 1_000_001_f64.ln();
+        approx::assert_relative_eq!(over(0.0, 1.0, |x| x / (x + 1e-6)), layer, max_relative = 1e-13);
     }
 }

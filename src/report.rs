@@ -3,6 +3,7 @@
 
 pub mod compare;
 pub mod human;
+pub mod indentation;
 pub mod laws;
 pub mod plan;
 pub mod repeat;

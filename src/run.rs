@@ -1,5 +1,6 @@
 //! One scene from a scenario to its output files.
 
+pub mod indentation;
 pub mod repeat;
 
 use crate::error::Error;
@@ -28,7 +29,7 @@ pub struct Run {
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    scenario.refuse_columns()?;
+    scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
     // what the closed form cannot hold no integration can

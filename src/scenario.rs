@@ -27,6 +27,7 @@ mod document;
 mod explain;
 pub mod file;
 pub mod forces;
+pub mod indentation;
 pub mod keys;
 mod kind;
 pub mod law;
@@ -180,6 +181,7 @@ impl Scenario {
         let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
         let plm = self.plm_table();
         let defaults = Solver::default();
+        let half_space = half_space.as_ref().ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let forces = self.forces()?;
         let (speed, drop_height) = self.speed(&forces)?;
@@ -189,7 +191,6 @@ impl Scenario {
             density: density.0,
             yield_strength: sphere.yield_strength.map(|strength| strength.0),
         };
-        let half_space = half_space.resolve();
         Ok(Scene {
             sphere,
             half_space,
@@ -205,7 +206,7 @@ impl Scenario {
                 steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
             },
             samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
-            warnings: unused(law.as_ref(), &half_space),
+            warnings: unused(law.as_ref(), half_space.yield_strength.is_none()),
         })
     }
 
@@ -251,7 +252,7 @@ impl Scenario {
 }
 
 /// A law that an elastic half-space does not need.
-fn unused(law: Option<&LawTable>, half_space: &HalfSpace) -> Vec<Warning> {
+fn unused(law: Option<&LawTable>, is_elastic: bool) -> Vec<Warning> {
     let keys: Vec<(&'static str, bool)> = match law {
         None | Some(LawTable::Hertz(_)) => Vec::new(),
         Some(LawTable::Plm(plm)) => vec![
@@ -261,7 +262,7 @@ fn unused(law: Option<&LawTable>, half_space: &HalfSpace) -> Vec<Warning> {
         Some(_) => vec![("law", true)],
     };
     keys.into_iter()
-        .filter(|(_, is_given)| *is_given && half_space.yield_strength.is_none())
+        .filter(|(_, is_given)| *is_given && is_elastic)
         .map(|(key, _)| Warning::UnusedKey { key })
         .collect()
 }

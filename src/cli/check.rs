@@ -6,7 +6,7 @@ use plm_impact::error::Error;
 use plm_impact::report::plan::plan_lines;
 use plm_impact::report::repeat::repeat_lines;
 use plm_impact::run::repeat::prepare_repeat;
-use plm_impact::scenario::overview::overview;
+use plm_impact::scenario::overview::{of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -28,6 +28,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
             let comparison = scenario.comparison().map_err(Error::from)?;
             super::print(&plm_impact::report::compare::state(&comparison)).context("standard output")
         }
+        Kind::Indentation => indentation(&scenario),
     }
 }
 
@@ -55,4 +56,12 @@ fn impact(scenario: &Scenario) -> anyhow::Result<()> {
         eprintln!("warning: {warning}");
     }
     super::print(&overview(&scene, &contact)).context("standard output")
+}
+
+fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
+    for warning in &scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    super::print(&of_indentation(&scene, &contacts)).context("standard output")
 }

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::OutputDirectory;
-use plm_impact::report;
+use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::report::compare;
 use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
 
@@ -36,7 +36,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Impact => impact(arguments, &scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
         Kind::Repeat => repeat(arguments, &scenario),
-        Kind::Compare => compare(arguments, &scenario),
+        Kind::Compare => comparison(arguments, &scenario),
+        Kind::Indentation => indentation(arguments, &scenario),
     }
 }
 
@@ -54,7 +55,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
 }
 
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_without_table("one impact: give it a [sweep] or a [monte_carlo]")?;
+    arguments.sweep.refuse_for("one impact")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
     let run = plm_impact::run::run(scenario, &command_line())?;
@@ -63,15 +64,13 @@ fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     }
     run.write(scenario, directory, arguments.strict)?;
     if !arguments.quiet {
-        super::print(&run.table).context("standard output")?;
-        let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {} to {}", names.join(", "), out.display());
+        report(&run.table, &run.files, &out)?;
     }
     Ok(())
 }
 
 fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_without_table("impacts one after the other, with a small table of their own")?;
+    arguments.sweep.refuse_for("impacts one after the other")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
     let run = run_repeat(scenario, &command_line())?;
@@ -80,25 +79,44 @@ fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     }
     run.write(scenario, directory, arguments.strict)?;
     if !arguments.quiet {
-        super::print(&run.table).context("standard output")?;
-        let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {} to {}", names.join(", "), out.display());
+        report(&run.table, &run.files, &out)?;
     }
     Ok(())
 }
 
-fn compare(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_without_table("a comparison of laws from one peak, with a small table of its own")?;
+fn indentation(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_for("an indentation")?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let out = directory.path().to_owned();
+    let run = plm_impact::run::indentation::run(scenario, &command_line())?;
+    for warning in &run.warnings {
+        eprintln!("warning: {warning}");
+    }
+    run.write(scenario, directory, arguments.strict)?;
+    if !arguments.quiet {
+        report(&run.table, &run.files, &out)?;
+    }
+    Ok(())
+}
+
+fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_for("a comparison of laws")?;
     let comparison = scenario.comparison().map_err(Error::from)?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
-    let files = report::compare::files(&comparison, scenario, &command_line())?;
+    let files = compare::files(&comparison, scenario, &command_line())?;
     directory.write(&files)?;
     if !arguments.quiet {
-        super::print(&report::compare::table(&comparison)).context("standard output")?;
-        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {} to {}", names.join(", "), out.display());
+        report(&compare::table(&comparison), &files, &out)?;
     }
+    Ok(())
+}
+
+/// The table to standard output, and where the rest is to standard error.
+fn report(table: &str, files: &[OutputFile], out: &Path) -> anyhow::Result<()> {
+    super::print(table).context("standard output")?;
+    let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+    eprintln!("wrote {} to {}", names.join(", "), out.display());
     Ok(())
 }
 

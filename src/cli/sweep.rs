@@ -49,8 +49,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Only sweeps have a table; `what` else the scenario is.
-    pub fn refuse_without_table(&self, what: &str) -> Result<(), Error> {
+    /// Refuses options of tables for `scene`, which has none.
+    pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
         let given = [
             ("--format", self.format.is_some()),
             ("--shard", self.shard.is_some()),
@@ -58,7 +58,9 @@ impl Options {
             ("--threads", self.threads.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(Error::Option(format!("{name} is for tables, and this scenario is {what}"))),
+            Some((name, _)) => Err(Error::Option(format!(
+                "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
+            ))),
             None => Ok(()),
         }
     }

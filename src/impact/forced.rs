@@ -21,7 +21,6 @@ use super::outcome::Outcome;
 use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
 use crate::integrate::{IntegrationError, Leg, Sizes, State};
-use crate::law::curve::Shape;
 use crate::law::{ElasticApproach, Law, Unloading};
 
 /// Gravity and damping in the units of an impact.
@@ -162,13 +161,7 @@ pub(super) fn equilibrium(law: &Law, weight: f64) -> (f64, usize) {
     let pieces = law.loading.pieces();
     let index = pieces.partition_point(|piece| piece.force <= weight).saturating_sub(1);
     let piece = &pieces[index];
-    let distance = match piece.shape {
-        Shape::Power { stiffness, exponent } => (weight / stiffness).powf(1.0 / exponent),
-        Shape::Straight { slope, .. } => (weight - piece.force) / slope,
-        Shape::LatePower { stiffness, exponent, lead } => (weight / stiffness).powf(1.0 / exponent) - lead,
-        Shape::Smooth(smooth) => smooth.distance_at_force(piece.start, weight),
-    };
-    (piece.start + distance, index)
+    (piece.indentation_at_force(weight), index)
 }
 
 /// What stays the same along an impact.

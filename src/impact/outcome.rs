@@ -108,6 +108,11 @@ pub struct Impact {
     pub method: Method,
     /// e \[1\].
     pub restitution: f64,
+    /// 2 W_rad/(m v²) \[1\]: share of the energy radiated as elastic waves, to first order; `None` where the half-space's
+    /// density is not known.
+    pub wave_loss_fraction: Option<f64>,
+    /// √(e² − loss) \[1\], not below 0; `None` as above.
+    pub restitution_with_waves: Option<f64>,
     /// e v \[m/s\].
     pub rebound_speed: f64,
     /// First touch to separation \[s\]; infinite for a captured sphere.
@@ -165,7 +170,7 @@ impl Impact {
     ) -> Result<Self, ImpactError> {
         let Outcome { unloading, restitution, loading_time, contact_time } = *outcome;
         let peak = unloading.peak;
-        let essentials = Essentials::new(contact.mass(), speed, scales, law, outcome)?;
+        let essentials = Essentials::new(contact, speed, scales, law, outcome)?;
         // kinetic energy in units of Φ L
         let kinetic = essentials.kinetic_in / scales.energy();
         let lost = law.spent(&unloading);
@@ -217,6 +222,8 @@ impl Impact {
             speed,
             method,
             restitution,
+            wave_loss_fraction: essentials.wave_loss_fraction,
+            restitution_with_waves: essentials.restitution_with_waves(),
             rebound_speed: restitution * speed,
             contact_time: essentials.contact_time,
             loading_time: loading_time * scales.time(),

@@ -74,7 +74,7 @@ impl Contact {
     pub fn essentials_on(&self, spot: &mut Spot, speed: f64) -> Result<Essentials, OutOfFloatRange> {
         let (scales, law, q) = self.scaled_on(spot, speed)?;
         let outcome = closed_form::solve(law, q);
-        let essentials = Essentials::new(self.mass, speed, &scales, law, &outcome)?;
+        let essentials = Essentials::new(self, speed, &scales, law, &outcome)?;
         let after = after(law, &outcome.unloading.peak);
         spot.remember(after);
         Ok(essentials)

@@ -135,6 +135,26 @@ impl Unloading {
         }
     }
 
+    /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
+    #[must_use]
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        let residual = self.peak.residual();
+        residual
+            + match self.curve {
+                None => self.peak.elastic_approach * (force / self.peak.force).powf(1.0 / self.exponent),
+                Some(curve) => curve.distance_at_force(residual, force),
+            }
+    }
+
+    /// df/dx where unloading begins, n f_m/ε_m.
+    #[must_use]
+    pub fn initial_slope(&self) -> f64 {
+        match self.curve {
+            None => self.exponent * self.peak.force / self.peak.elastic_approach,
+            Some(curve) => curve.slope(self.peak.residual(), self.peak.elastic_approach),
+        }
+    }
+
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {

@@ -38,6 +38,10 @@ pub struct Provenance {
 struct Summary<'a> {
     /// `null` for a sphere that had no speed to begin with.
     restitution: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wave_loss_fraction: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    restitution_with_waves: Option<f64>,
     rebound_speed_m_per_s: f64,
     /// `null` for a captured sphere.
     contact_time_s: Option<f64>,
@@ -143,6 +147,8 @@ pub(super) struct Inputs {
     half_space_poissons_ratio: f64,
     #[serde(rename = "half_space_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
     half_space_yield_strength: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    half_space_density_kg_per_m3: Option<f64>,
     impact_speed_m_per_s: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     gravity_acceleration_m_per_s2: Option<f64>,
@@ -171,6 +177,7 @@ impl Inputs {
             half_space_youngs_modulus: half_space.material.youngs_modulus,
             half_space_poissons_ratio: half_space.material.poissons_ratio,
             half_space_yield_strength: half_space.yield_strength,
+            half_space_density_kg_per_m3: half_space.density,
             impact_speed_m_per_s: speed,
             gravity_acceleration_m_per_s2: forces.gravity,
             damping_hunt_crossley_s_per_m: hunt_crossley,
@@ -202,6 +209,8 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
     let (energy, accuracy, work) = (&impact.energy, &impact.accuracy, &impact.work);
     let summary = Summary {
         restitution: (impact.speed > 0.0).then_some(impact.restitution),
+        wave_loss_fraction: impact.wave_loss_fraction,
+        restitution_with_waves: impact.restitution_with_waves,
         rebound_speed_m_per_s: impact.rebound_speed,
         contact_time_s: finite(impact.contact_time),
         loading_time_s: impact.loading_time,

@@ -49,7 +49,8 @@ impl Scenario {
         let sphere = &self.file.sphere;
         let material =
             Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 };
-        let half_space = self.file.half_space.resolve();
+        let table_of_half_space = self.file.half_space.as_ref();
+        let half_space = table_of_half_space.ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
         let pair = Pair::try_new(self.radius(sphere)?, &material, &half_space)
             .map_err(|error| refuse("sphere", &error.to_string()))?;
         let bodies = Bodies::new(&pair, &half_space)

@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use super::compare::CompareTable;
 use super::forces::{DampingTable, GravityTable};
+use super::indentation::IndentationTable;
 use super::law::LawTable;
 use super::quantity::{
     Density, DropHeight, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps,
@@ -21,8 +22,8 @@ use crate::material::{HalfSpace, Material};
 pub struct ScenarioFile {
     /// The sphere.
     pub sphere: SphereTable,
-    /// The half-space.
-    pub half_space: HalfSpaceTable,
+    /// The half-space; only an indentation that names its own can do without.
+    pub half_space: Option<HalfSpaceTable>,
     /// How they meet; only a scene without an impact can do without.
     pub impact: Option<ImpactTable>,
     /// Gravity, if it is to act.
@@ -43,8 +44,10 @@ pub struct ScenarioFile {
     pub monte_carlo: Option<MonteCarloTable>,
     /// one after the other, or
     pub repeat: Option<RepeatTable>,
-    /// unloading laws from one peak.
+    /// unloading laws from one peak, or
     pub compare: Option<CompareTable>,
+    /// an indentation instead of an impact.
+    pub indentation: Option<IndentationTable>,
 }
 
 /// `[sphere]`
@@ -75,6 +78,8 @@ pub struct HalfSpaceTable {
     pub poissons_ratio: PoissonsRatio,
     /// Yield strength; without it the half-space is elastic.
     pub yield_strength: Option<Strength>,
+    /// Density; with it, the elastic waves that an impact radiates are reported.
+    pub density: Option<Density>,
 }
 
 impl HalfSpaceTable {
@@ -82,7 +87,7 @@ impl HalfSpaceTable {
     #[must_use]
     pub fn resolve(&self) -> HalfSpace {
         let material = Material { youngs_modulus: self.youngs_modulus.0, poissons_ratio: self.poissons_ratio.0 };
-        HalfSpace { material, yield_strength: self.yield_strength.map(|strength| strength.0), density: None }
+        HalfSpace { material, yield_strength: self.yield_strength.map(|strength| strength.0), density: self.density.map(|density| density.0) }
     }
 }
 

@@ -112,6 +112,12 @@ pub const KEYS: &[Key] = &[
         get: |scene| scene.half_space.yield_strength,
         set: |scene, value| scene.half_space.yield_strength = Some(value),
     },
+    Key {
+        path: "half_space.density",
+        quantity: &DENSITY,
+        get: |scene| scene.half_space.density,
+        set: |scene, value| scene.half_space.density = Some(value),
+    },
     Key { path: "impact.speed", quantity: &SPEED, get: |scene| Some(scene.speed), set: Scene::set_speed },
     Key {
         path: "impact.drop_height",
