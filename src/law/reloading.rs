@@ -25,8 +25,8 @@ pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 pub struct Reloaded {
     /// From the largest state so far.
     pub branch: Unloading,
-    /// a/â there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to â = f/ε.
-    radius_per_equivalent: f64,
+    /// a/a_Y there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to f/ε.
+    radius: f64,
     /// The law of fresh surface.
     fresh: Law,
 }
@@ -54,7 +54,10 @@ impl Reloaded {
     /// a/a_Y at a peak.
     pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
         if self.is_on_branch(peak.indentation) {
-            peak.force / peak.elastic_approach * self.radius_per_equivalent
+            let deepest = &self.branch.peak;
+            // exactly 1 at the old peak
+            let share = (peak.force / peak.elastic_approach) / (deepest.force / deepest.elastic_approach);
+            self.radius * share
         } else {
             self.fresh.contact_radius(peak)
         }
@@ -87,12 +90,12 @@ impl Law {
             _ => self.clone(),
         };
         let branch = fresh.unloading(memory);
-        let radius_per_equivalent = fresh.contact_radius(&memory) * (memory.elastic_approach / memory.force);
+        let radius = fresh.contact_radius(&memory);
         Self {
             loading: fresh.loading.reloaded(&branch),
             radius_ratio: fresh.radius_ratio.clone(),
             exponent: fresh.exponent,
-            elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius_per_equivalent, fresh })),
+            elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius, fresh })),
         }
     }
 
