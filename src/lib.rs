@@ -58,9 +58,9 @@
 //!
 //! # Modules
 //!
-//! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`impact`] →
-//! [`integrate`], [`law`] → [`material`]. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees
-//! both. SI units at every border; inside an impact everything is dimensionless.
+//! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`repeat`]
+//! → [`impact`] → [`integrate`], [`law`] → [`material`]. [`integrate`] knows no contact mechanics, [`law`] no time; only
+//! [`impact`] sees both. SI units at every border; inside an impact everything is dimensionless.
 
 pub mod bench;
 pub mod error;
