@@ -146,7 +146,7 @@ impl Load {
         let within = NEAR * distance;
         // next to critical a swing is e^(−πζ/√(1−ζ²)) of the one before: too small to be seen
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
-        (self.weight > 0.0 && zeta >= 0.9).then(|| Creep { within, below: fast * omega * within })
+        (self.weight > 0.0 && zeta >= 0.9).then_some(Creep { within, below: fast * omega * within })
     }
 }
 
