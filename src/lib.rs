@@ -58,10 +58,10 @@
 //!
 //! # Modules
 //!
-//! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`impact`] →
-//! [`integrate`], [`law`] → [`material`]. [`indentation`] is the law without motion, and stands beside [`impact`].
-//! [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border; inside an
-//! impact everything is dimensionless.
+//! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`repeat`]
+//! → [`impact`] → [`integrate`], [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
+//! beside [`impact`]. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every
+//! border; inside an impact everything is dimensionless.
 
 pub mod bench;
 pub mod compare;

@@ -8,8 +8,10 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use common::Scene;
-use plm_impact::impact::{batch, closed_form, course};
+use plm_impact::impact::forced::{self, Load};
+use plm_impact::impact::{Damping, balance, batch, closed_form, course};
 use plm_impact::integrate::Integrator;
+use plm_impact::integrate::pulled::Pulled;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 
@@ -49,6 +51,22 @@ fn the_closed_form_allocates_nothing() {
         let counted = measure(|| outcome = Some(closed_form::solve(black_box(&law), speed)));
         assert_eq!(counted.count_total, 0, "{name}");
         assert!(outcome.unwrap().restitution > 0.0, "{name}");
+    }
+}
+
+#[test]
+fn gravity_and_damping_allocate_nothing() {
+    for (name, law, speed) in cases() {
+        let damping = [None, Some(Damping::Viscous(0.1)), Some(Damping::HuntCrossley(0.1 / speed))];
+        for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
+            let load = Load { weight, damping };
+            let mut stepper = Pulled::new(1e-9);
+            let counted = measure(|| {
+                black_box(balance::solve(black_box(&law), speed, &load));
+                forced::integrate(&law, speed, &load, &mut stepper, None).unwrap();
+            });
+            assert_eq!(counted.count_total, 0, "{name} {load:?}");
+        }
     }
 }
 

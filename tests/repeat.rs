@@ -197,6 +197,11 @@ fn capture_ends_a_series_at_its_limit() {
     assert!(is_captured(&captured.hits[0]) && captured.hits[0].restitution == 0.0);
     assert!(off(captured.hits[0].peak_force, 2.5 * weight) < 1e-10);
     assert_eq!(captured.remaining_time, None);
+    // at rest the branch carries the weight: (δ − δ_r)/δ_e = (m g/F_m)^(2/3) = 0.4^(2/3)
+    let hit = captured.hits[0];
+    let recovered = (hit.static_indentation.unwrap() - hit.residual_indentation)
+        / (hit.peak_indentation - hit.residual_indentation);
+    assert!(off(recovered, 0.4_f64.powf(2.0 / 3.0)) < 1e-9);
     // hardly free: no speed to climb out of the dent
     assert!(!is_captured(&free.hits[0]));
     assert_eq!(free.end, End::InDent);
@@ -287,7 +292,10 @@ proptest! {
         let exact = contact.closed_form_on(&mut after, ratio * speed).unwrap();
         prop_assert!(exact.energy.drift < 1e-12, "{:e}", exact.energy.drift);
         let stays = after == spot;
-        prop_assert_eq!(stays, exact.restitution == 1.0);
+        // a soft sphere stays elastic a little beyond first yield: there the memory deepens without a dent
+        if depth > 0.0 {
+            prop_assert_eq!(stays, exact.restitution == 1.0);
+        }
         prop_assume!(exact.restitution > 0.05);
         for method in [Method::Rk8, Method::Dop853] {
             let hit = contact.impact_on(&mut spot.clone(), ratio * speed, &solver(method, 1e-10), Some(20)).unwrap();
@@ -304,5 +312,27 @@ proptest! {
         // the rebound comes back to the old peak
         let again = contact.closed_form_on(&mut after.clone(), exact.rebound_speed).unwrap();
         prop_assert_eq!(again.restitution, 1.0);
+    }
+
+    #[test]
+    fn stepping_agrees_with_the_closed_form_of_hunt_and_crossley_on_any_spot((scene, q, ratio, _) in any_pair(), log_chi in -4.0..-0.5_f64) {
+        let plain = scene.contact();
+        let speed = q * scene.yield_speed();
+        let damping = Some(Damping::HuntCrossley(10_f64.powf(log_chi) / speed));
+        let contact = plain.with_forces(Forces { gravity: None, damping });
+        let mut spot = Spot::fresh();
+        contact.closed_form_on(&mut spot, speed).unwrap();
+        let exact = contact.closed_form_on(&mut spot.clone(), ratio * speed).unwrap();
+        prop_assert!(exact.restitution < 1.0 && exact.energy.drift < 1e-11, "{:e}", exact.energy.drift);
+        let hit = contact.impact_on(&mut spot.clone(), ratio * speed, &solver(Method::Rk8, 1e-10), Some(20)).unwrap();
+        for (got, want) in [
+            (hit.restitution, exact.restitution),
+            (hit.contact_time, exact.contact_time),
+            (hit.peak_force, exact.peak_force),
+            (hit.peak_indentation, exact.peak_indentation),
+        ] {
+            prop_assert!(off(got, want) < 1e-7, "{got} {want}");
+        }
+        prop_assert!(hit.energy.drift < 1e-8, "{:e}", hit.energy.drift);
     }
 }

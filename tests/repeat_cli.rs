@@ -7,6 +7,7 @@ use std::process::Output;
 
 use assert_cmd::Command;
 use plm_impact::repeat::{Drive, Place};
+use plm_impact::run::repeat::prepare_repeat;
 use plm_impact::scenario::Scenario;
 use tempfile::TempDir;
 
@@ -242,15 +243,12 @@ fn overrides_strict_and_check_work_as_for_one_impact() {
 
 #[test]
 fn one_result_whatever_the_method() {
-    let desk = Desk::with(&format!("{BODIES}{BOUNCING}"));
     let e = |method: &str| -> Vec<f64> {
-        let output =
-            desk.call(&["run", "s.toml", "--quiet", "--out", method, "--set", &format!("solver.method={method}")]);
-        assert_eq!(output.status.code(), Some(0), "{method}: {}", text(&output.stderr));
-        column(&desk.read(&format!("{method}/impacts.csv")), "restitution")
-            .iter()
-            .map(|cell| cell.parse().unwrap())
-            .collect()
+        let text = format!("{BODIES}{BOUNCING}[solver]\nmethod = \"{method}\"\n");
+        let scenario = Scenario::from_text("s.toml", &text, &[]).unwrap();
+        let (scene, contact, repeat) = prepare_repeat(&scenario).unwrap();
+        let sequence = repeat.run(&contact, &scene.solver, scene.samples).unwrap();
+        sequence.hits.iter().map(|hit| hit.restitution).collect()
     };
     let exact = e("auto");
     assert_eq!(e("closed_form"), exact);

@@ -250,8 +250,12 @@ impl Damped {
             state.state.speed = 0.0;
             return Ok(ForcedLanding::Turning);
         }
-        // a first step that the error control may still shrink
-        let mut h = self.tolerance.powf(0.125) / piece.frequency(if end.is_finite() { end.max(node[0]) } else { size });
+        // a first step that the error control may still shrink; not beyond the end, where a short leg is slow to feel force
+        let far = if direction > 0.0 { end.min(size.max(node[0])) } else { node[0] };
+        let mut h = self.tolerance.powf(0.125) / piece.frequency(far);
+        if node[1] > 0.0 && far > node[0] {
+            h = h.min((far - node[0]) / node[1]);
+        }
         for _ in 0..MOST_STEPS {
             let next = run.step(&mut self.work, &node, &rates, h);
             if next.error > 1.0 {

@@ -151,17 +151,18 @@ impl OdeForced {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
         let is_back = path.path.leg == Leg::Back;
-        let candidates = match (is_back, path.can_lift_off()) {
-            (true, true) => [Event::LiftOff, Event::Turning],
-            (true, false) => [Event::End, Event::Turning],
-            (false, _) => [Event::Turning, Event::End],
-        };
+        let lifts_off = is_back && path.can_lift_off();
+        let candidates = [if lifts_off { Event::LiftOff } else { Event::End }, Event::Turning];
         let mut first: Option<(Event, Node)> = None;
         for event in candidates {
             let limit = first.map_or(f64::INFINITY, |(_, at)| at[0] - node[0]);
             let Some(at) = self.reach(&equations(), path, event, node, limit)? else { continue };
             if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
                 first = Some((event, at));
+            }
+            // still on its way, it has not turned before
+            if event != Event::Turning && (at[2] > 0.0) != is_back {
+                break;
             }
         }
         Ok(first.map(|(event, at)| match event {
@@ -185,19 +186,24 @@ impl OdeForced {
         let (mut low, mut high) = (0.0, FAR.min(limit));
         let (mut tau, mut at) = (0.0, node);
         let mut is_passed = false;
+        let mut turns = 0;
         for _ in 0..60 {
             let (value, slope) = equations.event(event, at);
-            if value > 0.0 && (slope < 0.0 || event != Event::LiftOff) {
+            if value > 0.0 && slope < 0.0 {
                 low = tau;
-            } else if value > 0.0 {
-                // the force comes again: it vanished before, if it did
+            } else if value > 0.0 && tau > 0.0 {
+                // it goes away again: it was met before, or never
                 high = tau;
-            } else {
+                turns += 1;
+                if turns > 3 {
+                    return Ok(None);
+                }
+            } else if value <= 0.0 {
                 (high, is_passed) = (tau, true);
             }
             let newton = tau - value / slope;
             let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-            if (next - tau).abs() <= 1e-16 * (1.0 + node[0].abs()) || (is_passed && value == 0.0) {
+            if (next - tau).abs() <= 1e-14 * (1.0 + node[0].abs()) || (is_passed && value == 0.0) {
                 break;
             }
             tau = next;

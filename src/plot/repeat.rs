@@ -130,14 +130,23 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError>
     if traced.is_empty() {
         return Err(PlotError::Data("loops need traces: run the series with samples".into()));
     }
-    let named = spread(traced.len(), NAMED);
+    let groups = groups(traced);
+    let named: Vec<(usize, usize)> = spread(groups.len(), NAMED).into_iter().map(|i| groups[i]).collect();
     let entries: Vec<Entry> = named
         .iter()
         .enumerate()
-        .map(|(i, index)| {
-            let impact = &traced[*index];
-            Entry::line(&format!("Impact {}", index + 1), Stroke::solid(PALETTE[i], width(i, named.len())))
-                .and(format!("{}, e = {}", quantity(impact.speed, "m/s"), number(impact.restitution)))
+        .map(|(i, (first, last))| {
+            let impact = &traced[*first];
+            let name = if first == last {
+                format!("Impact {}", first + 1)
+            } else {
+                format!("Impacts {} to {}", first + 1, last + 1)
+            };
+            Entry::line(&name, Stroke::solid(PALETTE[i], width(i, named.len()))).and(format!(
+                "{}, e = {}",
+                quantity(impact.speed, "m/s"),
+                number(impact.restitution)
+            ))
         })
         .chain([
             Entry::line("loading", Stroke { color: GREY, width: 3.0, dash: SOLID }),
@@ -159,11 +168,27 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError>
         draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5))?;
     }
     // later loops lie on earlier ones where they run up and down the same branch: each narrower than the one before
-    for (i, index) in named.iter().enumerate() {
-        draw(&frame, &mut canvas, &traced[*index], Stroke::solid(PALETTE[i], width(i, named.len())))?;
+    for (i, (first, _)) in named.iter().enumerate() {
+        draw(&frame, &mut canvas, &traced[*first], Stroke::solid(PALETTE[i], width(i, named.len())))?;
     }
     key::draw(&mut canvas, &entries, &frame)?;
     canvas.to_png()
+}
+
+/// First and last of impacts one after the other that are all the same: their loops lie on each other.
+fn groups(traced: &[Impact]) -> Vec<(usize, usize)> {
+    let mut groups: Vec<(usize, usize)> = Vec::new();
+    for (i, impact) in traced.iter().enumerate() {
+        let is_same = |other: &Impact| {
+            (other.speed, other.restitution, other.peak_indentation)
+                == (impact.speed, impact.restitution, impact.peak_indentation)
+        };
+        match groups.last_mut() {
+            Some((first, last)) if is_same(&traced[*first]) => *last = i,
+            _ => groups.push((i, i)),
+        }
+    }
+    groups
 }
 
 #[allow(clippy::cast_precision_loss)] // a handful

@@ -72,7 +72,11 @@ impl Stack {
                 if one.look != Look::Points {
                     frame.curve(&mut canvas, one.points.iter().copied(), Stroke { dash: SOLID, ..stroke })?;
                 }
-                let radius = radius(one.points.len(), all.right - all.left);
+                let mut radius = radius(one.points.len(), all.right - all.left);
+                if one.look == Look::Points {
+                    // nothing else shows them
+                    radius = radius.max(2.0);
+                }
                 if one.look != Look::Line && radius > 0.0 {
                     for point in &one.points {
                         frame.mark(&mut canvas, *point, mark, radius, stroke.color)?;

@@ -21,7 +21,7 @@ pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
         End::Shots => "all shots are fired".to_owned(),
         End::Impacts => "as many impacts as were asked for".to_owned(),
         End::Until => format!("the next impact would be slower than {until}"),
-        End::Captured => "captured: the recovered work cannot lift the sphere, F_m <= (n + 1) m g".to_owned(),
+        End::Captured => "captured: the sphere does not leave the half-space".to_owned(),
         End::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
     }
 }
@@ -163,6 +163,9 @@ pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
             };
             line("remaining", rest);
         }
+        if let Some(static_indentation) = last.static_indentation {
+            line("rests at", format!("{} below the original surface", quantity(static_indentation, "m")));
+        }
         if last.plastic.is_some() {
             line("deepest dent", quantity(sequence.deepest_dent(), "m"));
         }
@@ -238,7 +241,7 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
             if repeat.place == Place::Fresh {
                 let _ = writeln!(text, "  or the rebound does not lift the sphere out of its dent");
             }
-            let _ = writeln!(text, "  or the sphere is captured, F_m <= (n + 1) m g");
+            let _ = writeln!(text, "  or the sphere is captured");
         }
         Drive::Shots(speeds) => {
             let _ = writeln!(text, "{} shots, {place}, at", speeds.len());

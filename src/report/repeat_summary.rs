@@ -49,6 +49,9 @@ struct Bouncing {
     remaining_time_s: Option<f64>,
     remaining_time: &'static str,
     highest_rebound_m: Option<f64>,
+    /// Only of a captured sphere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    static_indentation_m: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -91,6 +94,7 @@ pub fn summary(
                              for all bounces to come and contact times left out (a lower bound where e rises as the speed \
                              falls); null if e = 1 or the sphere stays in its dent",
             highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(f64::max),
+            static_indentation_m: last.and_then(|hit| hit.static_indentation),
         }),
         Drive::Shots(_) => None,
     };

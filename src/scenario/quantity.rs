@@ -134,19 +134,6 @@ pub const SAMPLES: Quantity = Quantity {
     hint: "",
     is_hint_low: false,
 };
-/// The speed of one shot of a list.
-pub const SHOT_SPEED: Quantity =
-    Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
-/// Repeated impacts: as many as a table of some hundred megabytes has rows.
-pub const IMPACTS: Quantity = Quantity {
-    name: "a number of impacts",
-    dimension: Dimension::Ratio,
-    low: Bound::Closed(1.0),
-    high: Bound::Closed(1e6),
-    example: "20",
-    hint: "",
-    is_hint_low: false,
-};
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
 pub const STEPS: Quantity = Quantity {
     name: "a number of steps",
@@ -341,8 +328,6 @@ checked! {
     HuntCrossley: HUNT_CROSSLEY;
     /// Fraction of critical damping.
     ViscousFraction: VISCOUS;
-    /// The speed of a shot.
-    ShotSpeed: SHOT_SPEED;
     /// A load.
     Load: LOAD;
     /// An indentation.
@@ -414,17 +399,6 @@ impl<'de> Deserialize<'de> for Samples {
     }
 }
 
-/// Repeated impacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Impacts(pub u64);
-
-impl<'de> Deserialize<'de> for Impacts {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within IMPACTS
-        whole(deserializer, &IMPACTS).map(|impacts| Self(impacts as u64))
-    }
-}
-
 /// Steps of the fixed-step method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Steps(pub u32);
@@ -436,7 +410,7 @@ impl<'de> Deserialize<'de> for Steps {
     }
 }
 
-fn whole<'de, D: Deserializer<'de>>(deserializer: D, quantity: &Quantity) -> Result<f64, D::Error> {
+pub(super) fn whole<'de, D: Deserializer<'de>>(deserializer: D, quantity: &Quantity) -> Result<f64, D::Error> {
     let value = deserializer.deserialize_any(Reader(quantity))?;
     if value.fract() == 0.0 {
         return Ok(value);

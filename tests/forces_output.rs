@@ -1,0 +1,124 @@
+//! What is written about impacts under gravity and damping, and tables of them.
+#![allow(clippy::unwrap_used)]
+
+use plm_impact::impact::{Essentials, Method, Solver};
+use plm_impact::run::run;
+use plm_impact::scenario::{Scenario, ScenarioError};
+use plm_impact::sweep::plan::{Evaluator, Rows};
+use serde_json::Value;
+
+const DROP: &str = r#"[sphere]
+radius = "5 mm"
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "345 MPa"
+
+[impact]
+drop_height = "0.5 m"
+
+[gravity]
+acceleration = "9.81 m/s^2"
+"#;
+
+fn scenario(more: &str, overrides: &[&str]) -> Scenario {
+    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+    Scenario::from_text("drop.toml", &format!("{DROP}{more}"), &overrides).unwrap()
+}
+
+/// `summary.json` and the header of `trace.csv`.
+fn output(scenario: &Scenario) -> (Value, String) {
+    let run = run(scenario, "test").unwrap();
+    let bytes = |name: &str| run.files.iter().find(|file| file.name == name).unwrap().bytes.clone();
+    let trace = String::from_utf8(bytes("trace.csv")).unwrap();
+    (serde_json::from_slice(&bytes("summary.json")).unwrap(), trace.lines().next().unwrap().to_owned())
+}
+
+#[test]
+fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
+    let keys = ["/outcome", "/energy/gravity_work_J", "/energy/damping_J", "/static_indentation_m"];
+    let present = |summary: &Value| keys.map(|key| summary.pointer(key).is_some());
+    let plain = DROP.replace("drop_height = \"0.5 m\"", "speed = \"3 m/s\"");
+    let plain = Scenario::from_text("plain.toml", plain.split("[gravity]").next().unwrap(), &[]).unwrap();
+    let (summary, header) = output(&plain);
+    assert_eq!(present(&summary), [false; 4]);
+    assert!(!header.contains("elastic_force"));
+
+    let (summary, header) = output(&scenario("", &[]));
+    assert_eq!(present(&summary), [true, true, false, false]);
+    assert_eq!(summary["outcome"], "separated");
+    assert_eq!(summary["inputs"]["gravity_acceleration_m_per_s2"], 9.81);
+    assert!(!header.contains("elastic_force"));
+    assert!(summary["accuracy"]["restitution_error"].as_f64().unwrap() < 1e-9);
+
+    let (summary, header) = output(&scenario("[damping]\nviscous = 0.1\n", &[]));
+    assert_eq!(present(&summary), [true, true, true, false]);
+    assert!(header.contains("force_N,elastic_force_N,branch"));
+    assert!(summary["accuracy"]["restitution_error"].is_null(), "no closed form");
+    // ½ m v² + m g δ = recovered + plastic + damping at separation
+    let energy = |key: &str| summary["energy"][key].as_f64().unwrap();
+    let put_in = energy("kinetic_in_J") + energy("gravity_work_J");
+    let gone = energy("recovered_J") + energy("plastic_J") + energy("damping_J");
+    assert!((gone / put_in - 1.0).abs() < 1e-9, "{gone} {put_in}");
+}
+
+#[test]
+fn a_captured_sphere_has_no_contact_time_and_one_at_rest_no_restitution() {
+    let (summary, _) = output(&scenario("", &["impact.drop_height=0"]));
+    assert_eq!(summary["outcome"], "captured");
+    assert!(summary["contact_time_s"].is_null() && summary["restitution"].is_null());
+    assert!(summary["static_indentation_m"].as_f64().unwrap() > 0.0);
+    let (summary, _) = output(&scenario("[damping]\nviscous = 0.5\n", &["impact.drop_height=1 nm"]));
+    assert_eq!((&summary["outcome"], &summary["restitution"]), (&"captured".into(), &0.0.into()));
+}
+
+#[test]
+fn rows_of_a_table_are_the_single_impacts() {
+    let sweep = "[damping]\nviscous = 0.1\n[sweep]\n\"impact.drop_height\" = [0, 1e-9, 0.5]\n\"damping.viscous\" = [0, 0.1]\n\
+                 \"gravity.acceleration\" = [9.81, 1e5]\n";
+    for method in ["", "rk8"] {
+        let overrides = if method.is_empty() { vec![] } else { vec!["solver.method=rk8"] };
+        let plan = scenario(sweep, &overrides).plan().unwrap().unwrap();
+        let mut rows = Rows::default();
+        Evaluator::new(&plan).rows(0..12, &mut rows);
+        let mut case = 0;
+        for height in [0.0, 1e-9, 0.5] {
+            for zeta in [0.0, 0.1] {
+                for g in [9.81, 1e5] {
+                    let one = scenario(
+                        &format!("[damping]\nviscous = {zeta}\n"),
+                        &[&format!("impact.drop_height={height}"), &format!("gravity.acceleration={g}")],
+                    );
+                    let scene = one.resolve().unwrap();
+                    let method = if method.is_empty() { Method::Auto } else { Method::Rk8 };
+                    let solver = Solver { method, ..scene.solver };
+                    let want = Essentials::from(&scene.contact().unwrap().impact(scene.speed, &solver, None).unwrap());
+                    let got = rows.results[case].unwrap();
+                    assert_eq!((got.restitution, got.contact_time), (want.restitution, want.contact_time));
+                    assert_eq!(
+                        (got.peak_force, got.residual_indentation),
+                        (want.peak_force, want.residual_indentation)
+                    );
+                    case += 1;
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn axes_that_contradict_the_scene_are_refused() {
+    let refusal = |more: &str| -> ScenarioError { scenario(more, &[]).plan().unwrap_err() };
+    for (more, wanted) in [
+        ("[sweep]\n\"impact.speed\" = [1]\n", "is given by impact.drop_height"),
+        ("[damping]\nviscous = 0.1\n[sweep]\n\"damping.hunt_crossley\" = [1]\n", "keep one of the two"),
+        ("[sweep]\n\"damping.viscous\" = [0.1]\n\"damping.hunt_crossley\" = [1]\n", "keep one of the two"),
+    ] {
+        let message = refusal(more).to_string();
+        assert!(message.contains(wanted), "{message}");
+    }
+}
