@@ -34,8 +34,8 @@ pub mod yigit_christoforou;
 
 pub use catalogue::LawChoice;
 pub use contact_law::{About, Bodies, ContactLaw};
-pub use paper::Plm;
 use curve::Curve;
+pub use paper::Plm;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
 pub use published::{Loading, OutsideLaw, Published};
@@ -137,6 +137,14 @@ impl Law {
             ElasticApproach::Line(_) | ElasticApproach::FixedStiffness(_) => 1.0,
             ElasticApproach::Published(law) => law.elastic_until,
         }
+    }
+
+    /// The range of x that the authors of the law state, where a plastic peak is outside of it.
+    #[must_use]
+    pub fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        let ElasticApproach::Published(law) = &self.elastic else { return None };
+        let is_inside = |(from, to): (f64, f64)| (from..=to).contains(&peak.indentation);
+        law.stated.filter(|range| peak.indentation > law.elastic_until && !is_inside(*range))
     }
 
     /// Whether the law says anything of a peak.

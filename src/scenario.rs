@@ -45,8 +45,8 @@ use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::Document;
 use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
-use law::LawTable;
 pub use kind::Kind;
+use law::LawTable;
 pub use place::{Place, Refusal};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
@@ -122,9 +122,7 @@ impl Scene {
     /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
     pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
         match &self.law {
-            LawChoice::Plm(_) => {
-                Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)
-            }
+            LawChoice::Plm(_) => Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent),
             law => Contact::with_law(self.sphere, self.half_space, law.get()),
         }
     }

@@ -255,7 +255,11 @@ mod tests {
             let entry = speed(0.0);
             let want = to / entry * quarter_period(1.5) - power_time(1.5, from, entry, speed(from));
             let scale = (to / entry) / want;
-            approx::assert_relative_eq!(smooth.time(from, 0.0, to - from, 0.0, 1.0), want, max_relative = 1e-14 * scale);
+            approx::assert_relative_eq!(
+                smooth.time(from, 0.0, to - from, 0.0, 1.0),
+                want,
+                max_relative = 1e-14 * scale
+            );
             let half = 0.5 * (from + to);
             let want = power_time(1.5, half, entry, speed(half)) - power_time(1.5, from, entry, speed(from));
             let got = smooth.time(from, 0.0, half - from, speed(half), 1.0);

@@ -57,9 +57,7 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     let peak = &unloading.peak;
     loading_time += time_to_turn(&pieces[last], peak.indentation - pieces[last].start, entry);
     let unloading_time = match unloading.shape {
-        UnloadingShape::Power => {
-            quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
-        }
+        UnloadingShape::Power => quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed),
         _ => time_to_turn(&unloading.branch(), peak.elastic_approach, restitution * speed),
     };
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }

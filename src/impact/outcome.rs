@@ -211,6 +211,9 @@ impl Impact {
             trace,
         };
         impact.warnings = validity::warnings(contact, &impact);
+        if let Some((from, to)) = law.outside_stated(&peak) {
+            impact.warnings.push(Warning::OutsideStated { indentation: peak.indentation, from, to });
+        }
         Ok(impact)
     }
 

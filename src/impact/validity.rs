@@ -51,6 +51,18 @@ pub enum Warning {
         /// The key, with dots.
         key: &'static str,
     },
+    /// A published law outside the range that its authors state.
+    #[error(
+        "peak indentation = {indentation:.4} x the yield indentation is outside {from:.4} to {to:.4}, the range that the law is stated for: take the result for an extrapolation"
+    )]
+    OutsideStated {
+        /// δ_m/δ_Y.
+        indentation: f64,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
     /// Integration and closed form disagree.
     #[error(
         "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: tighten the tolerance or use another method"

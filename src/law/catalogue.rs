@@ -166,7 +166,13 @@ pub const NOT_PUBLIC: &[NotPublic] = &[
     NotPublic { title: "Rathbone et al. 2015", reason: "equations in no public text" },
     NotPublic { title: "Du and Wang 2009", reason: "equations in no public text" },
     NotPublic { title: "Zhao et al. 2015", reason: "equations in no public text (hardening, stick contact)" },
-    NotPublic { title: "Dong et al. 2018", reason: "the fitted factor f_u of its unloading is in no public text; stronge takes f_u as a key" },
+    NotPublic {
+        title: "Dong et al. 2018",
+        reason: "the fitted factor f_u of its unloading is in no public text; stronge takes f_u as a key",
+    },
     NotPublic { title: "Chen et al. (power-law hardening)", reason: "the fitted factors are in no public text" },
-    NotPublic { title: "Brake 2012 and 2015, loading", reason: "coefficients of the mixed regime could not be verified; the unloading is here" },
+    NotPublic {
+        title: "Brake 2012 and 2015, loading",
+        reason: "coefficients of the mixed regime could not be verified; the unloading is here",
+    },
 ];

@@ -139,9 +139,8 @@ impl ContactLaw for JacksonGreen {
         let smooth = Smooth::new(formula, [s, strain, factor]);
         let b = growth(strain);
         // x (of the law's own unit) where a/R has this value
-        let reaches = |ratio: f64| {
-            (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b))
-        };
+        let reaches =
+            |ratio: f64| (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b));
         let end = reaches(1.0);
         let starts = match self.jumps {
             Jumps::Printed => TRANSITION,
@@ -179,7 +178,7 @@ pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> f6
     let mut high = from;
     while excess(high) > 0.0 {
         high *= GROWTH;
-        if !(high < until) {
+        if high.is_nan() || high >= until {
             return from;
         }
     }

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::jackson_green::Jumps;
 use super::published::{Loading, Recovered, RecoveryRule};
-use super::UnloadingShape;
 use crate::smooth::{POWER, Smooth};
 
 /// The law of Kogut and Etsion.

@@ -134,4 +134,3 @@ impl ContactLaw for KogutKomvopoulos {
         Plm::default().recovery(bodies)
     }
 }
-

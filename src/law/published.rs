@@ -77,7 +77,7 @@ impl Recovered {
     fn accept(&self, x: f64, force: f64, spent: f64) -> Result<(), OutsideLaw> {
         let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
         let raw = self.elastic_approach;
-        if !(raw > 0.0) {
+        if raw.is_nan() || raw <= 0.0 {
             return refuse("its residual indentation is the whole indentation or more");
         }
         if raw > (1.0 + LARGEST_CUT) * x {
@@ -114,11 +114,7 @@ pub struct Loading {
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
-    pub fn new(
-        curve: Curve,
-        elastic_until: f64,
-        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
-    ) -> Self {
+    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         Self { curve, elastic_until, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
     }
 }
@@ -133,7 +129,9 @@ impl fmt::Debug for Loading {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
-    #[error("the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed")]
+    #[error(
+        "the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed"
+    )]
     Range {
         /// x_m.
         indentation: f64,

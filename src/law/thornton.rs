@@ -48,9 +48,7 @@ static ABOUT: About = About {
 pub fn restitution(yield_speed_over_speed: f64) -> f64 {
     let q = yield_speed_over_speed;
     let square = q * q;
-    (1.2 * 3f64.sqrt()).sqrt()
-        * (1.0 - square / 6.0).sqrt()
-        * (q / (q + 2.0 * (1.2 - 0.2 * square).sqrt())).powf(0.25)
+    (1.2 * 3f64.sqrt()).sqrt() * (1.0 - square / 6.0).sqrt() * (q / (q + 2.0 * (1.2 - 0.2 * square).sqrt())).powf(0.25)
 }
 
 /// V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2) \[m/s\].

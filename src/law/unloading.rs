@@ -1,8 +1,8 @@
 //! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n in (1, 2], and the shapes of
 //! published laws that are no power.
 
-use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::curve::{Piece, Shape};
+use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::yigit_christoforou::SHIFTED_HERTZ;
 use crate::power::power;
 use crate::smooth::Smooth;
@@ -106,9 +106,7 @@ impl Unloading {
         let recovered = x - self.peak.residual();
         match self.shape {
             UnloadingShape::Power => self.force(x) * recovered / (self.exponent + 1.0),
-            _ if x == self.peak.indentation => {
-                self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
-            }
+            _ if x == self.peak.indentation => self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0),
             _ => self.branch().work_at(x),
         }
     }

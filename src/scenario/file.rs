@@ -6,12 +6,12 @@ use serde::Deserialize;
 
 use crate::material::{HalfSpace, Material};
 
+use super::compare::CompareTable;
+use super::law::LawTable;
 use super::quantity::{
     Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
     Tolerance,
 };
-use super::compare::CompareTable;
-use super::law::LawTable;
 use super::sweep::{MonteCarloTable, SweepTable};
 
 /// The whole file.

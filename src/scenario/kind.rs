@@ -18,7 +18,8 @@ pub enum Kind {
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] = &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("compare", Self::Compare)];
+    const TABLES: &[(&'static str, Self)] =
+        &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("compare", Self::Compare)];
 
     fn is_given(self, file: &ScenarioFile) -> bool {
         match self {

@@ -66,7 +66,8 @@ impl Scenario {
             (None, None) => return Ok(None),
             (Some(SweepTable(axes)), _) => {
                 // the law that the scenario names has its parameters from there
-                let own = |law: &LawChoice| if law.name() == scene.law.name() { scene.law.clone() } else { law.clone() };
+                let own =
+                    |law: &LawChoice| if law.name() == scene.law.name() { scene.law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),

@@ -14,16 +14,22 @@ pub trait Number:
     + Mul<f64, Output = Self>
 {
     /// x^p, x > 0.
+    #[must_use]
     fn powf(self, exponent: f64) -> Self;
     /// e^x.
+    #[must_use]
     fn exp(self) -> Self;
     /// ln x.
+    #[must_use]
     fn ln(self) -> Self;
     /// sin x.
+    #[must_use]
     fn sin(self) -> Self;
     /// cos x.
+    #[must_use]
     fn cos(self) -> Self;
     /// arcsin x.
+    #[must_use]
     fn asin(self) -> Self;
 }
 
@@ -128,9 +134,7 @@ impl Mul for Jet {
         Self {
             value: self.value * other.value,
             slope: self.slope * other.value + self.value * other.slope,
-            curvature: self.curvature * other.value
-                + 2.0 * self.slope * other.slope
-                + self.value * other.curvature,
+            curvature: self.curvature * other.value + 2.0 * self.slope * other.slope + self.value * other.curvature,
         }
     }
 }

@@ -190,9 +190,7 @@ impl Plan {
                 path if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") => {
                     "cannot vary together with \"law\": give it in the table of its law"
                 }
-                path if path.starts_with("law.") && !self.has_law_of(path) => {
-                    "is not used: no case is under that law"
-                }
+                path if path.starts_with("law.") && !self.has_law_of(path) => "is not used: no case is under that law",
                 path if path.starts_with("solver.") && path != "solver.method" && !is_stepped => {
                     "is not used: the closed form takes no steps; give solver.method too"
                 }
@@ -413,6 +411,8 @@ pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => crate::units::human(values.at(place), key.quantity.dimension),
         #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-        Setting::Method(_) | Setting::Law(_) => axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize)),
+        Setting::Method(_) | Setting::Law(_) => {
+            axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize))
+        }
     }
 }
