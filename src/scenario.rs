@@ -33,6 +33,7 @@ pub mod overview;
 mod place;
 pub mod quantity;
 pub mod sweep;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
