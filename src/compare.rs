@@ -67,9 +67,7 @@ impl Comparison {
     #[must_use]
     pub fn finite_elements(&self) -> Option<&'static Unloaded> {
         let x = self.peak.indentation;
-        let off = |row: &Unloaded| {
-            (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs()
-        };
+        let off = |row: &Unloaded| (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs();
         reference::unloadings(self.sphere_modulus, &self.bodies)
             .into_iter()
             .filter(|row| (row.indentation / x - 1.0).abs() < 0.01)

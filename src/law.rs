@@ -148,6 +148,18 @@ impl Law {
         }
     }
 
+    /// The range of x that the authors of the law state, where a plastic peak is outside of it.
+    #[must_use]
+    pub fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        let law = match &self.elastic {
+            ElasticApproach::Published(law) => law,
+            ElasticApproach::Reloaded(reloaded) => return reloaded.outside_stated(peak),
+            _ => return None,
+        };
+        let is_inside = |(from, to): (f64, f64)| (from..=to).contains(&peak.indentation);
+        law.stated.filter(|range| peak.indentation > law.elastic_until && !is_inside(*range))
+    }
+
     /// Whether the law says anything of a peak.
     ///
     /// # Errors

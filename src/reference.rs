@@ -37,8 +37,9 @@ pub struct UnloadingCurve {
     pub points: Vec<(f64, f64)>,
 }
 
-static UNLOADED: LazyLock<Vec<Unloaded>> =
-    LazyLock::new(|| rows(include_str!("../tests/reference/fe_quasi_static.csv")).filter_map(unloaded).collect());
+static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| {
+    rows(include_str!("../tests/reference/fe_quasi_static.csv")).filter_map(|fields| unloaded(&fields)).collect()
+});
 
 static CURVES: LazyLock<Vec<UnloadingCurve>> = LazyLock::new(|| {
     let mut curves: Vec<UnloadingCurve> = Vec::new();
@@ -58,7 +59,7 @@ fn rows(text: &'static str) -> impl Iterator<Item = Vec<&'static str>> {
     text.lines().filter(|line| !line.starts_with('#')).skip(1).map(|line| line.split(',').collect())
 }
 
-fn unloaded(fields: Vec<&'static str>) -> Option<Unloaded> {
+fn unloaded(fields: &[&'static str]) -> Option<Unloaded> {
     let (case, rest) = fields.split_first()?;
     let numbers: Vec<f64> = rest.iter().filter_map(|field| field.parse().ok()).collect();
     let [

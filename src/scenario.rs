@@ -36,6 +36,7 @@ mod place;
 pub mod quantity;
 pub mod repeat;
 pub mod sweep;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

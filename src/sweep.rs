@@ -5,6 +5,7 @@
 //! their number.
 
 pub mod axis;
+pub mod count;
 pub mod driver;
 pub mod merge;
 #[cfg(feature = "parquet")]

@@ -194,7 +194,7 @@ impl Impact {
             contact_time_error: (contact_time / exact.contact_time - 1.0).abs(),
         };
         impact.trace = trace;
-        impact.warnings = validity::warnings(contact, &impact);
+        impact.warnings = validity::warnings(contact, &impact, law, &peak);
         Ok(impact)
     }
 

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::{Contact, Impact};
+use crate::law::{Law, Peak};
 
 /// A doubt about a result. The text says what is doubtful and what to do.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -61,6 +62,18 @@ pub enum Warning {
         /// The key, with dots.
         key: &'static str,
     },
+    /// A published law outside the range that its authors state.
+    #[error(
+        "peak indentation = {indentation:.4} x the yield indentation is outside {from:.4} to {to:.4}, the range that the law is stated for: take the result for an extrapolation"
+    )]
+    OutsideStated {
+        /// δ_m/δ_Y.
+        indentation: f64,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
     /// Integration and closed form disagree.
     #[error(
         "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: tighten the tolerance or use another method"
@@ -74,8 +87,11 @@ pub enum Warning {
 }
 
 /// Validity of the model for this impact.
-pub(super) fn warnings(contact: &Contact, impact: &Impact) -> Vec<Warning> {
+pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<Warning> {
     let mut warnings = Vec::new();
+    if let Some((from, to)) = law.outside_stated(peak) {
+        warnings.push(Warning::OutsideStated { indentation: peak.indentation, from, to });
+    }
     let sphere = contact.sphere();
     let ratio = impact.peak_contact_radius / sphere.radius;
     if ratio > 0.45 {

@@ -106,7 +106,7 @@ impl Contact {
         let scene = self.scene(spot, speed)?;
         let exact = balance::solve(scene.law, scene.q, &scene.load);
         let method = match (solver.method, samples) {
-            (Method::Auto, None) if scene.load.is_conservative() => Method::ClosedForm,
+            (Method::Auto, None) if scene.load.is_conservative() && exact.is_some() => Method::ClosedForm,
             (Method::Auto, _) => Method::Rk8,
             (method, _) => method,
         };
@@ -161,10 +161,11 @@ impl Contact {
             None if solver.method == Method::ClosedForm => return Err(ImpactError::NoClosedForm),
             _ => run(&scene, exact.as_ref(), solver, None)?.0,
         };
-        Ok(self.row(speed, &scene, &outcome)?)
+        self.row(speed, &scene, &outcome)
     }
 
-    fn row(&self, speed: f64, scene: &Scene, outcome: &ForcedOutcome) -> Result<Essentials, OutOfFloatRange> {
+    fn row(&self, speed: f64, scene: &Scene, outcome: &ForcedOutcome) -> Result<Essentials, ImpactError> {
+        scene.law.accept(&outcome.unloading.peak)?;
         // the kinetic energy of a sphere at rest is 0, no number out of range
         let kinetic_in = 0.5 * self.mass() * speed * speed;
         let kinetic_in = if speed == 0.0 { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
@@ -226,7 +227,7 @@ impl Contact {
                 contact_time_error: f64::NAN,
             },
         };
-        impact.warnings = validity::warnings(self, &impact);
+        impact.warnings = validity::warnings(self, &impact, law, &outcome.unloading.peak);
         Ok(impact)
     }
 }

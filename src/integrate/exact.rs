@@ -97,14 +97,14 @@ impl Integrator for Exact {
                         let before = 0.5 * x * force.value(x, 0.0);
                         let farthest = force.distance_at_work(x, before, so_far + 0.5 * begin * begin / c);
                         let lasted = force.time(x, from, farthest, 0.0, c);
-                        take(begun + lasted, &|t| way.from_rest(from, farthest, lasted - t));
+                        take(begun + lasted, &|t| way.near_rest(from, farthest, lasted - t));
                         (Landing::Turning, State { time: begun + lasted, distance: farthest, speed: 0.0 })
                     }
                     Leg::Back => {
                         let exit = (2.0 * c * force.work(x, 0.0, from)).sqrt();
                         let lasted = force.time(x, 0.0, from, 0.0, c);
                         take(begun + lasted, &|t| {
-                            let (distance, speed) = way.from_rest(0.0, from, t);
+                            let (distance, speed) = way.near_rest(0.0, from, t);
                             (distance, -speed)
                         });
                         (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
@@ -131,7 +131,7 @@ struct SmoothWay {
 impl SmoothWay {
     /// Distance and speed at `time` after rest at `farthest` (or before it): the time is almost straight in the root of
     /// the way.
-    fn from_rest(&self, lowest: f64, farthest: f64, time: f64) -> (f64, f64) {
+    fn near_rest(&self, lowest: f64, farthest: f64, time: f64) -> (f64, f64) {
         let Self { force, start, c } = *self;
         let speed = |d: f64| (2.0 * c * force.work(start, d, farthest)).max(0.0).sqrt();
         let deepest = (farthest - lowest).sqrt();
@@ -142,7 +142,7 @@ impl SmoothWay {
             let next = (root - miss * speed(d) / (2.0 * root)).clamp(0.0, deepest);
             let change = next - root;
             root = next;
-            if !(change.abs() > 1e-15 * deepest) {
+            if change.is_nan() || change.abs() <= 1e-15 * deepest {
                 break;
             }
         }
@@ -159,7 +159,7 @@ impl SmoothWay {
             let next = (d - miss * speed(d)).clamp(from, end);
             let change = next - d;
             d = next;
-            if !(change.abs() > 1e-15 * end) {
+            if change.is_nan() || change.abs() <= 1e-15 * end {
                 break;
             }
         }

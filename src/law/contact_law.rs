@@ -2,9 +2,9 @@
 
 use std::fmt::Debug;
 
+use super::plm::RadiusRatio;
 use super::published::{Loading, Published, RecoveryRule};
 use super::{ElasticApproach, Law, UnloadingExponent};
-use crate::law::plm::RadiusRatio;
 use crate::material::{HalfSpace, Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
@@ -90,18 +90,18 @@ pub trait ContactLaw: Debug {
 
     /// The whole law; `None` if it lacks a half.
     fn law(&self, bodies: &Bodies) -> Option<Law> {
-        assemble(self.loading(bodies)?, self.recovery(bodies)?)
+        Some(assemble(self.loading(bodies)?, self.recovery(bodies)?))
     }
 }
 
 /// A law from two halves.
-pub(super) fn assemble(loading: Loading, recovery: RecoveryRule) -> Option<Law> {
+fn assemble(loading: Loading, recovery: RecoveryRule) -> Law {
     let Loading { curve, elastic_until, holds_until, stated, radius } = loading;
     let published = Published { elastic_until, holds_until, stated, radius, recovery };
-    Some(Law {
+    Law {
         loading: curve,
         elastic: ElasticApproach::Published(Box::new(published)),
         radius_ratio: RadiusRatio::default(),
         exponent: UnloadingExponent::Paper,
-    })
+    }
 }

@@ -178,7 +178,7 @@ pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> f6
     let mut high = from;
     while excess(high) > 0.0 {
         high *= GROWTH;
-        if !(high < until) {
+        if high.is_nan() || high >= until {
             return from;
         }
     }

@@ -85,7 +85,8 @@ impl ContactLaw for MaLiu {
         // that of the Hertz contact which unloading leaves from
         let recovery = self.recovery(bodies)?;
         Some(Loading::new(curve, 1.0, move |x, force| {
-            force / recovery(Loaded { indentation: x, force, radius: x.sqrt(), elastic_approach: None }).elastic_approach
+            force
+                / recovery(Loaded { indentation: x, force, radius: x.sqrt(), elastic_approach: None }).elastic_approach
         }))
     }
 

@@ -77,7 +77,7 @@ impl Recovered {
     fn accept(&self, x: f64, force: f64, spent: f64) -> Result<(), OutsideLaw> {
         let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
         let raw = self.elastic_approach;
-        if !(raw > 0.0) {
+        if raw.is_nan() || raw <= 0.0 {
             return refuse("its residual indentation is the whole indentation or more");
         }
         if raw > (1.0 + LARGEST_CUT) * x {
@@ -114,11 +114,7 @@ pub struct Loading {
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
-    pub fn new(
-        curve: Curve,
-        elastic_until: f64,
-        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
-    ) -> Self {
+    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         Self { curve, elastic_until, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
     }
 }

@@ -51,6 +51,11 @@ impl Reloaded {
         if self.is_on_branch(peak.indentation) { Ok(()) } else { self.fresh.accept(peak) }
     }
 
+    /// The range that the law is stated for, of a peak outside it.
+    pub(super) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        if self.is_on_branch(peak.indentation) { None } else { self.fresh.outside_stated(peak) }
+    }
+
     /// a/a_Y at a peak.
     pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
         if self.is_on_branch(peak.indentation) {

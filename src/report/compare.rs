@@ -67,7 +67,8 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
     let reference = comparison.finite_elements();
     let row = |law: String, share: f64, recovered: f64, e: f64| {
         // shares of the peak, as the peaks differ by up to 1 %
-        let deviation = |got: f64, want: fn(&crate::reference::Unloaded) -> f64| reference.map(|row| got / want(row) - 1.0);
+        let deviation =
+            |got: f64, want: fn(&crate::reference::Unloaded) -> f64| reference.map(|row| got / want(row) - 1.0);
         Row {
             law,
             residual_indentation_m: Some(share * comparison.peak.indentation * point.indentation),
@@ -133,9 +134,8 @@ pub fn state(comparison: &Comparison) -> String {
 #[must_use]
 pub fn table(comparison: &Comparison) -> String {
     let percent = |value: Option<f64>| value.map_or_else(String::new, |share| format!("{:+.1} %", 100.0 * share));
-    let mut lines = vec![
-        ["law", "residual", "share", "recovered", "e", "residual", "energy", "e against FE"].map(str::to_owned),
-    ];
+    let mut lines =
+        vec![["law", "residual", "share", "recovered", "e", "residual", "energy", "e against FE"].map(str::to_owned)];
     lines.extend(rows(comparison).into_iter().map(|row| {
         let of = |value: Option<f64>, unit| value.map_or_else(|| "-".to_owned(), |value| quantity(value, unit));
         let ratio = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.4}"));
@@ -196,7 +196,8 @@ pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
     // from a little before the shallowest dent on
     let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
     let last = comparison.peak.indentation * length;
-    let x = Axis::engineering("Indentation", "m").between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
+    let x = Axis::engineering("Indentation", "m")
+        .between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
     let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
     let origin = match comparison.origin {
         Origin::Plm => "peak: from the PLM",

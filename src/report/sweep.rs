@@ -62,7 +62,15 @@ pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Re
         _ => (None, None),
     };
     let restitution = tally.statistics.distribution();
-    let summary = Summary { rows: tally.rows, failures: tally.failures, outside_law: tally.outside_law, restitution, random, seed, provenance };
+    let summary = Summary {
+        rows: tally.rows,
+        failures: tally.failures,
+        outside_law: tally.outside_law,
+        restitution,
+        random,
+        seed,
+        provenance,
+    };
     Ok(serde_json::to_string_pretty(&summary)? + "\n")
 }
 

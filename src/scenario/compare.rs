@@ -47,14 +47,13 @@ impl Scenario {
             return Err(refuse("impact", "is not used: [compare] has no motion; leave one of the two out"));
         }
         let sphere = &self.file.sphere;
-        let material =
-            Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 };
+        let material = Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 };
         let table_of_half_space = self.file.half_space.as_ref();
         let half_space = table_of_half_space.ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
         let pair = Pair::try_new(self.radius(sphere)?, &material, &half_space)
             .map_err(|error| refuse("sphere", &error.to_string()))?;
-        let bodies = Bodies::new(&pair, &half_space)
-            .ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
+        let bodies =
+            Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
         let plm = match &self.file.law {
             None => Plm::default(),
@@ -68,14 +67,23 @@ impl Scenario {
             (Some(ratio), None) => ratio.0,
             (None, Some(length)) => length.0 / point.indentation,
             (None, None) => {
-                return Err(refuse("compare", "the key `peak_indentation_ratio` is missing: peak over yield indentation such as 105.1; or `peak_indentation`"));
+                return Err(refuse(
+                    "compare",
+                    "the key `peak_indentation_ratio` is missing: peak over yield indentation such as 105.1; or `peak_indentation`",
+                ));
             }
             (Some(_), Some(_)) => {
-                return Err(refuse("compare.peak_indentation", "`peak_indentation_ratio` is given too; write only one of the two"));
+                return Err(refuse(
+                    "compare.peak_indentation",
+                    "`peak_indentation_ratio` is given too; write only one of the two",
+                ));
             }
         };
         if !(x > 1.0 && x < 1e6) {
-            return Err(refuse("compare.peak_indentation", &format!("is {x:.4} x the yield indentation; a plastic peak is above 1 x, and below 10^6 x")));
+            return Err(refuse(
+                "compare.peak_indentation",
+                &format!("is {x:.4} x the yield indentation; a plastic peak is above 1 x, and below 10^6 x"),
+            ));
         }
         let laws = self.compared_laws(table, &plm)?;
         let of_plm = Comparison::of_plm(bodies, sphere.youngs_modulus.0, &plm, x, laws);
@@ -85,20 +93,28 @@ impl Scenario {
             (None, None, None) => {}
             (Some(force), Some(radius), Some(sphere)) => {
                 if pair.sphere_compliance == 0.0 {
-                    return Err(refuse("compare.peak_sphere_indentation", "a rigid sphere has no indentation of its own; leave the numbers of the peak out to take the PLM's"));
+                    return Err(refuse(
+                        "compare.peak_sphere_indentation",
+                        "a rigid sphere has no indentation of its own; leave the numbers of the peak out to take the PLM's",
+                    ));
                 }
                 let elastic_approach = sphere.0 / pair.sphere_compliance / point.indentation;
                 if elastic_approach > x {
-                    return Err(refuse("compare.peak_sphere_indentation", "is larger than that of an elastic contact of this indentation"));
+                    return Err(refuse(
+                        "compare.peak_sphere_indentation",
+                        "is larger than that of an elastic contact of this indentation",
+                    ));
                 }
                 let (force, radius) = (force.0 / point.force, radius.0 / point.contact_radius);
                 comparison.spent *= force / comparison.peak.force;
-                comparison.peak =
-                    Loaded { indentation: x, force, radius, elastic_approach: Some(elastic_approach) };
+                comparison.peak = Loaded { indentation: x, force, radius, elastic_approach: Some(elastic_approach) };
                 comparison.origin = Origin::Given;
             }
             _ => {
-                return Err(refuse("compare", "a given peak needs peak_force, peak_contact_radius and peak_sphere_indentation; leave all three out to take the PLM's"));
+                return Err(refuse(
+                    "compare",
+                    "a given peak needs peak_force, peak_contact_radius and peak_sphere_indentation; leave all three out to take the PLM's",
+                ));
             }
         }
         if let Some(work) = table.spent_work {

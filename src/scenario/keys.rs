@@ -39,17 +39,23 @@ impl Key {
 
 /// A key of a published law: there only in a scene under that law.
 macro_rules! of_law {
-    ($path:literal, $quantity:expr, $law:ident, |$l:ident| $get:expr, |$m:ident, $value:ident| $set:expr) => {
+    ($path:literal, $quantity:expr, $law:ident, $field:ident) => {
+        of_law!($path, $quantity, $law, $field, Some, std::convert::identity)
+    };
+    ($path:literal, $quantity:expr, $law:ident, optional $field:ident) => {
+        of_law!($path, $quantity, $law, $field, std::convert::identity, Some)
+    };
+    ($path:literal, $quantity:expr, $law:ident, $field:ident, $get:expr, $set:expr) => {
         Key {
             path: $path,
             quantity: $quantity,
             get: |scene| match &scene.law {
-                LawChoice::$law($l) => $get,
+                LawChoice::$law(law) => $get(law.$field),
                 _ => None,
             },
-            set: |scene, $value| {
-                if let LawChoice::$law($m) = &mut scene.law {
-                    $set;
+            set: |scene, value| {
+                if let LawChoice::$law(law) = &mut scene.law {
+                    law.$field = $set(value);
                 }
             },
         }
@@ -159,54 +165,18 @@ pub const KEYS: &[Key] = &[
         },
         set: |scene, value| scene.exponent = Exponent::from(value).0,
     },
-    of_law!("law.thornton.yield_pressure", &STRENGTH, Thornton, |law| law.yield_pressure, |law, value| law
-        .yield_pressure =
-        Some(value)),
-    of_law!(
-        "law.stronge.yield_pressure_ratio",
-        &FACTOR,
-        Stronge,
-        |law| Some(law.yield_pressure_ratio),
-        |law, value| law.yield_pressure_ratio = value
-    ),
-    of_law!("law.stronge.unloading_factor", &FACTOR, Stronge, |law| Some(law.unloading_factor), |law, value| law
-        .unloading_factor =
-        value),
-    of_law!("law.jackson_green.yield_factor", &FACTOR, JacksonGreen, |law| law.yield_factor, |law, value| law
-        .yield_factor =
-        Some(value)),
-    of_law!("law.kogut_etsion.yield_factor", &FACTOR, KogutEtsion, |law| law.yield_factor, |law, value| law
-        .yield_factor =
-        Some(value)),
-    of_law!("law.yigit_christoforou.yield_factor", &FACTOR, YigitChristoforou, |law| law.yield_factor, |law, value| {
-        law.yield_factor = Some(value)
-    }),
-    of_law!("law.ma_liu.hardness_ratio", &FACTOR, MaLiu, |law| Some(law.hardness_ratio), |law, value| law
-        .hardness_ratio =
-        value),
-    of_law!("law.ma_liu.transition_ratio", &TRANSITION_RATIO, MaLiu, |law| Some(law.transition_ratio), |law, value| {
-        law.transition_ratio = value
-    }),
-    of_law!(
-        "law.mesarovic_johnson.area_factor",
-        &AREA_FACTOR,
-        MesarovicJohnson,
-        |law| Some(law.area_factor),
-        |law, value| law.area_factor = value
-    ),
-    of_law!(
-        "law.walton_braun.loading_stiffness",
-        &FACTOR,
-        WaltonBraun,
-        |law| Some(law.loading_stiffness),
-        |law, value| law.loading_stiffness = value
-    ),
-    of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, |law| Some(law.stiffness_ratio), |law, value| {
-        law.stiffness_ratio = value
-    }),
-    of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, |law| law.dynamic_pressure, |law, value| law
-        .dynamic_pressure =
-        Some(value)),
+    of_law!("law.thornton.yield_pressure", &STRENGTH, Thornton, optional yield_pressure),
+    of_law!("law.stronge.yield_pressure_ratio", &FACTOR, Stronge, yield_pressure_ratio),
+    of_law!("law.stronge.unloading_factor", &FACTOR, Stronge, unloading_factor),
+    of_law!("law.jackson_green.yield_factor", &FACTOR, JacksonGreen, optional yield_factor),
+    of_law!("law.kogut_etsion.yield_factor", &FACTOR, KogutEtsion, optional yield_factor),
+    of_law!("law.yigit_christoforou.yield_factor", &FACTOR, YigitChristoforou, optional yield_factor),
+    of_law!("law.ma_liu.hardness_ratio", &FACTOR, MaLiu, hardness_ratio),
+    of_law!("law.ma_liu.transition_ratio", &TRANSITION_RATIO, MaLiu, transition_ratio),
+    of_law!("law.mesarovic_johnson.area_factor", &AREA_FACTOR, MesarovicJohnson, area_factor),
+    of_law!("law.walton_braun.loading_stiffness", &FACTOR, WaltonBraun, loading_stiffness),
+    of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, stiffness_ratio),
+    of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, optional dynamic_pressure),
     Key {
         path: "solver.tolerance",
         quantity: &TOLERANCE,

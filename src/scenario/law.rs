@@ -265,7 +265,7 @@ impl Scenario {
 /// # Errors
 /// The message for a name that is no whole law.
 pub(super) fn named(name: &str) -> Result<LawChoice, String> {
-    let whole: Vec<_> = LawChoice::all().into_iter().filter(|law| law.has_loading()).collect();
+    let whole: Vec<_> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
     let names = || whole.iter().map(|law| law.about().name);
     let choice = LawChoice::from_name(name).filter(LawChoice::has_loading);
     choice.ok_or_else(|| {

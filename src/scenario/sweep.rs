@@ -7,7 +7,7 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, M
 
 use super::keys::{KEYS, Key};
 use super::quantity::{Quantity, Reader};
-use super::{Kind, Scenario, ScenarioError};
+use super::{Kind, Scenario, ScenarioError, words};
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::nearest::nearest;
@@ -160,8 +160,8 @@ impl<'de> Visitor<'de> for Table<SweepTable> {
             let path = known(&path, true)?;
             let entry = match quantity(path) {
                 Some(quantity) => AxisEntry::Numbers(map.next_value_seed(AxisSeed(quantity))?),
-                None if path == LAW => AxisEntry::Laws(laws(&map.next_value::<Vec<String>>()?)?),
-                None => AxisEntry::Methods(methods(&map.next_value::<Vec<String>>()?)?),
+                None if path == LAW => AxisEntry::Laws(words::laws(&map.next_value::<Vec<String>>()?)?),
+                None => AxisEntry::Methods(words::methods(&map.next_value::<Vec<String>>()?)?),
             };
             axes.push((path, entry));
         }
@@ -171,27 +171,6 @@ impl<'de> Visitor<'de> for Table<SweepTable> {
             Ok(SweepTable(axes))
         }
     }
-}
-
-fn laws<E: Error>(names: &[String]) -> Result<Vec<LawChoice>, E> {
-    if names.is_empty() {
-        return Err(E::custom("an axis needs at least one value"));
-    }
-    names.iter().map(|name| super::law::named(name).map_err(E::custom)).collect()
-}
-
-fn methods<E: Error>(names: &[String]) -> Result<Vec<Method>, E> {
-    if names.is_empty() {
-        return Err(E::custom("an axis needs at least one value"));
-    }
-    let all = || Method::ALL.iter().map(|(name, _)| *name);
-    let unknown = |name: &String| {
-        let guess = nearest(name, all()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
-        let known: Vec<_> = all().collect();
-        E::custom(format!("unknown method \"{name}\"{guess}; methods are {}", known.join(", ")))
-    };
-    let named = |name: &String| Method::ALL.iter().find(|(known, _)| known == name).map(|(_, method)| *method);
-    names.iter().map(|name| named(name).ok_or_else(|| unknown(name))).collect()
 }
 
 /// An axis of numbers: a list, or two ends and how many points.

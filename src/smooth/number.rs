@@ -14,16 +14,22 @@ pub trait Number:
     + Mul<f64, Output = Self>
 {
     /// x^p, x > 0.
+    #[must_use]
     fn powf(self, exponent: f64) -> Self;
     /// e^x.
+    #[must_use]
     fn exp(self) -> Self;
     /// ln x.
+    #[must_use]
     fn ln(self) -> Self;
     /// sin x.
+    #[must_use]
     fn sin(self) -> Self;
     /// cos x.
+    #[must_use]
     fn cos(self) -> Self;
     /// arcsin x.
+    #[must_use]
     fn asin(self) -> Self;
 }
 

@@ -9,7 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::plan::{Count, Evaluator, Plan, Rows};
+use super::count::Count;
+use super::plan::{Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable, column_names};

@@ -18,8 +18,9 @@ use rayon::prelude::*;
 
 use super::SweepError;
 use super::axis::{Axis, Setting};
+use super::count::Count;
 use super::driver::{Job, Progress, compute};
-use super::plan::{Count, Cases, Evaluator, Plan, Rows};
+use super::plan::{Cases, Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Tally, part_path};
 use super::table::{ResultColumn, column_names, result_columns};

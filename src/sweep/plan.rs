@@ -90,29 +90,6 @@ impl From<ImpactError> for Failure {
     }
 }
 
-/// How a row counts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Count {
-    /// It has e.
-    Restitution(f64),
-    /// The law has no answer there, which is one: no failure.
-    OutsideLaw,
-    /// It has no result.
-    Failure,
-}
-
-impl Count {
-    /// Of a row as it was computed.
-    #[must_use]
-    pub fn of(result: &Result<Essentials, Failure>) -> Self {
-        match result {
-            Ok(row) => Self::Restitution(row.restitution),
-            Err(Failure::OutsideLaw) => Self::OutsideLaw,
-            Err(_) => Self::Failure,
-        }
-    }
-}
-
 /// The rows of consecutive cases.
 #[derive(Debug, Clone, Default)]
 pub struct Rows {

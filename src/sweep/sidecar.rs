@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::SweepError;
-use super::plan::Count;
+use super::count::Count;
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable, read_line};

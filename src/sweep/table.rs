@@ -3,7 +3,8 @@
 //! Digits are written straight into the block's buffer. No field needs a quote: they are numbers and snake_case names.
 
 use super::axis::{Axis, Setting};
-use super::plan::{Cases, Count, Failure, Plan, Rows};
+use super::count::Count;
+use super::plan::{Cases, Failure, Plan, Rows};
 use crate::impact::Essentials;
 
 /// What a table is written as.

@@ -1,0 +1,27 @@
+//! How rows are counted: results, rows outside a law, failures.
+
+use super::plan::Failure;
+use crate::impact::Essentials;
+
+/// How a row counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Count {
+    /// It has e.
+    Restitution(f64),
+    /// The law has no answer there, which is one: no failure.
+    OutsideLaw,
+    /// It has no result.
+    Failure,
+}
+
+impl Count {
+    /// Of a row as it was computed.
+    #[must_use]
+    pub fn of(result: &Result<Essentials, Failure>) -> Self {
+        match result {
+            Ok(row) => Self::Restitution(row.restitution),
+            Err(Failure::OutsideLaw) => Self::OutsideLaw,
+            Err(_) => Self::Failure,
+        }
+    }
+}
