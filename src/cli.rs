@@ -2,9 +2,11 @@
 
 mod bench;
 mod check;
+mod fit_plm;
 mod merge;
 mod run;
 mod sweep;
+mod validate;
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -14,7 +16,8 @@ use plm_impact::scenario::{Scenario, ScenarioError};
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 130 interrupted (the same command goes on).
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
+/// tolerance, 130 interrupted (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
@@ -28,6 +31,8 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Merge(merge::Arguments),
+    Validate(validate::Arguments),
+    FitPlm(fit_plm::Arguments),
 }
 
 /// A scenario and what the command line changes in it.
@@ -57,6 +62,8 @@ pub fn run() -> anyhow::Result<()> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
+        Command::Validate(arguments) => validate::validate(&arguments),
+        Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
     }
 }
 

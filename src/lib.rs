@@ -64,6 +64,7 @@
 
 pub mod bench;
 pub mod error;
+pub mod fit;
 pub mod impact;
 pub mod integrate;
 pub mod law;
@@ -77,3 +78,4 @@ pub mod run;
 pub mod scenario;
 pub mod sweep;
 pub mod units;
+pub mod validation;
