@@ -24,7 +24,7 @@ use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::OutOfFloatRange;
 use crate::plot::PlotError;
 use crate::scenario::ScenarioError;
-pub use check::{Check, Tolerance};
+pub use check::{Check, Known, Tolerance, Verdict};
 pub use pictures::pictures;
 
 /// Why a validation could not be made.

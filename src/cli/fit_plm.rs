@@ -38,10 +38,13 @@ pub struct Arguments {
 pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let request = |message: String| Error::from(FitError::Request(message));
     let (directory, file_name) = place(&arguments.out).map_err(request)?;
-    let curves: Result<Vec<LoadingCurve>, FitError> = arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
+    let curves: Result<Vec<LoadingCurve>, FitError> =
+        arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
     let curves = curves.map_err(Error::from)?;
     if arguments.curves.contains(&arguments.out) {
-        return Err(request(format!("--out {}: is one of the curves; name another file", arguments.out.display())).into());
+        return Err(
+            request(format!("--out {}: is one of the curves; name another file", arguments.out.display())).into()
+        );
     }
     let built_in = PlmCoefficients::built_in();
     let start = match &arguments.knots[..] {

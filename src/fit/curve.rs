@@ -106,8 +106,10 @@ impl LoadingCurve {
     /// [`CurveError`] naming line, what is wrong and what is needed.
     pub fn parse(name: &str, text: &str) -> Result<Self, CurveError> {
         let refuse = |line: Option<u64>, message: String| CurveError { name: name.to_owned(), line, message };
-        let bodies = Header::read(text).and_then(|header| header.bodies()).map_err(|(line, message)| refuse(line, message))?;
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let bodies =
+            Header::read(text).and_then(|header| header.bodies()).map_err(|(line, message)| refuse(line, message))?;
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| refuse(None, error.to_string()))?.clone();
         let first_line = header.position().map(csv::Position::line);
         let columns = Columns::find(&header, &bodies).map_err(|message| refuse(first_line, message))?;
@@ -121,7 +123,13 @@ impl LoadingCurve {
             let point = columns.point(&record, &bodies.pair).map_err(|message| refuse(line, message))?;
             if let Some(last) = points.last() {
                 let rises = |what: &str, from: f64, to: f64| {
-                    if to > from { Ok(()) } else { Err(format!("{what} does not rise; a loading curve does: leave out unloading, sort the points, smooth scatter")) }
+                    if to > from {
+                        Ok(())
+                    } else {
+                        Err(format!(
+                            "{what} does not rise; a loading curve does: leave out unloading, sort the points, smooth scatter"
+                        ))
+                    }
                 };
                 rises(columns.indentation.name, last.indentation, point.indentation)
                     .and_then(|()| rises(columns.force.name, last.force, point.force))
@@ -131,7 +139,10 @@ impl LoadingCurve {
         }
         let beyond = points.iter().filter(|point| point.indentation > 1.0).count();
         if beyond < FEWEST_POINTS {
-            let message = format!("{beyond} of {} points are beyond first yield (delta/delta_Y > 1); at least {FEWEST_POINTS} are needed", points.len());
+            let message = format!(
+                "{beyond} of {} points are beyond first yield (delta/delta_Y > 1); at least {FEWEST_POINTS} are needed",
+                points.len()
+            );
             return Err(refuse(None, message));
         }
         Ok(Self { name: name.to_owned(), pair: bodies.pair, yield_radius_ratio: bodies.yield_radius_ratio, points })
@@ -162,7 +173,8 @@ impl Columns {
             }
         };
         let needed = |kind: &str, candidates: &[(&'static str, Option<f64>)]| {
-            one_of(kind, candidates)?.ok_or_else(|| format!("no column gives the {kind}: name one {}", names(candidates)))
+            one_of(kind, candidates)?
+                .ok_or_else(|| format!("no column gives the {kind}: name one {}", names(candidates)))
         };
         let [length, force, radius] = bodies.scales.map_or([None; 3], |scales| scales.map(Some));
         let of_sphere = length.map(|length| length * bodies.pair.sphere_compliance);
@@ -185,7 +197,10 @@ impl Columns {
             force: needed("force", &[("F_over_FY", Some(1.0)), ("force_N", force)])?,
             approach,
             is_share: approach.name == "delta_s_over_delta",
-            radius: one_of("contact radius", &[("a_over_R", Some(bodies.yield_radius_ratio)), ("contact_radius_m", radius)])?,
+            radius: one_of(
+                "contact radius",
+                &[("a_over_R", Some(bodies.yield_radius_ratio)), ("contact_radius_m", radius)],
+            )?,
         })
     }
 

@@ -52,7 +52,11 @@ impl Header {
             let (key, value) = (key.trim(), value.trim().trim_matches('"'));
             if let Some(index) = KEYS.iter().position(|(known, _)| *known == key) {
                 let is_rigid = index == 0 && value == "rigid";
-                let number = if is_rigid { f64::INFINITY } else { KEYS[index].1.parse(value).map_err(|error| format!("{key}: {error}"))? };
+                let number = if is_rigid {
+                    f64::INFINITY
+                } else {
+                    KEYS[index].1.parse(value).map_err(|error| format!("{key}: {error}"))?
+                };
                 if self.keys[index].replace(number).is_some() {
                     return Err(format!("{key} is given twice"));
                 }
@@ -88,7 +92,9 @@ impl Header {
     /// The pair; keys win over ratios.
     pub(super) fn bodies(&self) -> Result<Bodies, Refusal> {
         let refuse = |message: String| (None, message);
-        if let [Some(of_sphere), Some(nu_sphere), Some(of_half_space), Some(nu_half_space), Some(strength), radius] = self.keys {
+        if let [Some(of_sphere), Some(nu_sphere), Some(of_half_space), Some(nu_half_space), Some(strength), radius] =
+            self.keys
+        {
             let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
             let half_space = HalfSpace {
                 material: material(of_half_space, nu_half_space),
@@ -102,8 +108,13 @@ impl Header {
             return Ok(Bodies { pair, yield_radius_ratio: point.contact_radius / pair.radius, scales });
         }
         if self.keys.iter().any(Option::is_some) || self.ratios.is_none() {
-            let missing: Vec<&str> =
-                KEYS.iter().zip(self.keys).take(NEEDED).filter(|(_, value)| value.is_none()).map(|(key, _)| key.0).collect();
+            let missing: Vec<&str> = KEYS
+                .iter()
+                .zip(self.keys)
+                .take(NEEDED)
+                .filter(|(_, value)| value.is_none())
+                .map(|(key, _)| key.0)
+                .collect();
             return Err(refuse(format!(
                 "the comment lines do not say {}: write lines such as `# half_space.yield_strength = 345 MPa` above the columns",
                 missing.join(", ")

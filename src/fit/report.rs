@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::solve::{CaseFit, Fit};
 use super::FitError;
+use super::solve::{CaseFit, Fit};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
 use crate::report::human::number;
@@ -17,12 +17,16 @@ fn percent(share: f64) -> String {
 pub fn table(fit: &Fit, before: &[CaseFit]) -> String {
     let mut rows = vec![
         ["", "", "force", "", "", "", "elastic", "approach", "", "", "contact radius"].map(str::to_owned),
-        ["curve", "E*/E_s*", "rms %", "largest", "left out", "before", "rms %", "largest", "left out", "before", "rms %"]
-            .map(str::to_owned),
+        [
+            "curve", "E*/E_s*", "rms %", "largest", "left out", "before", "rms %", "largest", "left out", "before",
+            "rms %",
+        ]
+        .map(str::to_owned),
     ];
     for (case, before) in fit.cases.iter().zip(before) {
         let left_out = |index: usize| {
-            case.left_out.map_or_else(|| "-".to_owned(), |left| percent(if index == 0 { left.0.rms } else { left.1.rms }))
+            case.left_out
+                .map_or_else(|| "-".to_owned(), |left| percent(if index == 0 { left.0.rms } else { left.1.rms }))
         };
         rows.push([
             case.name.clone(),
@@ -84,7 +88,8 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     }
     let (from, to) = (over(|case| case.range.0).0, over(|case| case.range.1).1);
     let (least, most) = over(|case| case.sphere_compliance);
-    let mut range = format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
+    let mut range =
+        format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
     let ratios = fit.cases.iter().filter_map(|case| case.largest_radius_ratio);
     if let Some(ratio) = ratios.reduce(f64::max) {
         let _ = write!(range, ", contact radius / sphere radius <= {ratio:.2}");
@@ -92,7 +97,10 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     PlmCoefficients {
         provenance: Provenance {
             name: name.to_owned(),
-            source: format!("least squares of ln F and ln delta_e against {} loading curves: {command}", fit.cases.len()),
+            source: format!(
+                "least squares of ln F and ln delta_e against {} loading curves: {command}",
+                fit.cases.len()
+            ),
             accuracy,
             range,
         },
@@ -129,5 +137,7 @@ pub fn toml(coefficients: &PlmCoefficients) -> Result<String, FitError> {
         round(std::slice::from_mut(value));
     }
     let text = toml::to_string(&rounded)?;
-    Ok(format!("# Coefficients of the piecewise-linear loading law, for `[law.plm] coefficients = \"...\"` in a scenario.\n\n{text}"))
+    Ok(format!(
+        "# Coefficients of the piecewise-linear loading law, for `[law.plm] coefficients = \"...\"` in a scenario.\n\n{text}"
+    ))
 }

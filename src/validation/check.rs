@@ -9,6 +9,38 @@ pub struct Tolerance {
     pub source: &'static str,
 }
 
+/// A deviation beyond the tolerance that is on record: not a pass, but no news either.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Known {
+    /// How large it was found to be; beyond this it is a miss.
+    pub limit: f64,
+    /// What is off, and where.
+    pub remark: &'static str,
+}
+
+/// How a row ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Within the tolerance.
+    Pass,
+    /// Beyond it, as is known of the law.
+    Known,
+    /// Beyond it.
+    Miss,
+}
+
+impl Verdict {
+    /// In tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Known => "known",
+            Self::Miss => "MISS",
+        }
+    }
+}
+
 /// One row of the validation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
@@ -28,6 +60,8 @@ pub struct Check {
     pub deviation: f64,
     /// What passes.
     pub tolerance: Tolerance,
+    /// What is known not to.
+    pub known: Option<Known>,
 }
 
 impl Check {
@@ -50,6 +84,7 @@ impl Check {
             got: Some(got),
             deviation: deviation(expected, got),
             tolerance,
+            known: None,
         }
     }
 
@@ -57,20 +92,27 @@ impl Check {
     #[must_use]
     pub fn mean(quantity: &str, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
         let quantity = quantity.to_owned();
-        Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance }
+        Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
     }
 
-    /// Whether the deviation is within the tolerance.
+    /// Whether the deviation is within the tolerance, or else within what is on record.
     #[must_use]
-    pub fn passes(&self) -> bool {
-        self.deviation.abs() <= self.tolerance.limit
+    pub fn verdict(&self) -> Verdict {
+        let off = self.deviation.abs();
+        if off <= self.tolerance.limit {
+            Verdict::Pass
+        } else if self.known.is_some_and(|known| off <= known.limit) {
+            Verdict::Known
+        } else {
+            Verdict::Miss
+        }
     }
+}
 
-    /// "pass" or "MISS".
-    #[must_use]
-    pub fn verdict(&self) -> &'static str {
-        if self.passes() { "pass" } else { "MISS" }
-    }
+/// Rows with a verdict.
+#[must_use]
+pub fn count(checks: &[Check], verdict: Verdict) -> usize {
+    checks.iter().filter(|check| check.verdict() == verdict).count()
 }
 
 /// got/expected − 1; zero if both are.

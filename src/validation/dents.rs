@@ -1,8 +1,8 @@
 //! Curvature of the dent: Eq. 25 from the finite elements' own peak against circles fitted to their craters.
 
+use super::ValidationError;
 use super::check::{Check, Tolerance};
 use super::reference::{STATIC, cases};
-use super::ValidationError;
 use crate::law::{Peak, PlmCoefficients};
 
 /// Largest error of Table 2 of the paper.

@@ -114,7 +114,14 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     for case in cases(coefficients)? {
         let fe = &case.reference;
         let mut row = |quantity: &str, unit, numbers, tolerance| {
-            checks.push(Check::numbers(&format!("impact: {quantity}"), case.name.to_owned(), DYNAMIC, unit, numbers, tolerance));
+            checks.push(Check::numbers(
+                &format!("impact: {quantity}"),
+                case.name.to_owned(),
+                DYNAMIC,
+                unit,
+                numbers,
+                tolerance,
+            ));
         };
         for (impact, (exponent, name)) in case.impacts.iter().zip(EXPONENTS) {
             let tolerance = restitution_tolerance(exponent);
@@ -130,7 +137,12 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             // what the waves took according to the finite elements, taken off the law's energy
             let kept = (shape.restitution * shape.restitution - fe.radiated_share).max(0.0).sqrt();
             let tolerance = Tolerance { limit: 0.010, source: "documented 0.8 %, margin 0.2 %" };
-            row("restitution, pressure-shape less the reference's radiated energy", "", [fe.restitution, kept], tolerance);
+            row(
+                "restitution, pressure-shape less the reference's radiated energy",
+                "",
+                [fe.restitution, kept],
+                tolerance,
+            );
         }
     }
     checks.sort_by(|a, b| a.quantity.cmp(&b.quantity));

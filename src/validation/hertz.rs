@@ -4,8 +4,8 @@
 //! The half-space of this model is never rigid. A sphere of modulus E on a rigid plane and a rigid sphere of the same
 //! density on a half-space of modulus E are the same problem: F = (4/3) E* √R δ^1.5 with E* = E/(1 − ν²) in both.
 
-use super::check::{Check, Tolerance};
 use super::ValidationError;
+use super::check::{Check, Tolerance};
 use crate::impact::{Contact, Impact, Method, Solver};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -93,15 +93,10 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
     let mut published = Vec::new();
     let mut exact = Vec::new();
     for scene in &SCENES {
-        let sphere = Sphere {
-            radius: scene.radius,
-            material: scene.sphere,
-            density: scene.density,
-            yield_strength: None,
-        };
+        let sphere =
+            Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };
         let half_space = HalfSpace { material: scene.half_space, yield_strength: None, density: None };
-        let contact =
-            Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+        let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
         let solver = Solver { method: Method::Rk8, ..Solver::default() };
         let impact = contact.impact(scene.speed, &solver, None)?;
         for &(quantity, unit, expected, half_a_digit) in scene.values {

@@ -3,9 +3,9 @@
 
 use serde::Deserialize;
 
+use super::ValidationError;
 use super::check::{Check, Tolerance};
 use super::reference::rows;
-use super::ValidationError;
 use crate::impact::{Contact, Impact, Solver};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -82,7 +82,8 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
         let contact = row.contact()?;
         let closed = contact.closed_form(row.impact_speed_m_per_s)?;
         let integrated = contact.impact(row.impact_speed_m_per_s, &Solver::default(), None)?;
-        for (impact, name, tolerance) in [(closed, "closed form", EXACT), (integrated, "integrated by rk8", INTEGRATED)] {
+        for (impact, name, tolerance) in [(closed, "closed form", EXACT), (integrated, "integrated by rk8", INTEGRATED)]
+        {
             for (quantity, unit, expected, got) in row.compared(&impact) {
                 let case = format!("{}: {quantity}", row.case);
                 let name = format!("program: impact under the law, {name}");

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::check::{Check, largest, mean, rms};
+use super::check::{Check, Verdict, count, largest, mean, rms};
 
 /// `validation.csv`: every row; deviations and tolerances are shares.
 ///
@@ -34,7 +34,7 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
             &check.deviation.to_string(),
             &check.tolerance.limit.to_string(),
             check.tolerance.source,
-            check.verdict(),
+            check.verdict().name(),
         ])?;
     }
     writer.into_inner().map_err(|error| error.into_error().into())
@@ -51,8 +51,14 @@ impl Group<'_> {
         self.checks.iter().map(|check| check.deviation).collect()
     }
 
-    fn missed(&self) -> usize {
-        self.checks.iter().filter(|check| !check.passes()).count()
+    /// "pass", or how many rows do not.
+    fn verdict(&self) -> String {
+        let count = |verdict| self.checks.iter().filter(|check| check.verdict() == verdict).count();
+        match (count(Verdict::Miss), count(Verdict::Known)) {
+            (0, 0) => Verdict::Pass.name().to_owned(),
+            (0, known) => format!("{}: {known}", Verdict::Known.name()),
+            (missed, _) => format!("{}: {missed}", Verdict::Miss.name()),
+        }
     }
 
     /// Smallest and largest limit.
@@ -94,9 +100,13 @@ fn signed(value: f64) -> String {
 
 /// The line that sums up everything.
 fn verdict(checks: &[Check]) -> String {
-    match checks.iter().filter(|check| !check.passes()).count() {
-        0 => format!("{} checks, all within their tolerance", checks.len()),
-        missed => format!("{missed} of {} checks MISSED their tolerance", checks.len()),
+    let known = match count(checks, Verdict::Known) {
+        0 => String::new(),
+        known => format!(", {known} beyond it as is known of the built-in law"),
+    };
+    match count(checks, Verdict::Miss) {
+        0 => format!("{} checks, {} within their tolerance{known}", checks.len(), count(checks, Verdict::Pass)),
+        missed => format!("{missed} of {} checks MISSED their tolerance{known}", checks.len()),
     }
 }
 
@@ -114,10 +124,7 @@ pub fn table(checks: &[Check]) -> String {
             several(share(rms(&deviations))),
             signed(largest(deviations.iter().copied())),
             group.tolerance(),
-            match group.missed() {
-                0 => "pass".to_owned(),
-                missed => format!("MISS: {missed}"),
-            },
+            group.verdict(),
         ]);
     }
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
@@ -131,9 +138,16 @@ pub fn table(checks: &[Check]) -> String {
         text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
         text.push('\n');
     }
-    for check in checks.iter().filter(|check| !check.passes()) {
-        let [off, limit] = [signed(check.deviation), share(check.tolerance.limit)];
-        let _ = writeln!(text, "MISS  {}: {}: {off}, tolerance {limit} ({})", check.quantity, check.case, check.tolerance.source);
+    for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
+        let Check { quantity, case, tolerance, .. } = check;
+        let (off, limit) = (signed(check.deviation), share(tolerance.limit));
+        let _ = writeln!(text, "MISS: {quantity}: {case}: {off}, tolerance {limit} ({})", tolerance.source);
+    }
+    for group in groups(checks) {
+        let known = group.checks.iter().find(|check| check.verdict() == Verdict::Known);
+        if let Some(known) = known.and_then(|check| check.known) {
+            let _ = writeln!(text, "known of the built-in law: {}: {}", group.quantity, known.remark);
+        }
     }
     text + &verdict(checks) + "\n"
 }
@@ -154,7 +168,12 @@ pub fn markdown(checks: &[Check], law: &str) -> String {
         sources.sort_unstable();
         sources.dedup();
         let _ = write!(text, "Reference: {}. Tolerance: {}.\n\n", references.join("; "), sources.join("; "));
-        text.push_str("| case | expected | got | unit | deviation | tolerance | verdict |\n|---|---|---|---|---|---|---|\n");
+        if let Some(known) = group.checks.iter().find_map(|check| check.known) {
+            let _ = write!(text, "On record for the built-in law: {}.\n\n", known.remark);
+        }
+        text.push_str(
+            "| case | expected | got | unit | deviation | tolerance | verdict |\n|---|---|---|---|---|---|---|\n",
+        );
         let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.6e}"));
         for check in &group.checks {
             let _ = writeln!(
@@ -166,7 +185,7 @@ pub fn markdown(checks: &[Check], law: &str) -> String {
                 check.unit,
                 signed(check.deviation),
                 share(check.tolerance.limit),
-                check.verdict()
+                check.verdict().name()
             );
         }
     }
@@ -176,7 +195,7 @@ pub fn markdown(checks: &[Check], law: &str) -> String {
 /// The summary as a table in Markdown.
 fn summary(checks: &[Check]) -> String {
     let mut text = String::from(
-        "| quantity | checks | mean deviation | rms | largest | tolerance | missed |\n|---|---|---|---|---|---|---|\n",
+        "| quantity | checks | mean deviation | rms | largest | tolerance | verdict |\n|---|---|---|---|---|---|---|\n",
     );
     for group in groups(checks) {
         let deviations = group.deviations();
@@ -189,7 +208,7 @@ fn summary(checks: &[Check]) -> String {
             share(rms(&deviations)),
             signed(largest(deviations.iter().copied())),
             group.tolerance(),
-            group.missed()
+            group.verdict()
         );
     }
     text

@@ -10,7 +10,12 @@ const DEEP: Tolerance = Tolerance { limit: 0.02, source: "Xie et al. 2024, Fig. 
 const FORCE: Tolerance = Tolerance { limit: 0.052, source: "documented 5 % of the peak force, margin 0.2 %" };
 
 /// The unloading branch from the finite elements' peak to their dent: its shape alone.
-pub(super) fn branch(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Unloading {
+pub(super) fn branch(
+    case: &Case,
+    cycle: &Cycle,
+    coefficients: &PlmCoefficients,
+    exponent: UnloadingExponent,
+) -> Unloading {
     let law = case.law(coefficients, exponent);
     let exponent = law.unloading(cycle.peak).exponent;
     let elastic_approach = cycle.peak.indentation - cycle.residual;
@@ -18,7 +23,7 @@ pub(super) fn branch(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients,
 }
 
 /// The point where the force is farthest off: x, expected and got in units of the peak force.
-fn farthest(cycle: &Cycle, branch: &Unloading) -> Option<(f64, [f64; 2])> {
+pub(super) fn farthest(cycle: &Cycle, branch: &Unloading) -> Option<(f64, [f64; 2])> {
     let of_peak = |force: f64| force / cycle.peak.force;
     let pairs = cycle.points.iter().map(|[x, f, _]| (*x, [of_peak(*f), of_peak(branch.force(*x))]));
     pairs.max_by(|(_, a), (_, b)| (a[1] - a[0]).abs().total_cmp(&(b[1] - b[0]).abs()))
