@@ -25,6 +25,7 @@ pub struct Run {
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    scenario.refuse_columns()?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
     // what the closed form cannot hold no integration can
@@ -42,7 +43,7 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
         .impact(scene.speed, &scene.solver, Some(scene.samples))
         .map_err(|reason| Error::impact(scenario, reason))?;
     impact.warnings.extend(&scene.warnings);
-    let provenance = provenance(scenario, &scene, &impact, command);
+    let provenance = provenance(scenario, &scene, &impact, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
         file("summary.json", report::summary(&contact, &impact, &provenance)?.into_bytes()),
@@ -68,17 +69,17 @@ impl Run {
     }
 }
 
-fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Provenance {
+fn provenance(scenario: &Scenario, scene: &Scene, impact: &Impact, command: &str) -> Result<Provenance, Error> {
     let coefficients = scene.half_space.yield_strength.map(|_| &scene.coefficients.provenance);
-    Provenance {
+    Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
-        scenario_sha256: scenario.document.sha256(),
+        scenario_sha256: scenario.sha256()?,
         command: command.to_owned(),
         method: impact.method.name().to_owned(),
         tolerance: scene.solver.tolerance,
         law: if coefficients.is_some() { "plm" } else { "hertz" }.to_owned(),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
-    }
+    })
 }

@@ -21,10 +21,12 @@
 //! # Ok::<(), plm_impact::scenario::ScenarioError>(())
 //! ```
 
+mod columns;
 mod document;
 mod explain;
 pub mod file;
 pub mod keys;
+mod kind;
 pub mod overview;
 mod place;
 pub mod quantity;
@@ -41,6 +43,7 @@ use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::{Document, read_text};
 use file::{LawTable, PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
+pub use kind::Kind;
 pub use place::{Place, Refusal};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
@@ -153,18 +156,21 @@ impl Scenario {
         Ok(Self { document, file, directory })
     }
 
-    /// The scene: defaults filled in, files read.
+    /// The scene of an impact: defaults filled in, files read.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other or the file of coefficients is bad.
+    /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
+    /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
         let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
         let defaults = Solver::default();
+        let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
+        let impact = impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
         let sphere = Sphere {
             radius: self.radius(sphere)?,
             material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
-            density: sphere.density.0,
+            density: density.0,
             yield_strength: sphere.yield_strength.map(|strength| strength.0),
         };
         let half_space = HalfSpace {
@@ -204,6 +210,19 @@ impl Scenario {
                 Err(self.document.refuse("sphere.diameter", message.to_owned()))
             }
         }
+    }
+
+    /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] if that file cannot be read.
+    pub fn sha256(&self) -> Result<String, ScenarioError> {
+        let named = match &self.file.law {
+            Some(LawTable::Plm(PlmTable { coefficients: Some(path), .. })) => Some(self.directory.join(path)),
+            _ => None,
+        };
+        let text = named.map(|path| document::read_text(&path)).transpose()?;
+        Ok(self.document.sha256_with(text.as_deref()))
     }
 
     fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {

@@ -4,7 +4,7 @@
 
 use plm_impact::impact::{Method, Warning};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
-use plm_impact::scenario::{KEYS, Key, Scenario, ScenarioError, Scene};
+use plm_impact::scenario::{KEYS, Key, Kind, Scenario, ScenarioError, Scene};
 
 const STEEL: &str = r#"[sphere]
 radius = "5 mm"
@@ -232,17 +232,28 @@ fn errors_of_overrides_say_so() {
 }
 
 #[test]
-fn the_hash_is_of_text_and_overrides() {
-    let hash = |text: &str, overrides: &[&str]| {
+fn the_hash_is_of_text_overrides_and_coefficients() {
+    let directory = tempfile::tempdir().unwrap();
+    let coefficients = directory.path().join("my.toml");
+    let built_in = include_str!("../src/law/plm_coefficients.toml");
+    let file = directory.path().join("scenario.toml");
+    let hash = |text: &str, overrides: &[&str], table: &str| {
+        std::fs::write(&file, text).unwrap();
+        std::fs::write(&coefficients, table).unwrap();
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        Scenario::from_text("any", text, &overrides).unwrap().document.sha256()
+        Scenario::load(&file, &overrides).unwrap().sha256().unwrap()
     };
-    let plain = hash(STEEL, &[]);
+    let plain = hash(STEEL, &[], built_in);
     assert_eq!(plain.len(), 64);
-    assert_eq!(plain, hash(STEEL, &[]));
-    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[]));
-    assert_ne!(plain, hash(STEEL, &["impact.speed=3"]));
-    assert_ne!(hash(STEEL, &["impact.speed=3"]), hash(STEEL, &["impact.speed=4"]));
+    assert_eq!(plain, hash(STEEL, &[], built_in));
+    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[], built_in));
+    assert_ne!(plain, hash(STEEL, &["impact.speed=3"], built_in));
+    assert_ne!(hash(STEEL, &["impact.speed=3"], built_in), hash(STEEL, &["impact.speed=4"], built_in));
+    // a file of coefficients counts where it is named, and only there
+    let changed = format!("# mine\n{built_in}");
+    assert_eq!(plain, hash(STEEL, &[], &changed));
+    let named = format!("{STEEL}\n[law.plm]\ncoefficients = \"my.toml\"\n");
+    assert_ne!(hash(&named, &[], built_in), hash(&named, &[], &changed));
 }
 
 #[test]
@@ -264,4 +275,28 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
     {
         assert!(names.iter().any(|found| found == name), "{name}");
     }
+}
+
+#[test]
+fn the_tables_tell_what_kind_of_scene_a_file_is() {
+    let kind = |tables: &str| Scenario::from_text("steel.toml", &format!("{STEEL}{tables}"), &[]).unwrap().kind();
+    let sweep = "[sweep]\n\"impact.speed\" = [1, 2]\n";
+    let monte_carlo = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 2] }\n";
+    assert_eq!(kind("").unwrap(), Kind::Impact);
+    assert_eq!(kind(sweep).unwrap(), Kind::Sweep);
+    assert_eq!(kind(monte_carlo).unwrap(), Kind::MonteCarlo);
+    let message = kind(&format!("{sweep}{monte_carlo}")).unwrap_err().to_string();
+    for want in ["steel.toml:", "monte_carlo: [sweep] is given too; write only one of the two"] {
+        assert!(message.contains(want), "{message}");
+    }
+}
+
+#[test]
+fn an_impact_needs_a_speed_and_a_mass() {
+    let without = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let message = refusal(&without, &[]);
+    assert_eq!(message, "steel.toml: the table [impact] is missing");
+    let message = refusal(&STEEL.replace("density = \"7850 kg/m^3\"\n", ""), &[]);
+    let want = "steel.toml:1:1: sphere: the key `density` is missing: a density such as density = \"7850 kg/m^3\"";
+    assert!(message.starts_with(want), "{message}");
 }

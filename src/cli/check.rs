@@ -3,7 +3,9 @@
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::report::plan::plan_lines;
 use plm_impact::scenario::overview::overview;
+use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
 
@@ -16,7 +18,24 @@ pub struct Arguments {
 
 pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
-    let (scene, contact) = plm_impact::run::prepare(&scenario)?;
+    match scenario.kind().map_err(Error::from)? {
+        Kind::Impact => impact(&scenario),
+        Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
+    }
+}
+
+fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
+    let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
+    let contact = plan.scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    for warning in &plan.scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
+    super::print(&text).context("standard output")
+}
+
+fn impact(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contact) = plm_impact::run::prepare(scenario)?;
     for warning in &scene.warnings {
         eprintln!("warning: {warning}");
     }

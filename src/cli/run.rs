@@ -6,6 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
+use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
 
@@ -29,19 +30,34 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
-    let directory = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.scenario.scenario));
-    let plan = scenario.plan().map_err(Error::from)?;
-    let directory = OutputDirectory::prepare(&directory)?;
-    if let Some(plan) = plan {
-        return super::sweep::run(&arguments.sweep, &scenario, &plan, directory, &command_line(), arguments.quiet);
+    match scenario.kind().map_err(Error::from)? {
+        Kind::Impact => impact(arguments, &scenario),
+        Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
     }
+}
+
+fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
+    let count = plan.scene.warnings.len();
+    if arguments.strict && count > 0 {
+        for warning in &plan.scene.warnings {
+            eprintln!("warning: {warning}");
+        }
+        return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count }.into());
+    }
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    super::sweep::run(&arguments.sweep, scenario, &plan, directory, &command_line(), arguments.quiet)
+}
+
+fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for_one_impact()?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
-    let run = plm_impact::run::run(&scenario, &command_line())?;
+    let run = plm_impact::run::run(scenario, &command_line())?;
     for warning in &run.impact.warnings {
         eprintln!("warning: {warning}");
     }
-    run.write(&scenario, directory, arguments.strict)?;
+    run.write(scenario, directory, arguments.strict)?;
     if !arguments.quiet {
         super::print(&run.table).context("standard output")?;
         let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
@@ -50,8 +66,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn default_directory(scenario: &Path) -> PathBuf {
-    Path::new("plots").join(scenario.file_stem().unwrap_or(scenario.as_os_str()))
+impl Arguments {
+    /// Where the outputs go.
+    fn directory(&self) -> PathBuf {
+        let scenario = &self.scenario.scenario;
+        let default = || Path::new("plots").join(scenario.file_stem().unwrap_or(scenario.as_os_str()));
+        self.out.clone().unwrap_or_else(default)
+    }
 }
 
 /// As typed, but for the program's directory, which says nothing about the run.

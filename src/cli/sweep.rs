@@ -94,7 +94,7 @@ pub fn run(
     let flag = Arc::clone(&is_cancelled);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("Ctrl-C")?;
     let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
-    let scenario_sha256 = scenario.document.sha256();
+    let scenario_sha256 = scenario.sha256().map_err(Error::from)?;
     let out = directory.path().to_owned();
     let job = Job {
         plan,

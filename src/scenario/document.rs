@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::ScenarioError;
-use super::explain::{explain, key_at, span_of};
+use super::explain::{explain, key_at, missing, span_of};
 use super::place::{Place, Refusal};
 
 /// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
@@ -101,15 +101,19 @@ impl Document {
         &self.text
     }
 
-    /// SHA-256 of the file's text and the overrides, in hexadecimal.
+    /// SHA-256 of the file's text, the overrides, and the text of another file that it names, in hexadecimal.
     #[must_use]
-    pub fn sha256(&self) -> String {
+    pub fn sha256_with(&self, other: Option<&str>) -> String {
         let mut hasher = Sha256::new();
         hasher.update(&self.text);
         for given in &self.overrides {
             // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
             hasher.update([0]);
             hasher.update(&given.text);
+        }
+        if let Some(other) = other {
+            hasher.update([0, 0]);
+            hasher.update(other);
         }
         hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
             let _ = write!(hex, "{byte:02x}");
@@ -138,6 +142,12 @@ impl Document {
     pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
         let span = self.root().ok().and_then(|root| span_of(&root, key));
         self.refusal(span, key.to_owned(), message)
+    }
+
+    /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
+    #[must_use]
+    pub fn missing(&self, table: &str, key: &str) -> ScenarioError {
+        self.refuse(table, missing(key, table))
     }
 
     fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {

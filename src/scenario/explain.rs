@@ -68,7 +68,8 @@ pub(super) fn explain(message: &str, key: &mut String, root: &DeTable<'_>) -> St
     message.trim_end().to_owned()
 }
 
-fn missing(name: &str, table: &str) -> String {
+/// What is said where `name` is missing in `table` (empty: the table of that name).
+pub(super) fn missing(name: &str, table: &str) -> String {
     if table.is_empty() {
         return format!("the table [{name}] is missing");
     }

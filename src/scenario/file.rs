@@ -18,8 +18,8 @@ pub struct ScenarioFile {
     pub sphere: SphereTable,
     /// The half-space.
     pub half_space: HalfSpaceTable,
-    /// How they meet.
-    pub impact: ImpactTable,
+    /// How they meet; only a scene without an impact can do without.
+    pub impact: Option<ImpactTable>,
     /// The law; PLM if absent.
     pub law: Option<LawTable>,
     /// How to compute.
@@ -46,8 +46,8 @@ pub struct SphereTable {
     pub youngs_modulus: SphereModulus,
     /// Poisson's ratio.
     pub poissons_ratio: PoissonsRatio,
-    /// Density.
-    pub density: Density,
+    /// Density; only a scene without an impact can do without.
+    pub density: Option<Density>,
     /// The sphere's own yield strength: only used to warn.
     pub yield_strength: Option<Strength>,
 }
@@ -108,4 +108,6 @@ pub struct SolverTable {
 pub struct OutputTable {
     /// Evenly spaced rows of the trace.
     pub samples: Option<Samples>,
+    /// Of a table: the results it has besides the restitution; all if absent.
+    pub columns: Option<Vec<String>>,
 }

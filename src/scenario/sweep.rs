@@ -7,7 +7,7 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, M
 
 use super::keys::{KEYS, Key};
 use super::quantity::{Quantity, Reader};
-use super::{Scenario, ScenarioError};
+use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Method;
 use crate::nearest::nearest;
 use crate::sweep::axis::{Axis, Values};
@@ -48,6 +48,9 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] for an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
     pub fn plan(&self) -> Result<Option<Plan>, ScenarioError> {
+        if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
+            return Ok(None);
+        }
         let mut scene = self.resolve()?;
         if self.file.solver.method.is_none() {
             // a table has no trace, so the closed form is enough
@@ -56,10 +59,7 @@ impl Scenario {
         let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
         let (cases, table) = match (&self.file.sweep, &self.file.monte_carlo) {
             (None, None) => return Ok(None),
-            (Some(_), Some(_)) => {
-                return refuse("monte_carlo", "[sweep] is given too; write only one of the two".to_owned());
-            }
-            (Some(SweepTable(axes)), None) => {
+            (Some(SweepTable(axes)), _) => {
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
@@ -82,7 +82,8 @@ impl Scenario {
                 (Cases::MonteCarlo { samples: *samples, seed: *seed, variables }, "monte_carlo")
             }
         };
-        let plan = Plan { scene, cases };
+        let mut plan = Plan { scene, cases, columns: None };
+        self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = plan.unused() {
             return refuse(table, format!("\"{path}\" {problem}"));
         }

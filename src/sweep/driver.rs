@@ -227,7 +227,7 @@ fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<
 /// The rows of this range as numbers.
 #[must_use]
 pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>) -> Rows {
-    let mut computed = Rows::default();
+    let mut computed = Rows::with_capacity(rows.end - rows.start, evaluator.n_swept());
     for cases in layout.cases(rows) {
         evaluator.rows(cases, &mut computed);
     }

@@ -27,6 +27,9 @@ use super::table::{ResultColumn, column_names, result_columns};
 /// Rows of a row group: a few megabytes, so that two groups a thread stay far below the memory of any machine.
 const ROW_GROUP: u64 = 65_536;
 
+/// Values handed over at a time: few enough to stay in the cache.
+const BATCH: usize = 4096;
+
 /// Where the values of a column come from.
 enum Column {
     Case,
@@ -120,11 +123,17 @@ fn encode(
             writer.write_batch(&values, None, None)?;
         }
         (ColumnWriter::DoubleColumnWriter(writer), Column::Result(column)) => {
-            let value = |row: &Result<_, _>| row.as_ref().ok().and_then(column.value);
-            let all: Vec<Option<f64>> = rows.results.iter().map(value).collect();
-            let levels: Vec<i16> = all.iter().map(|value| i16::from(value.is_some())).collect();
-            let values: Vec<f64> = all.into_iter().flatten().collect();
-            writer.write_batch(&values, Some(&levels), None)?;
+            let (mut values, mut levels) = (Vec::with_capacity(BATCH), Vec::with_capacity(BATCH));
+            for batch in rows.results.chunks(BATCH) {
+                values.clear();
+                levels.clear();
+                for row in batch {
+                    let value = row.as_ref().ok().and_then(column.value);
+                    values.extend(value);
+                    levels.push(i16::from(value.is_some()));
+                }
+                writer.write_batch(&values, Some(&levels), None)?;
+            }
         }
         (ColumnWriter::ByteArrayColumnWriter(writer), Column::Name(place, names)) => {
             let values: Vec<ByteArray> = swept(*place).map(|place| names[*place as usize].clone()).collect();
@@ -157,7 +166,7 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
 
     let evaluator = Evaluator::new(job.plan);
     let layout = Layout::new(total, Shard::WHOLE);
-    let n_swept = job.plan.paths().len();
+    let n_swept = evaluator.n_swept();
     let encode_group = |start: u64| -> Result<Group, ParquetError> {
         let rows = compute(&evaluator, &layout, start..total.min(start + ROW_GROUP));
         let encoded = columns

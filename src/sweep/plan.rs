@@ -32,6 +32,8 @@ pub struct Plan {
     pub scene: Scene,
     /// The cases.
     pub cases: Cases,
+    /// Names of the results that the table has; `None`: all.
+    pub columns: Option<Vec<&'static str>>,
 }
 
 /// Why a row has no numbers.
@@ -86,6 +88,19 @@ pub struct Rows {
     pub swept: Vec<f64>,
     /// What each case came to.
     pub results: Vec<Result<Essentials, Failure>>,
+}
+
+impl Rows {
+    /// No rows yet, with room for `count` of `n_swept` swept values each.
+    #[must_use]
+    pub fn with_capacity(count: u64, n_swept: usize) -> Self {
+        let count = usize::try_from(count).unwrap_or(0);
+        Self {
+            cases: Vec::with_capacity(count),
+            swept: Vec::with_capacity(count * n_swept),
+            results: Vec::with_capacity(count),
+        }
+    }
 }
 
 impl Plan {
@@ -209,6 +224,15 @@ impl<'a> Evaluator<'a> {
             }
         }
         evaluator
+    }
+
+    /// How many values a case sweeps.
+    #[must_use]
+    pub fn n_swept(&self) -> usize {
+        match &self.plan.cases {
+            Cases::Grid(axes) => axes.len(),
+            Cases::MonteCarlo { variables, .. } => variables.len(),
+        }
     }
 
     /// The contact of one combination.

@@ -46,6 +46,14 @@ pub struct ResultColumn {
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
+impl ResultColumn {
+    /// Whether a table of this plan can have it.
+    #[must_use]
+    pub fn is_in(&self, plan: &Plan) -> bool {
+        plan.is_plastic() || !self.is_plastic
+    }
+}
+
 /// The columns between the swept values and the status.
 pub const RESULT_COLUMNS: &[ResultColumn] = &[
     ResultColumn { name: "restitution", is_plastic: false, value: |row| Some(row.restitution) },
@@ -65,7 +73,8 @@ pub const RESULT_COLUMNS: &[ResultColumn] = &[
 /// The result columns of a plan.
 #[must_use]
 pub fn result_columns(plan: &Plan) -> Vec<ResultColumn> {
-    RESULT_COLUMNS.iter().copied().filter(|column| plan.is_plastic() || !column.is_plastic).collect()
+    let is_wanted = |name| plan.columns.as_ref().is_none_or(|columns| columns.contains(&name));
+    RESULT_COLUMNS.iter().copied().filter(|column| column.is_in(plan) && is_wanted(column.name)).collect()
 }
 
 /// All column names of a plan.

@@ -1,0 +1,63 @@
+//! What `check` says of a sweep before anything is run: how many cases, of what, and what the table will hold.
+
+use std::fmt::Write as _;
+
+use super::human::percent;
+use crate::sweep::axis::{Axis, Setting, Values};
+use crate::sweep::plan::{Cases, Plan, label};
+use crate::sweep::random::{Distribution, Variable};
+use crate::sweep::table::column_names;
+use crate::units::human;
+
+/// Values of an axis that are listed one by one.
+const MOST_LISTED: u64 = 8;
+
+/// A few lines, the last of which leads over to the scene of the first case.
+#[must_use]
+pub fn plan_lines(plan: &Plan) -> String {
+    let mut text = String::new();
+    // a plan of more cases than can be counted is refused while the scenario is read
+    let count = plan.count().unwrap_or(u64::MAX);
+    let rows: Vec<(&str, String)> = match &plan.cases {
+        Cases::Grid(axes) => {
+            let _ = writeln!(text, "{count} cases, every combination of");
+            axes.iter().map(|axis| (axis.path(), values(axis))).collect()
+        }
+        Cases::MonteCarlo { seed, variables, .. } => {
+            let _ = writeln!(text, "{count} cases, drawn with seed {seed} from");
+            variables.iter().map(|variable| (variable.key.path, distribution(variable))).collect()
+        }
+    };
+    let width = rows.iter().map(|(path, _)| path.len()).max().unwrap_or(0);
+    for (path, values) in rows {
+        let _ = writeln!(text, "  {path:<width$}  {values}");
+    }
+    let _ = writeln!(text, "columns {}", column_names(plan).join(","));
+    let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
+    let _ = writeln!(text, "\n{scene}:");
+    text
+}
+
+fn values(axis: &Axis) -> String {
+    let count = axis.len();
+    if count <= MOST_LISTED {
+        return (0..count).map(|place| label(axis, place)).collect::<Vec<_>>().join(", ");
+    }
+    let spacing = match (&axis.setting, axis.is_logarithmic) {
+        (Setting::Number { .. }, true) => ", evenly in the logarithm",
+        (Setting::Number { values: Values::Linear { .. }, .. }, _) => ", evenly",
+        _ => "",
+    };
+    format!("{count} values from {} to {}{spacing}", label(axis, 0), label(axis, count - 1))
+}
+
+fn distribution(variable: &Variable) -> String {
+    let say = |value| human(value, variable.key.quantity.dimension);
+    let law = match variable.distribution {
+        Distribution::Uniform { from, to } => return format!("uniform from {} to {}", say(from), say(to)),
+        Distribution::Normal { mean, sd } => format!("normal, mean {}, sd {}", say(mean), say(sd)),
+        Distribution::Lognormal { mean, sd } => format!("lognormal, mean {}, sd {}", say(mean), say(sd)),
+    };
+    let kept = percent(variable.kept());
+    format!("{law}, cut to {} (keeps {kept})", variable.key.quantity.allowed())
+}
