@@ -41,7 +41,10 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let curves: Result<Vec<LoadingCurve>, FitError> =
         arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
     let curves = curves.map_err(Error::from)?;
-    if arguments.curves.contains(&arguments.out) {
+    let is_out = |path: &PathBuf| {
+        path.canonicalize().ok().is_some_and(|path| arguments.out.canonicalize().is_ok_and(|out| out == path))
+    };
+    if arguments.curves.iter().any(is_out) {
         return Err(
             request(format!("--out {}: is one of the curves; name another file", arguments.out.display())).into()
         );
@@ -59,8 +62,8 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let coefficients = report::coefficients(&fitted, &name, &super::run::command_line());
     let text = report::toml(&coefficients).map_err(Error::from)?;
     directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
-    let before: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
-    super::print(&report::table(&fitted, &before)).context("standard output")?;
+    let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
+    super::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
     eprintln!("wrote {}", arguments.out.display());
     Ok(())
 }

@@ -12,18 +12,25 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// Deviations of each curve \[%\]: rms and largest, under a law that was fitted to it and under one that was not.
+/// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest, rms under a law fitted to
+/// the other curves, and rms under the built-in table (`built_in`).
 #[must_use]
-pub fn table(fit: &Fit, before: &[CaseFit]) -> String {
-    let mut rows = vec![
-        ["", "", "force", "", "", "", "elastic", "approach", "", "", "contact radius"].map(str::to_owned),
-        [
-            "curve", "E*/E_s*", "rms %", "largest", "left out", "before", "rms %", "largest", "left out", "before",
-            "rms %",
-        ]
-        .map(str::to_owned),
+pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
+    let header = [
+        "curve",
+        "E*/E_s*",
+        "F: rms %",
+        "largest",
+        "left out",
+        "built-in",
+        "delta_e: rms %",
+        "largest",
+        "left out",
+        "built-in",
+        "a: rms %",
     ];
-    for (case, before) in fit.cases.iter().zip(before) {
+    let mut rows = vec![header.map(str::to_owned)];
+    for (case, built_in) in fit.cases.iter().zip(built_in) {
         let left_out = |index: usize| {
             case.left_out
                 .map_or_else(|| "-".to_owned(), |left| percent(if index == 0 { left.0.rms } else { left.1.rms }))
@@ -34,11 +41,11 @@ pub fn table(fit: &Fit, before: &[CaseFit]) -> String {
             percent(case.force.rms),
             format!("{:+.2}", 100.0 * case.force.largest),
             left_out(0),
-            percent(before.force.rms),
+            percent(built_in.force.rms),
             percent(case.approach.rms),
             format!("{:+.2}", 100.0 * case.approach.largest),
             left_out(1),
-            percent(before.approach.rms),
+            percent(built_in.approach.rms),
             case.radius.map_or_else(|| "-".to_owned(), |radius| percent(radius.rms)),
         ]);
     }
