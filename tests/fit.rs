@@ -276,7 +276,7 @@ fn bad_files_are_refused_and_nothing_is_written() {
         let next = line(&good, first + 21);
         good.replace(&row, "\u{1}").replace(&next, &row).replace('\u{1}', &next)
     };
-    let short: String = good.lines().take(first + 8).map(|line| format!("{line}\n")).collect();
+    let short: String = good.lines().take(first + 8).collect::<Vec<_>>().join("\n");
     let cases: Vec<(String, Vec<&str>)> = vec![
         (good.replace("delta_s_over_delta", "share"), vec!["elastic approach", "delta_s_over_delta"]),
         (good.replace("F_over_FY", "force"), vec!["no column gives the force", "force_N"]),

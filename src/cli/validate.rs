@@ -21,6 +21,9 @@ pub struct Arguments {
     /// Validate the law with these coefficients instead of the built-in ones
     #[arg(long, value_name = "FILE")]
     coefficients: Option<PathBuf>,
+    /// Tables only
+    #[arg(long)]
+    no_pictures: bool,
 }
 
 pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
@@ -35,7 +38,9 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
             bytes: report::markdown(&checks, &coefficients.provenance.name).into_bytes(),
         },
     ];
-    files.extend(validation::pictures(coefficients).map_err(Error::from)?);
+    if !arguments.no_pictures {
+        files.extend(validation::pictures(coefficients).map_err(Error::from)?);
+    }
     let out = directory.path().to_owned();
     directory.write(&files)?;
     super::print(&report::table(&checks)).context("standard output")?;
