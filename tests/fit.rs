@@ -12,6 +12,7 @@ use assert_cmd::Command;
 use plm_impact::fit::{self, LoadingCurve, LoadingPoint, Plan, knots, solve::case_fit};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Pair};
+use proptest::prelude::*;
 use tempfile::TempDir;
 
 fn reference(case: u32) -> PathBuf {
@@ -220,6 +221,10 @@ fn ratios_in_a_comment_do_for_the_keys() {
     assert_relative_eq!(curve.yield_radius_ratio, want.yield_radius_ratio, max_relative = 1e-5);
     assert_relative_eq!(curve.points[30].elastic_approach, want.points[30].elastic_approach, max_relative = 1e-5);
     assert!(curve.points[30].contact_radius.is_none());
+    // as a spreadsheet writes it
+    let text = fs::read_to_string(reference(3)).unwrap();
+    let with_mark = LoadingCurve::parse("mark", &format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
+    assert_eq!(with_mark.points, want.points);
 }
 
 fn call(directory: &Path, arguments: &[&str]) -> Output {
@@ -337,4 +342,42 @@ fn requests_that_make_no_sense_are_refused() {
         assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 1, "{arguments:?}");
     }
     assert_eq!(fs::read(directory.path().join("c.csv")).unwrap(), before);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_curve_that_can_be_read_gives_a_law_or_an_error(
+        steps in prop::collection::vec((0.01..3.0_f64, 0.01..5.0_f64, 0.02..1.1_f64), 9..30),
+        kappa in 1e-4..0.999_f64,
+        yield_radius_ratio in 1e-5..0.5_f64,
+        has_knots: bool,
+    ) {
+        let mut text = format!(
+            "# E'=1e11 E'_s={} E'_h={} a_Y/R={yield_radius_ratio}\ndelta_over_deltaY,F_over_FY,delta_s_over_delta\n",
+            1e11 / kappa,
+            1e11 / (1.0 - kappa)
+        );
+        let (mut x, mut f) = (1.0, 1.0);
+        for (ahead, up, share) in steps {
+            x += ahead;
+            f += up;
+            writeln!(text, "{x},{f},{}", share * kappa).unwrap();
+        }
+        let curve = LoadingCurve::parse("random", &text).unwrap();
+        if let Ok(fitted) = fit::fit(&[curve], &Plan { start: PlmCoefficients::built_in().clone(), has_knots }) {
+            prop_assert!(fitted.coefficients.check().is_ok());
+            prop_assert!(fitted.cases[0].force.rms.is_finite() && fitted.cases[0].approach.rms.is_finite());
+        }
+    }
+
+    #[test]
+    fn a_mangled_file_is_read_or_refused(at in 0..3000_usize, with in "[ -~\n]{0,8}", skipped in 0..40_usize) {
+        let text = fs::read_to_string(reference(3)).unwrap();
+        let mangled: String = text.chars().take(at).chain(with.chars()).chain(text.chars().skip(at + skipped)).collect();
+        if let Ok(curve) = LoadingCurve::parse("mangled", &mangled) {
+            prop_assert!(curve.points.windows(2).all(|pair| pair[0].force < pair[1].force));
+        }
+    }
 }

@@ -105,6 +105,8 @@ impl LoadingCurve {
     /// # Errors
     /// [`CurveError`] naming line, what is wrong and what is needed.
     pub fn parse(name: &str, text: &str) -> Result<Self, CurveError> {
+        // spreadsheets put a byte order mark first
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let refuse = |line: Option<u64>, message: String| CurveError { name: name.to_owned(), line, message };
         let bodies =
             Header::read(text).and_then(|header| header.bodies()).map_err(|(line, message)| refuse(line, message))?;

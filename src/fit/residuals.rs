@@ -13,7 +13,9 @@ const ALLOWED_RISE: f64 = 3e-4;
 /// Weight of a rise beyond, against a deviation of the curve by the same share.
 const RISE_WEIGHT: f64 = 1.0;
 /// Weight of a change of ln coefficient: decides what no curve decides (it stays), and nothing else.
-const STAY_WEIGHT: f64 = 1e-6;
+const STAY_WEIGHT: f64 = 1e-5;
+/// No coefficient goes farther than this from its start, in its logarithm: a factor of 20.
+const REACH: f64 = 3.0;
 /// Step of central differences in ln coefficient.
 const STEP: f64 = 1e-6;
 
@@ -33,11 +35,17 @@ impl<'a> Residuals<'a> {
     }
 
     pub(super) fn table(&self) -> PlmCoefficients {
-        decode(&self.numbers, self.form, self.has_knots)
+        self.table_at(&self.numbers)
+    }
+
+    /// The numbers are without bounds; what they stand for has one on either side, so that no step leads nowhere.
+    fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
+        let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * ((number - start) / REACH).tanh());
+        decode(&bounded, self.form, self.has_knots)
     }
 
     fn at(&self, numbers: &DVector<f64>) -> DVector<f64> {
-        let table = decode(numbers, self.form, self.has_knots);
+        let table = self.table_at(numbers);
         let mut residuals = Vec::new();
         for curve in self.curves {
             let law = table.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);

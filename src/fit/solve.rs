@@ -9,6 +9,9 @@ use super::residuals::{Residuals, deviations, rises};
 use crate::law::plm::RadiusRatio;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 
+/// Evaluations for each varied number, after which there is little hope.
+const PATIENCE: usize = 20;
+
 /// What to fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
@@ -87,13 +90,16 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         return Err(FitError::Request("no curves: name at least one file".to_owned()));
     }
     let problem = Residuals::new(curves, &plan.start, plan.has_knots);
-    let (problem, report) = LevenbergMarquardt::new().with_patience(200).minimize(problem);
+    let (problem, report) = LevenbergMarquardt::new().with_patience(PATIENCE).minimize(problem);
     match report.termination {
         TerminationReason::Converged { .. }
         | TerminationReason::Orthogonal
         | TerminationReason::ResidualsZero
         // as close as rounding lets it come
         | TerminationReason::NoImprovementPossible(_) => {}
+        TerminationReason::LostPatience => {
+            return Err(FitError::NotConverged(format!("no minimum after {PATIENCE} evaluations for each coefficient")));
+        }
         other => return Err(FitError::NotConverged(format!("{other:?}"))),
     }
     let mut table = problem.table();
