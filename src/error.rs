@@ -27,6 +27,14 @@ pub enum Error {
         /// Why.
         reason: ImpactError,
     },
+    /// The scenario is well-formed, but its indentation has no result.
+    #[error("{scenario}: {reason}")]
+    Indentation {
+        /// The scenario file.
+        scenario: String,
+        /// Why.
+        reason: String,
+    },
     /// A report could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -105,6 +113,7 @@ impl Error {
             | Self::Option(_)
             | Self::Scenario(_)
             | Self::Unwritable { .. }
+            | Self::Indentation { .. }
             | Self::Impact { reason: ImpactError::Range(_), .. } => 2,
             Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)

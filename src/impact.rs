@@ -10,6 +10,7 @@ pub mod essentials;
 pub mod outcome;
 pub mod scales;
 pub mod validity;
+pub mod waves;
 
 use std::sync::LazyLock;
 
@@ -27,6 +28,7 @@ pub use essentials::Essentials;
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use validity::Warning;
+use waves::Waves;
 
 /// How an impact is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -107,6 +109,8 @@ pub struct Contact {
     mass: f64,
     /// Law and scales of the yielding contact.
     yielding: Option<(Scales, Law)>,
+    /// How the half-space radiates, if its density is known.
+    waves: Option<Waves>,
 }
 
 impl Contact {
@@ -126,7 +130,8 @@ impl Contact {
             let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
             Ok((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()? })
+        let waves = Waves::of(&half_space)?;
+        Ok(Self { sphere, half_space, pair, mass, yielding: yielding.transpose()?, waves })
     }
 
     /// The sphere.
@@ -145,6 +150,12 @@ impl Contact {
     #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
+    }
+
+    /// How the half-space radiates elastic waves; `None` for one of unknown density.
+    #[must_use]
+    pub fn waves(&self) -> Option<&Waves> {
+        self.waves.as_ref()
     }
 
     /// Mass of the sphere \[kg\].
@@ -197,7 +208,7 @@ impl Contact {
             ElasticApproach::All if q == 1.0 => *ELASTIC,
             _ => closed_form::solve(law, q),
         };
-        Essentials::new(self.mass, speed, &scales, law, &outcome)
+        Essentials::new(self, speed, &scales, law, &outcome)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

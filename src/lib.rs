@@ -59,13 +59,15 @@
 //! # Modules
 //!
 //! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`impact`] →
-//! [`integrate`], [`law`] → [`material`]. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees
-//! both. SI units at every border; inside an impact everything is dimensionless.
+//! [`integrate`], [`law`] → [`material`]. [`indentation`] is the law without motion, and stands beside [`impact`].
+//! [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border; inside an
+//! impact everything is dimensionless.
 
 pub mod bench;
 pub mod error;
 pub mod fit;
 pub mod impact;
+pub mod indentation;
 pub mod integrate;
 pub mod law;
 pub mod material;
@@ -73,6 +75,7 @@ pub mod nearest;
 pub mod output;
 pub mod plot;
 pub mod power;
+pub mod quadrature;
 pub mod report;
 pub mod run;
 pub mod scenario;

@@ -12,6 +12,7 @@ mod frame;
 pub mod heatmap;
 pub mod histogram;
 pub mod history;
+pub mod indentation;
 mod key;
 pub mod lines;
 mod style;
@@ -23,6 +24,7 @@ pub use force_indentation::force_indentation;
 pub use heatmap::Heatmap;
 pub use histogram::Histogram;
 pub use history::history;
+pub use indentation::indentation;
 pub use lines::{Guide, Lines, Look, Series};
 pub use style::Mark;
 

@@ -2,6 +2,7 @@
 //! result; nothing here opens a file or prints.
 
 pub mod human;
+pub mod indentation;
 pub mod plan;
 pub mod summary;
 pub mod sweep;

@@ -1,5 +1,7 @@
 //! One scene from a scenario to its output files.
 
+pub mod indentation;
+
 use crate::error::Error;
 use crate::impact::{Contact, Impact};
 use crate::output::{OutputDirectory, OutputFile};
@@ -25,7 +27,7 @@ pub struct Run {
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    scenario.refuse_columns()?;
+    scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
     // what the closed form cannot hold no integration can

@@ -25,6 +25,7 @@ mod columns;
 mod document;
 mod explain;
 pub mod file;
+pub mod indentation;
 pub mod keys;
 mod kind;
 pub mod overview;
@@ -41,7 +42,7 @@ use crate::impact::{Contact, Solver, Warning};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
 pub use document::{Document, read_text};
-use file::{LawTable, PlmTable, ScenarioFile, SphereTable};
+use file::{HalfSpaceTable, LawTable, PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
 pub use kind::Kind;
 pub use place::{Place, Refusal};
@@ -163,8 +164,9 @@ impl Scenario {
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let ScenarioFile { sphere, half_space, impact, law, solver, output, .. } = &self.file;
-        let plm = law.as_ref().map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default();
+        let plm = plm_of(law.as_ref());
         let defaults = Solver::default();
+        let half_space = half_space_of(half_space.as_ref().ok_or_else(|| self.document.missing("", "half_space"))?);
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let impact = impact.as_ref().ok_or_else(|| self.document.missing("", "impact"))?;
         let sphere = Sphere {
@@ -173,19 +175,11 @@ impl Scenario {
             density: density.0,
             yield_strength: sphere.yield_strength.map(|strength| strength.0),
         };
-        let half_space = HalfSpace {
-            material: Material {
-                youngs_modulus: half_space.youngs_modulus.0,
-                poissons_ratio: half_space.poissons_ratio.0,
-            },
-            yield_strength: half_space.yield_strength.map(|strength| strength.0),
-            density: None,
-        };
         Ok(Scene {
             sphere,
             half_space,
             speed: impact.speed.0,
-            exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
+            exponent: exponent_of(&plm),
             coefficients: self.coefficients(&plm)?,
             solver: Solver {
                 method: solver.method.map_or(defaults.method, |method| method.0),
@@ -193,7 +187,7 @@ impl Scenario {
                 steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
             },
             samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
-            warnings: unused(&plm, &half_space),
+            warnings: unused(&plm, half_space.yield_strength.is_none()),
         })
     }
 
@@ -238,15 +232,33 @@ impl Scenario {
     }
 }
 
+/// The keys of the law.
+fn plm_of(law: Option<&LawTable>) -> PlmTable {
+    law.map(|LawTable::Plm(plm)| plm.clone()).unwrap_or_default()
+}
+
+fn exponent_of(plm: &PlmTable) -> UnloadingExponent {
+    plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default()
+}
+
+/// The half-space of its table.
+fn half_space_of(table: &HalfSpaceTable) -> HalfSpace {
+    HalfSpace {
+        material: Material { youngs_modulus: table.youngs_modulus.0, poissons_ratio: table.poissons_ratio.0 },
+        yield_strength: table.yield_strength.map(|strength| strength.0),
+        density: table.density.map(|density| density.0),
+    }
+}
+
 /// Keys of the law that an elastic half-space does not need.
-fn unused(plm: &PlmTable, half_space: &HalfSpace) -> Vec<Warning> {
+fn unused(plm: &PlmTable, is_elastic: bool) -> Vec<Warning> {
     let given = [
         ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
         ("law.plm.coefficients", plm.coefficients.is_some()),
     ];
     given
         .into_iter()
-        .filter(|(_, is_given)| *is_given && half_space.yield_strength.is_none())
+        .filter(|(_, is_given)| *is_given && is_elastic)
         .map(|(key, _)| Warning::UnusedKey { key })
         .collect()
 }

@@ -264,10 +264,18 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
         let path = entry.unwrap().path();
         let scenario = Scenario::load(&path, &[]).unwrap();
         assert!(scenario.document.text().starts_with("# "), "{}", path.display());
-        let (scene, contact) = plm_impact::run::prepare(&scenario).unwrap();
-        assert!(scene.warnings.is_empty(), "{}", path.display());
-        let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
-        assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
+        match scenario.kind().unwrap() {
+            Kind::Indentation => {
+                let run = plm_impact::run::indentation::run(&scenario, "test").unwrap();
+                assert!(run.warnings.is_empty(), "{}", path.display());
+            }
+            Kind::Impact | Kind::Sweep | Kind::MonteCarlo => {
+                let (scene, contact) = plm_impact::run::prepare(&scenario).unwrap();
+                assert!(scene.warnings.is_empty(), "{}", path.display());
+                let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
+                assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
+            }
+        }
         names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
     }
     for name in
@@ -285,6 +293,11 @@ fn the_tables_tell_what_kind_of_scene_a_file_is() {
     assert_eq!(kind("").unwrap(), Kind::Impact);
     assert_eq!(kind(sweep).unwrap(), Kind::Sweep);
     assert_eq!(kind(monte_carlo).unwrap(), Kind::MonteCarlo);
+    let indentation = "[indentation]\nsteps = [{ load = 1 }]\n";
+    let slow = format!("{}{indentation}", STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", ""));
+    assert_eq!(Scenario::from_text("steel.toml", &slow, &[]).unwrap().kind().unwrap(), Kind::Indentation);
+    let message = kind(indentation).unwrap_err().to_string();
+    assert!(message.contains("impact: [indentation] is given too, and an indentation is slow"), "{message}");
     let message = kind(&format!("{sweep}{monte_carlo}")).unwrap_err().to_string();
     for want in ["steel.toml:", "monte_carlo: [sweep] is given too; write only one of the two"] {
         assert!(message.contains(want), "{message}");

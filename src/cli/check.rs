@@ -4,7 +4,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::report::plan::plan_lines;
-use plm_impact::scenario::overview::overview;
+use plm_impact::scenario::overview::{of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -21,6 +21,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(&scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(&scenario),
+        Kind::Indentation => indentation(&scenario),
     }
 }
 
@@ -40,4 +41,12 @@ fn impact(scenario: &Scenario) -> anyhow::Result<()> {
         eprintln!("warning: {warning}");
     }
     super::print(&overview(&scene, &contact)).context("standard output")
+}
+
+fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
+    let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
+    for warning in &scene.warnings {
+        eprintln!("warning: {warning}");
+    }
+    super::print(&of_indentation(&scene, &contacts)).context("standard output")
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::OutputDirectory;
+use plm_impact::output::{OutputDirectory, OutputFile};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -33,6 +33,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match scenario.kind().map_err(Error::from)? {
         Kind::Impact => impact(arguments, &scenario),
         Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
+        Kind::Indentation => indentation(arguments, &scenario),
     }
 }
 
@@ -50,7 +51,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
 }
 
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for_one_impact()?;
+    arguments.sweep.refuse_for("one impact")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     let out = directory.path().to_owned();
     let run = plm_impact::run::run(scenario, &command_line())?;
@@ -59,10 +60,31 @@ fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     }
     run.write(scenario, directory, arguments.strict)?;
     if !arguments.quiet {
-        super::print(&run.table).context("standard output")?;
-        let names: Vec<_> = run.files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {} to {}", names.join(", "), out.display());
+        report(&run.table, &run.files, &out)?;
     }
+    Ok(())
+}
+
+fn indentation(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
+    arguments.sweep.refuse_for("an indentation")?;
+    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let out = directory.path().to_owned();
+    let run = plm_impact::run::indentation::run(scenario, &command_line())?;
+    for warning in &run.warnings {
+        eprintln!("warning: {warning}");
+    }
+    run.write(scenario, directory, arguments.strict)?;
+    if !arguments.quiet {
+        report(&run.table, &run.files, &out)?;
+    }
+    Ok(())
+}
+
+/// The table to standard output, and where the rest is to standard error.
+fn report(table: &str, files: &[OutputFile], out: &Path) -> anyhow::Result<()> {
+    super::print(table).context("standard output")?;
+    let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+    eprintln!("wrote {} to {}", names.join(", "), out.display());
     Ok(())
 }
 

@@ -49,8 +49,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// One impact has no table.
-    pub fn refuse_for_one_impact(&self) -> Result<(), Error> {
+    /// Refuses options of tables for `scene`, which has none.
+    pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
         let given = [
             ("--format", self.format.is_some()),
             ("--shard", self.shard.is_some()),
@@ -59,7 +59,7 @@ impl Options {
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             Some((name, _)) => Err(Error::Option(format!(
-                "{name} is for tables, and this scenario is one impact: give it a [sweep] or a [monte_carlo]"
+                "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
             ))),
             None => Ok(()),
         }

@@ -77,7 +77,7 @@ pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Ess
         let (scales, law, _) = scaled?;
         // there is one outcome for every case that could be scaled
         let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
-        Ok(Essentials::new(contact.mass(), *speed, &scales, law, &outcome)?)
+        Ok(Essentials::new(contact, *speed, &scales, law, &outcome)?)
     });
     rows.collect()
 }

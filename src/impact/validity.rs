@@ -33,6 +33,16 @@ pub enum Warning {
         /// Contact time over 2 R/√(E_s/ρ_s).
         transits: f64,
     },
+    /// More radiation than a first-order estimate can bear.
+    #[error(
+        "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
+    )]
+    StrongWaves {
+        /// 2 W_rad/(m v²).
+        loss: f64,
+        /// e².
+        recovered: f64,
+    },
     /// The unloading exponent gives back more than was spent.
     #[error(
         "restitution {restitution:.6} is above 1: an unloading exponent of {exponent} below 3/2 gives back more than the small plastic work here; use \"pressure-shape\" or 1.5"
@@ -80,6 +90,12 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact) -> Vec<Warning> {
     let transits = impact.contact_time / transit;
     if transits < 5.0 {
         warnings.push(Warning::ShortContact { transits });
+    }
+    let recovered = impact.restitution * impact.restitution;
+    if let Some(loss) = impact.wave_loss_fraction
+        && loss > 0.2 * recovered
+    {
+        warnings.push(Warning::StrongWaves { loss, recovered });
     }
     if impact.restitution > 1.0
         && impact.unloading_exponent < 1.5

@@ -69,6 +69,16 @@ impl Piece {
         }
     }
 
+    /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
+    #[must_use]
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        self.start
+            + match self.shape {
+                Shape::Power { stiffness, exponent } => (force / stiffness).powf(1.0 / exponent),
+                Shape::Straight { slope, .. } => (force - self.force) / slope,
+            }
+    }
+
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
     #[inline]
     #[must_use]
@@ -130,6 +140,15 @@ impl Curve {
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
         self.pieces[self.index_at(x)].force_at(x)
+    }
+
+    /// The x at which the force is `force` ≥ 0.
+    #[must_use]
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        let index = self.pieces.partition_point(|piece| piece.force <= force).saturating_sub(1);
+        let x = self.pieces[index].indentation_at_force(force);
+        // no further than the piece goes
+        self.pieces.get(index + 1).map_or(x, |next| x.min(next.start))
     }
 
     /// Work from first touch to x.

@@ -54,6 +54,18 @@ impl Unloading {
         self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent)
     }
 
+    /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
+    #[must_use]
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        self.peak.residual() + self.peak.elastic_approach * (force / self.peak.force).powf(1.0 / self.exponent)
+    }
+
+    /// df/dx where unloading begins, n f_m/ε_m.
+    #[must_use]
+    pub fn initial_slope(&self) -> f64 {
+        self.exponent * self.peak.force / self.peak.elastic_approach
+    }
+
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {

@@ -34,6 +34,10 @@ pub struct Provenance {
 #[derive(Serialize)]
 struct Summary<'a> {
     restitution: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wave_loss_fraction: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    restitution_with_waves: Option<f64>,
     rebound_speed_m_per_s: f64,
     contact_time_s: f64,
     loading_time_s: f64,
@@ -120,6 +124,8 @@ struct Inputs {
     half_space_poissons_ratio: f64,
     #[serde(rename = "half_space_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
     half_space_yield_strength: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    half_space_density_kg_per_m3: Option<f64>,
     impact_speed_m_per_s: f64,
 }
 
@@ -136,6 +142,7 @@ impl Inputs {
             half_space_youngs_modulus: half_space.material.youngs_modulus,
             half_space_poissons_ratio: half_space.material.poissons_ratio,
             half_space_yield_strength: half_space.yield_strength,
+            half_space_density_kg_per_m3: half_space.density,
             impact_speed_m_per_s: speed,
         }
     }
@@ -159,6 +166,8 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
     let (energy, accuracy, work) = (&impact.energy, &impact.accuracy, &impact.work);
     let summary = Summary {
         restitution: impact.restitution,
+        wave_loss_fraction: impact.wave_loss_fraction,
+        restitution_with_waves: impact.restitution_with_waves,
         rebound_speed_m_per_s: impact.rebound_speed,
         contact_time_s: impact.contact_time,
         loading_time_s: impact.loading_time,

@@ -10,6 +10,9 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     let mut row = |name, value: String, remark: String| rows.push((name, value, remark));
     let is_elastic = contact.pair().yield_point.is_none();
     row("restitution", number(impact.restitution), String::new());
+    if let (Some(loss), Some(restitution)) = (impact.wave_loss_fraction, impact.restitution_with_waves) {
+        row("with waves", number(restitution), format!("{} of the energy radiated", percent(loss)));
+    }
     row("rebound speed", quantity(impact.rebound_speed, "m/s"), format!("impact at {}", quantity(impact.speed, "m/s")));
     row(
         "contact time",
@@ -67,15 +70,26 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         format!("{} steps", work.steps),
         format!("{} rejected, {} force evaluations", work.rejected, work.force_evaluations),
     );
-    aligned(&rows)
+    aligned(&rows.into_iter().map(|(name, value, remark)| [name.to_owned(), value, remark]).collect::<Vec<_>>())
 }
 
-fn aligned(rows: &[(&str, String, String)]) -> String {
-    let width = |column: fn(&(&str, String, String)) -> usize| rows.iter().map(column).max().unwrap_or(0);
-    let (names, values) = (width(|row| row.0.chars().count()), width(|row| row.1.chars().count()));
+/// Lines of cells, each column as wide as its widest cell.
+pub(super) fn aligned<R: AsRef<[String]>>(rows: &[R]) -> String {
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows {
+        for (i, cell) in row.as_ref().iter().enumerate() {
+            let width = cell.chars().count();
+            match widths.get_mut(i) {
+                Some(widest) => *widest = width.max(*widest),
+                None => widths.push(width),
+            }
+        }
+    }
     let mut text = String::new();
-    for (name, value, remark) in rows {
-        text.push_str(format!("{name:<names$}  {value:<values$}  {remark}").trim_end());
+    for row in rows {
+        let cells: Vec<String> =
+            row.as_ref().iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        text.push_str(cells.join("  ").trim_end());
         text.push('\n');
     }
     text

@@ -23,8 +23,8 @@ impl Scenario {
                 let hint = guess.map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
                 return refuse(format!("\"{name}\" is no result of a table{hint}; results are {}", known.join(", ")));
             };
-            if !column.is_in(plan) {
-                return refuse(format!("\"{name}\" is not there: without half_space.yield_strength there is no dent"));
+            if let Some(reason) = column.missing(plan) {
+                return refuse(format!("\"{name}\" is not there: {reason}"));
             }
             if names.iter().filter(|other| *other == name).count() > 1 {
                 return refuse(format!("\"{name}\" is named twice"));
@@ -35,12 +35,12 @@ impl Scenario {
         Ok(())
     }
 
-    /// Refuses columns where there is no table.
-    pub(crate) fn refuse_columns(&self) -> Result<(), ScenarioError> {
+    /// Refuses columns for `scene`, which is no table.
+    pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), ScenarioError> {
         if self.file.output.columns.is_none() {
             return Ok(());
         }
-        let message = "is for tables, and this scenario is one impact: leave it out, or give it a [sweep]";
-        Err(self.document.refuse("output.columns", message.to_owned()))
+        let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");
+        Err(self.document.refuse("output.columns", message))
     }
 }

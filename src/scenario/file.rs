@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
+use super::indentation::IndentationTable;
 use super::quantity::{
     Density, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps, Strength,
     Tolerance,
@@ -16,8 +17,8 @@ use super::sweep::{MonteCarloTable, SweepTable};
 pub struct ScenarioFile {
     /// The sphere.
     pub sphere: SphereTable,
-    /// The half-space.
-    pub half_space: HalfSpaceTable,
+    /// The half-space; only an indentation that names its own can do without.
+    pub half_space: Option<HalfSpaceTable>,
     /// How they meet; only a scene without an impact can do without.
     pub impact: Option<ImpactTable>,
     /// The law; PLM if absent.
@@ -32,6 +33,8 @@ pub struct ScenarioFile {
     pub sweep: Option<SweepTable>,
     /// many random ones.
     pub monte_carlo: Option<MonteCarloTable>,
+    /// An indentation instead of an impact.
+    pub indentation: Option<IndentationTable>,
 }
 
 /// `[sphere]`
@@ -62,6 +65,8 @@ pub struct HalfSpaceTable {
     pub poissons_ratio: PoissonsRatio,
     /// Yield strength; without it the half-space is elastic.
     pub yield_strength: Option<Strength>,
+    /// Density; with it, the elastic waves that an impact radiates are reported.
+    pub density: Option<Density>,
 }
 
 /// `[impact]`

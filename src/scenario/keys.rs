@@ -91,6 +91,12 @@ pub const KEYS: &[Key] = &[
         set: |scene, value| scene.half_space.yield_strength = Some(value),
     },
     Key {
+        path: "half_space.density",
+        quantity: &DENSITY,
+        get: |scene| scene.half_space.density,
+        set: |scene, value| scene.half_space.density = Some(value),
+    },
+    Key {
         path: "impact.speed",
         quantity: &SPEED,
         get: |scene| Some(scene.speed),

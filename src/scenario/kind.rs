@@ -1,6 +1,6 @@
 //! What a scenario is about, told by its tables: one impact, unless a table says otherwise.
 
-use super::file::ScenarioFile;
+use super::file::{ScenarioFile, SolverTable};
 use super::{Scenario, ScenarioError};
 
 /// The kinds of scene, each with its own way to be run.
@@ -12,17 +12,32 @@ pub enum Kind {
     Sweep,
     /// `[monte_carlo]`: a table of random impacts.
     MonteCarlo,
+    /// `[indentation]`: loads and indentations without any impact.
+    Indentation,
 }
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] = &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo)];
+    const TABLES: &[(&'static str, Self)] =
+        &[("sweep", Self::Sweep), ("monte_carlo", Self::MonteCarlo), ("indentation", Self::Indentation)];
 
     fn is_given(self, file: &ScenarioFile) -> bool {
         match self {
             Self::Impact => file.impact.is_some(),
             Self::Sweep => file.sweep.is_some(),
             Self::MonteCarlo => file.monte_carlo.is_some(),
+            Self::Indentation => file.indentation.is_some(),
+        }
+    }
+
+    /// A table of the file that this kind has no use for, if there is one, and why.
+    fn idle_table(self, file: &ScenarioFile) -> Option<(&'static str, &'static str)> {
+        match self {
+            Self::Indentation if file.impact.is_some() => Some(("impact", "an indentation is slow")),
+            Self::Indentation if file.solver != SolverTable::default() => {
+                Some(("solver", "an indentation is computed in closed form"))
+            }
+            _ => None,
         }
     }
 }
@@ -36,7 +51,13 @@ impl Scenario {
         let mut given = Kind::TABLES.iter().filter(|(_, kind)| kind.is_given(&self.file));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
-            (Some((_, kind)), None) => Ok(*kind),
+            (Some((table, kind)), None) => match kind.idle_table(&self.file) {
+                None => Ok(*kind),
+                Some((idle, reason)) => {
+                    let message = format!("[{table}] is given too, and {reason}; write only one of the two");
+                    Err(self.document.refuse(idle, message))
+                }
+            },
             (Some((first, _)), Some((second, _))) => {
                 let message = format!("[{first}] is given too; write only one of the two");
                 Err(self.document.refuse(second, message))

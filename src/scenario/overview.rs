@@ -3,9 +3,11 @@
 
 use std::fmt::Write as _;
 
+use super::indentation::IndentationScene;
 use super::{KEYS, Scene};
 use crate::impact::{Contact, Method};
-use crate::units::{Dimension, describe, number};
+use crate::indentation::{StaticContact, Target};
+use crate::units::{Dimension, describe, human, number};
 
 /// A few aligned lines.
 #[must_use]
@@ -13,6 +15,60 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = given(scene);
     rows.push((String::new(), String::new()));
     rows.extend(derived(contact));
+    aligned(&rows)
+}
+
+/// The same for an indentation, with the contact of every half-space.
+#[must_use]
+pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> String {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let indenter = &scene.indenter;
+    let modulus = indenter.material.youngs_modulus;
+    row("sphere.radius", describe(indenter.radius, Dimension::Length));
+    let rigid = || "rigid".to_owned();
+    row("sphere.youngs_modulus", if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { rigid() });
+    row("sphere.poissons_ratio", number(indenter.material.poissons_ratio));
+    if let Some(strength) = indenter.yield_strength {
+        row("sphere.yield_strength", describe(strength, Dimension::Pressure));
+    }
+    for (i, target) in (1..).zip(&scene.targets) {
+        let (what, value) = match *target {
+            Target::Load(load) => ("load", describe(load, Dimension::Force)),
+            Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
+        };
+        row(&format!("step {i}"), format!("{what} {value}"));
+    }
+    row("output.samples", scene.samples.to_string());
+    for (specimen, contact) in scene.specimens.iter().zip(contacts) {
+        let (half_space, pair) = (&specimen.half_space, contact.pair());
+        row("", String::new());
+        row("half-space", specimen.name.clone().unwrap_or_default());
+        let pressure = |value: f64, uncertainty: Option<f64>| match uncertainty {
+            Some(by) => format!("{} ± {}", describe(value, Dimension::Pressure), human(by, Dimension::Pressure)),
+            None => describe(value, Dimension::Pressure),
+        };
+        row("youngs_modulus", pressure(half_space.material.youngs_modulus, specimen.modulus_uncertainty));
+        row("poissons_ratio", number(half_space.material.poissons_ratio));
+        if let Some(strength) = half_space.yield_strength {
+            row("yield_strength", pressure(strength, specimen.strength_uncertainty));
+        }
+        row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
+        row("share of the sphere kappa", number(pair.sphere_compliance));
+        match pair.yield_point {
+            Some(point) => {
+                row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
+                row("yield force F_Y", describe(point.force, Dimension::Force));
+            }
+            None => row("yield point", ELASTIC.to_owned()),
+        }
+    }
+    aligned(&rows)
+}
+
+const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
+
+fn aligned(rows: &[(String, String)]) -> String {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     rows.iter().fold(String::new(), |mut text, (name, value)| {
         let _ = writeln!(text, "{}", format!("{name:<width$}  {value}").trim_end());
@@ -65,7 +121,7 @@ fn derived(contact: &Contact) -> Vec<(String, String)> {
                 contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed)),
             );
         }
-        None => row("yield point", "none: the half-space has no yield_strength and stays elastic".to_owned()),
+        None => row("yield point", ELASTIC.to_owned()),
     }
     rows
 }

@@ -56,6 +56,14 @@ pub const STRENGTH: Quantity = Quantity {
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
+const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+    Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
+}
+
+/// A load that an indentation goes to.
+pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"");
+/// An indentation that it goes to.
+pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
     name: "a Poisson's ratio",
@@ -276,6 +284,10 @@ checked! {
     Density: DENSITY;
     /// A speed.
     Speed: SPEED;
+    /// A load.
+    Load: LOAD;
+    /// An indentation.
+    Depth: INDENTATION;
     /// A Poisson's ratio.
     PoissonsRatio: POISSONS_RATIO;
     /// A relative tolerance.

@@ -174,6 +174,12 @@ impl Plan {
         self.scene.half_space.yield_strength.is_some()
     }
 
+    /// Whether the half-space's density is known: without, nothing is said of elastic waves.
+    #[must_use]
+    pub fn has_waves(&self) -> bool {
+        self.scene.half_space.density.is_some()
+    }
+
     /// Whether values are random.
     #[must_use]
     pub fn is_monte_carlo(&self) -> bool {

@@ -50,9 +50,24 @@ impl ResultColumn {
     /// Whether a table of this plan can have it.
     #[must_use]
     pub fn is_in(&self, plan: &Plan) -> bool {
-        plan.is_plastic() || !self.is_plastic
+        self.missing(plan).is_none()
+    }
+
+    /// Why a table of this plan cannot have it, if it cannot.
+    #[must_use]
+    pub fn missing(&self, plan: &Plan) -> Option<&'static str> {
+        if self.is_plastic && !plan.is_plastic() {
+            Some("without half_space.yield_strength there is no dent")
+        } else if WAVES.contains(&self.name) && !plan.has_waves() {
+            Some("without half_space.density nothing is known of elastic waves")
+        } else {
+            None
+        }
     }
 }
+
+/// Columns that need the half-space's density.
+const WAVES: [&str; 2] = ["wave_loss_fraction", "restitution_with_waves"];
 
 /// The columns between the swept values and the status.
 pub const RESULT_COLUMNS: &[ResultColumn] = &[
@@ -68,6 +83,8 @@ pub const RESULT_COLUMNS: &[ResultColumn] = &[
     },
     ResultColumn { name: "recovered_fraction", is_plastic: false, value: |row| Some(row.recovered_fraction()) },
     ResultColumn { name: "plastic_fraction", is_plastic: true, value: |row| Some(row.plastic_fraction) },
+    ResultColumn { name: WAVES[0], is_plastic: false, value: |row| row.wave_loss_fraction },
+    ResultColumn { name: WAVES[1], is_plastic: false, value: Essentials::restitution_with_waves },
 ];
 
 /// The result columns of a plan.

@@ -9,11 +9,11 @@ use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 const FORCE: Tolerance = Tolerance { limit: 0.015, source: "documented 1.4 %, margin 0.1 %" };
 const LARGEST_FORCE: Tolerance = Tolerance { limit: 0.036, source: "documented 3.5 %, margin 0.1 %" };
 const INDENTATION: Tolerance = Tolerance { limit: 0.013, source: "documented 1.2 %, margin 0.1 %" };
-const RADIUS: Tolerance = Tolerance { limit: 0.03, source: "documented 3 %" };
+const RADIUS: Tolerance = Tolerance { limit: 0.03, source: "aim of the law, 3 %" };
 
 /// a/R up to which the contact radius is looked at by itself.
 const NARROW: f64 = 0.15;
-/// Found here: the documented 3 % is the law's aim, not what it keeps.
+/// Found here: 3 % is what the polyline of the contact radius aims at, not what it keeps.
 const KNOWN_RADIUS: [Known; 2] = [
     Known {
         limit: 0.04,

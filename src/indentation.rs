@@ -1,0 +1,313 @@
+//! Quasi-static indentation: the contact law without inertia, through a list of loads and indentations.
+//!
+//! Each step is a target, reached along the loading curve, along the unloading branch or back up it; the memory of the
+//! contact is the largest state it has seen. Everything is in closed form. SI units at this border, dimensionless inside.
+//!
+//! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
+
+mod course;
+mod specimen;
+
+use thiserror::Error;
+
+use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
+pub use course::Branch;
+use course::{Course, Move};
+pub use specimen::{Span, Spans, Specimen, Tested};
+
+/// Where a step ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// F \[N\], ≥ 0.
+    Load(f64),
+    /// δ \[m\], ≥ 0. Below the residual indentation the surfaces part, and the load is zero.
+    Indentation(f64),
+}
+
+/// Why a list of steps has no result.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum IndentationError {
+    /// A quantity outside double precision.
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    /// A step that ends where it begins.
+    #[error("step {step} ends where it begins; take it out, or give it another target")]
+    NoMove {
+        /// From 1.
+        step: usize,
+    },
+    /// A step deeper than any sphere can go.
+    #[error(
+        "step {step} presses the sphere in by {indentation:.4e} m, deeper than its radius of {radius:.4e} m, where no contact law holds; lower the target"
+    )]
+    TooDeep {
+        /// From 1.
+        step: usize,
+        /// δ \[m\].
+        indentation: f64,
+        /// R \[m\].
+        radius: f64,
+    },
+}
+
+/// A doubt about a result.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Doubt {
+    /// a/R beyond the finite-element data.
+    #[error(
+        "step {step}: contact radius / sphere radius = {ratio:.3} is beyond 0.45, the range of the data behind the law: take indentation and dent as estimates, or lower the target"
+    )]
+    Deep {
+        /// From 1.
+        step: usize,
+        /// a_m/R.
+        ratio: f64,
+    },
+    /// The sphere would yield as well.
+    #[error(
+        "step {step}: mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too"
+    )]
+    SphereYields {
+        /// From 1.
+        step: usize,
+        /// F_m/(π a_m²) \[Pa\].
+        pressure: f64,
+        /// The sphere's yield strength \[Pa\].
+        strength: f64,
+    },
+    /// The unloading exponent gives back more than was spent.
+    #[error(
+        "step {step}: plastic work {work:.3e} J is below 0: an unloading exponent below 3/2 gives back more than the small plastic work here; use \"pressure-shape\" or 1.5"
+    )]
+    EnergyGain {
+        /// From 1.
+        step: usize,
+        /// In the step \[J\].
+        work: f64,
+    },
+}
+
+/// The largest state of a contact so far. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory {
+    /// F_m \[N\].
+    pub force: f64,
+    /// δ_m \[m\].
+    pub indentation: f64,
+    /// δ_r \[m\]: what is left of it when the load is taken off.
+    pub residual_indentation: f64,
+    /// S = dF/dδ where unloading begins, n F_m/δ_e \[N/m\].
+    pub unloading_stiffness: f64,
+    /// n \[1\].
+    pub unloading_exponent: f64,
+    /// a_m \[m\] (± 3 %).
+    pub contact_radius: f64,
+    /// F_m/(π a_m²) \[Pa\].
+    pub mean_pressure: f64,
+}
+
+/// What a step comes to. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Where it was to end.
+    pub target: Target,
+    /// The branch on which it ended.
+    pub branch: Branch,
+    /// δ at its end \[m\].
+    pub indentation: f64,
+    /// δ_s at its end \[m\].
+    pub sphere_indentation: f64,
+    /// F at its end \[N\].
+    pub force: f64,
+    /// ∫ F dδ over the step \[J\]; negative while unloading.
+    pub work: f64,
+    /// The part of it spent on the dent \[J\].
+    pub plastic_work: f64,
+    /// Elastic energy stored at its end \[J\].
+    pub stored_energy: f64,
+    /// The largest state up to its end.
+    pub memory: Memory,
+}
+
+/// A row of a trace. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceRow {
+    /// From 1.
+    pub step: usize,
+    /// δ \[m\].
+    pub indentation: f64,
+    /// δ_s \[m\]; 0 for a rigid sphere.
+    pub sphere_indentation: f64,
+    /// δ_h \[m\]: δ − δ_s in contact, the residual indentation where the surfaces have parted.
+    pub half_space_indentation: f64,
+    /// F \[N\].
+    pub force: f64,
+    /// Where on the law.
+    pub branch: Branch,
+}
+
+/// An indentation: what every step came to, and the way there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Indentation {
+    /// In order.
+    pub steps: Vec<Step>,
+    /// Empty if none was asked for.
+    pub trace: Vec<TraceRow>,
+    /// Where the model is to be doubted.
+    pub doubts: Vec<Doubt>,
+}
+
+/// The sphere that indents; a mass it does not need.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Indenter {
+    /// R \[m\].
+    pub radius: f64,
+    /// Elastic constants; may be rigid.
+    pub material: Material,
+    /// Its own yield strength \[Pa\], if known: only used to warn.
+    pub yield_strength: Option<f64>,
+}
+
+/// Units of the dimensionless law.
+#[derive(Debug, Clone, Copy)]
+struct Units {
+    /// \[m\]
+    length: f64,
+    /// \[N\]
+    force: f64,
+    /// Hertz contact radius at one unit of length \[m\].
+    contact_radius: f64,
+}
+
+/// An indenter on a half-space under a law.
+#[derive(Debug, Clone)]
+pub struct StaticContact {
+    indenter: Indenter,
+    pair: Pair,
+    units: Units,
+    law: Law,
+}
+
+impl StaticContact {
+    /// Pairs the bodies under the PLM law (or Hertz alone, for a half-space without a yield strength).
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
+    pub fn try_new(
+        indenter: Indenter,
+        half_space: &HalfSpace,
+        coefficients: &PlmCoefficients,
+        exponent: UnloadingExponent,
+    ) -> Result<Self, OutOfFloatRange> {
+        let radius = indenter.radius;
+        let pair = Pair::try_new(radius, &indenter.material, half_space)?;
+        let (units, law) = if let Some(point) = pair.yield_point {
+            let law = coefficients.law(&pair, point.contact_radius / radius, exponent);
+            (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
+        } else {
+            let deep = pair.hertz_stiffness() * radius.powf(1.5);
+            let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
+            (Units { length: radius, force, contact_radius: radius }, Law::hertz())
+        };
+        Ok(Self { indenter, pair, units, law })
+    }
+
+    /// Effective modulus, shares of compliance, yield point.
+    #[must_use]
+    pub fn pair(&self) -> &Pair {
+        &self.pair
+    }
+
+    /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
+    /// and one more at every change of branch.
+    ///
+    /// # Errors
+    /// [`IndentationError`] naming the step.
+    pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
+        let Units { length, force, .. } = self.units;
+        let mut course = Course::new(&self.law);
+        let (mut steps, mut trace, mut doubts) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
+        for (number, target) in (1..).zip(targets) {
+            let goal = match *target {
+                Target::Load(load) => course.indentation_at_force(load / force),
+                Target::Indentation(indentation) => indentation / length,
+            };
+            let (indentation, radius) = (goal * length, self.indenter.radius);
+            if indentation.is_nan() || indentation > radius {
+                return Err(IndentationError::TooDeep { step: number, indentation, radius });
+            }
+            let way = course.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
+            if let Some(samples) = samples {
+                trace.extend(way.points(samples).map(|point| self.row(number, &point)));
+            }
+            let step = self.step(*target, &way)?;
+            self.doubt(number, &step, steps.last(), &mut doubts);
+            steps.push(step);
+        }
+        Ok(Indentation { steps, trace, doubts })
+    }
+
+    fn row(&self, step: usize, point: &course::Point) -> TraceRow {
+        let Units { length, force, .. } = self.units;
+        let sphere_indentation = self.pair.sphere_compliance * point.elastic_approach * length;
+        TraceRow {
+            step,
+            indentation: point.indentation * length,
+            sphere_indentation,
+            half_space_indentation: match point.branch {
+                Branch::Separated => point.residual * length,
+                _ => point.indentation * length - sphere_indentation,
+            },
+            force: point.force * force,
+            branch: point.branch,
+        }
+    }
+
+    fn step(&self, target: Target, way: &Move) -> Result<Step, OutOfFloatRange> {
+        let Units { length, force, contact_radius } = self.units;
+        let energy = force * length;
+        let end = way.end();
+        let row = self.row(0, &end);
+        let unloading = way.memory();
+        let peak = unloading.peak;
+        let peak_force = normal("peak force (N)", peak.force * force)?;
+        let radius = normal("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
+        Ok(Step {
+            target,
+            branch: row.branch,
+            indentation: row.indentation,
+            sphere_indentation: row.sphere_indentation,
+            force: row.force,
+            work: way.work() * energy,
+            plastic_work: way.plastic_work() * energy,
+            stored_energy: unloading.stored(end.indentation) * energy,
+            memory: Memory {
+                force: peak_force,
+                indentation: peak.indentation * length,
+                residual_indentation: peak.residual() * length,
+                unloading_stiffness: normal("unloading stiffness (N/m)", unloading.initial_slope() * force / length)?,
+                unloading_exponent: unloading.exponent,
+                contact_radius: radius,
+                mean_pressure: peak_force / (std::f64::consts::PI * radius) / radius,
+            },
+        })
+    }
+
+    /// Doubts that this step is the first to raise.
+    fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
+        let ratio = |step: &Step| step.memory.contact_radius / self.indenter.radius;
+        if ratio(step) > 0.45 && before.is_none_or(|before| ratio(before) <= 0.45) {
+            doubts.push(Doubt::Deep { step: number, ratio: ratio(step) });
+        }
+        if let Some(strength) = self.indenter.yield_strength {
+            let yields = |step: &Step| step.memory.mean_pressure > 1.1 * strength;
+            if yields(step) && !before.is_some_and(yields) {
+                doubts.push(Doubt::SphereYields { step: number, pressure: step.memory.mean_pressure, strength });
+            }
+        }
+        if step.plastic_work < 0.0 {
+            doubts.push(Doubt::EnergyGain { step: number, work: step.plastic_work });
+        }
+    }
+}

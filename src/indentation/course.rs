@@ -1,0 +1,174 @@
+//! The way of a slow contact through its law: dimensionless, step after step, nothing but closed forms.
+
+use crate::law::{Law, Peak, Unloading};
+
+/// Steps that move by less than this share of their indentation do not move: rounding of a target that is held.
+const STILL: f64 = 1e-12;
+
+/// Where on the law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// Loading without a dent so far.
+    Elastic,
+    /// Loading, dent growing.
+    Plastic,
+    /// Back from the largest state.
+    Unloading,
+    /// Up the unloading branch again.
+    Reloading,
+    /// Above the dent, without contact.
+    Separated,
+}
+
+impl Branch {
+    /// `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic",
+            Self::Plastic => "plastic",
+            Self::Unloading => "unloading",
+            Self::Reloading => "reloading",
+            Self::Separated => "separated",
+        }
+    }
+}
+
+/// A state of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Point {
+    /// x.
+    pub indentation: f64,
+    /// f.
+    pub force: f64,
+    /// The part of x that would be recovered from here.
+    pub elastic_approach: f64,
+    /// x_r.
+    pub residual: f64,
+    /// Where on the law.
+    pub branch: Branch,
+}
+
+/// A contact that is indented slowly: where it is, and what it remembers.
+#[derive(Debug, Clone)]
+pub(super) struct Course<'a> {
+    law: &'a Law,
+    indentation: f64,
+    /// The branch from the largest state so far.
+    memory: Option<Unloading>,
+}
+
+impl<'a> Course<'a> {
+    /// At first touch.
+    pub fn new(law: &'a Law) -> Self {
+        Self { law, indentation: 0.0, memory: None }
+    }
+
+    /// Where the force would be `force` ≥ 0.
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        match &self.memory {
+            Some(unloading) if force <= unloading.peak.force => unloading.indentation_at_force(force),
+            _ => self.law.loading.indentation_at_force(force),
+        }
+    }
+
+    /// Goes to `indentation` ≥ 0; `None` if the contact is there already.
+    pub fn go_to(&mut self, indentation: f64) -> Option<Move<'a>> {
+        let from = self.indentation;
+        if (indentation - from).abs() <= STILL * from.max(indentation) {
+            return None;
+        }
+        let before = self.memory;
+        if before.is_none_or(|unloading| indentation > unloading.peak.indentation) {
+            self.memory = Some(self.law.unloading(self.law.loaded_to(indentation)));
+        }
+        self.indentation = indentation;
+        // there is a memory now, as the first step goes in
+        self.memory.map(|after| Move { law: self.law, from, to: indentation, before, after })
+    }
+}
+
+/// One step on the way: in or out, never both.
+#[derive(Debug, Clone)]
+pub(super) struct Move<'a> {
+    law: &'a Law,
+    from: f64,
+    to: f64,
+    before: Option<Unloading>,
+    after: Unloading,
+}
+
+impl Move<'_> {
+    /// The branch from the largest state, the step included.
+    pub fn memory(&self) -> &Unloading {
+        &self.after
+    }
+
+    /// The largest x before the step.
+    fn deepest_before(&self) -> f64 {
+        self.before.map_or(0.0, |unloading| unloading.peak.indentation)
+    }
+
+    /// The state at x between the two ends.
+    fn point(&self, x: f64) -> Point {
+        if let Some(unloading) = self.before.filter(|unloading| x <= unloading.peak.indentation) {
+            let residual = unloading.peak.residual();
+            let branch = match (x < residual, self.to > self.from) {
+                (true, _) => Branch::Separated,
+                (false, true) => Branch::Reloading,
+                (false, false) => Branch::Unloading,
+            };
+            let elastic_approach = (x - residual).max(0.0);
+            return Point { indentation: x, force: unloading.force(x), elastic_approach, residual, branch };
+        }
+        let Peak { indentation, force, elastic_approach } = self.law.loaded_to(x);
+        let branch = if elastic_approach < indentation { Branch::Plastic } else { Branch::Elastic };
+        Point { indentation, force, elastic_approach, residual: indentation - elastic_approach, branch }
+    }
+
+    /// Where the step ends.
+    pub fn end(&self) -> Point {
+        self.point(self.to)
+    }
+
+    /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
+    pub fn points(&self, samples: usize) -> impl Iterator<Item = Point> {
+        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        let changes = self.before.map(|unloading| [unloading.peak.residual(), unloading.peak.indentation]);
+        #[allow(clippy::cast_precision_loss)] // at most 10^7 samples
+        let share = |i: usize| i as f64 / (samples - 1) as f64;
+        let even =
+            (0..samples).map(|i| if i + 1 == samples { self.to } else { self.from + (self.to - self.from) * share(i) });
+        let inner = changes.into_iter().flatten().filter(|x| low < *x && *x < high);
+        let mut indentations: Vec<f64> = even.chain(inner).collect();
+        indentations.sort_by(f64::total_cmp);
+        if self.to < self.from {
+            indentations.reverse();
+        }
+        indentations.dedup();
+        indentations.into_iter().map(|x| self.point(x))
+    }
+
+    /// ∫ f dx over the step.
+    pub fn work(&self) -> f64 {
+        let stored = |x: f64| self.before.map_or(0.0, |unloading| unloading.stored(x.min(unloading.peak.indentation)));
+        stored(self.to) - stored(self.from) + self.loading_work()
+    }
+
+    /// The part of it on the loading curve.
+    fn loading_work(&self) -> f64 {
+        let deepest = self.deepest_before();
+        if self.to > deepest { self.law.loading.work(self.to) - self.law.loading.work(deepest) } else { 0.0 }
+    }
+
+    /// The part of it that does not come back.
+    pub fn plastic_work(&self) -> f64 {
+        // a Hertz contact, of which rounding would make a dent
+        let is_elastic = self.after.peak.residual() == 0.0 && self.law.loading.index_at(self.to) == 0;
+        if self.to <= self.deepest_before() || is_elastic {
+            return 0.0;
+        }
+        let stored_at_peak = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
+        self.loading_work() - (stored_at_peak(&self.after) - self.before.as_ref().map_or(0.0, stored_at_peak))
+    }
+}

@@ -1,0 +1,173 @@
+//! Force against indentation of slow contacts: the approach and its two shares for one half-space, the approaches of several
+//! in the form of Xie et al. (2024), Fig. 13, with what their uncertainties make of the ends of steps.
+
+use super::axis::Axis;
+use super::canvas::Canvas;
+use super::frame::Frame;
+use super::key::{self, Entry};
+use super::style::{DASHED, GREY, SOLID, Stroke, series};
+use super::{PlotError, SIZE};
+use crate::indentation::{Branch, Span, Tested, TraceRow};
+use crate::report::human::quantity;
+
+/// Radius of markers, and half the length of the ends of error bars \[px\].
+const MARK: f64 = 9.0;
+const CAP: f64 = 8.0;
+/// Distance between error bars \[px\].
+const BAR: f64 = 20.0;
+
+type Quantity = fn(&TraceRow) -> f64;
+
+/// A loop: one half-space, one kind of indentation.
+struct Loop<'a> {
+    name: String,
+    rows: &'a [TraceRow],
+    indentation: Quantity,
+    width: f64,
+}
+
+/// The picture `force_indentation.png` of an indentation. The trace is drawn as it is.
+///
+/// # Errors
+/// What drawing and encoding report.
+pub fn indentation(tested: &[Tested]) -> Result<Vec<u8>, PlotError> {
+    let loops = loops(tested);
+    let entries = entries(&loops, tested);
+    let rows = || loops.iter().flat_map(|one| one.rows);
+    let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
+    let deepest = spans(tested).map(|(span, _, _)| span.high).fold(deepest, f64::max);
+    let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
+    let room = if spans(tested).next().is_some() { 1.16 } else { 1.08 };
+    let mut canvas = Canvas::try_new(SIZE)?;
+    let frame = Frame {
+        bounds: key::bounds(&entries)?,
+        x: Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted(std::iter::empty()),
+        y: Axis::engineering("Force", "N").between(0.0, room * strongest).fitted(std::iter::empty()),
+    };
+    frame.draw_axes(&mut canvas)?;
+    frame.draw_title(&mut canvas, &title(tested))?;
+    frame.draw_outline(&mut canvas)?;
+    for (one, (stroke, _)) in loops.iter().zip((0..).map(series)) {
+        for branch in one.rows.chunk_by(|a, b| is_loading(a) == is_loading(b)) {
+            let mut rows: Vec<&TraceRow> = branch.iter().collect();
+            let is_loading = rows.first().is_some_and(|row| is_loading(row));
+            if !is_loading {
+                // unloading and reloading run to and fro on one curve: drawn once, so that its dashes stay apart
+                rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
+            }
+            let dash = if is_loading { SOLID } else { DASHED };
+            let curve = rows.into_iter().map(|row| ((one.indentation)(row), row.force));
+            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke })?;
+        }
+    }
+    for (i, one) in loops.iter().enumerate() {
+        let (stroke, mark) = series(i);
+        for row in marked(one.rows, i, loops.len()) {
+            frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color)?;
+        }
+    }
+    for (span, force, i) in spans(tested) {
+        let color = series(i).0.color;
+        let stroke = Stroke::solid(color, 3.0);
+        // one above the other, as all loops may end at the same loads
+        #[allow(clippy::cast_precision_loss)] // a handful
+        let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
+        let (low, high) = (above(frame.place(span.low, force)), above(frame.place(span.high, force)));
+        canvas.polyline(&[low, high], stroke)?;
+        for (x, y) in [low, high] {
+            canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke)?;
+        }
+    }
+    key::draw(&mut canvas, &entries, &frame)?;
+    canvas.to_png()
+}
+
+fn is_loading(row: &TraceRow) -> bool {
+    matches!(row.branch, Branch::Elastic | Branch::Plastic)
+}
+
+fn loops(tested: &[Tested]) -> Vec<Loop<'_>> {
+    if let [one] = tested {
+        let rows = one.indentation.trace.as_slice();
+        let shares: [(&str, Quantity, f64); 3] = [
+            ("Approach δ", |row| row.indentation, 7.0),
+            ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
+            ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
+        ];
+        return shares.map(|(name, indentation, width)| Loop { name: name.into(), rows, indentation, width }).into();
+    }
+    let whole = |one: &'_ Tested| one.specimen.name.clone().unwrap_or_default();
+    tested
+        .iter()
+        .map(|one| Loop {
+            name: whole(one),
+            rows: &one.indentation.trace,
+            indentation: |row| row.indentation,
+            width: 4.0,
+        })
+        .collect()
+}
+
+/// A few rows of a loop that carry its marker, at other places than those of its neighbours.
+fn marked(rows: &[TraceRow], index: usize, count: usize) -> impl Iterator<Item = &TraceRow> {
+    let strongest = rows.iter().map(|row| row.force).fold(0.0, f64::max);
+    #[allow(clippy::cast_precision_loss)] // a handful
+    let share = 0.3 + 0.5 * (index as f64 + 0.5) / count as f64;
+    let at = share * strongest;
+    rows.windows(2).filter(move |pair| (pair[0].force < at) != (pair[1].force < at)).map(|pair| &pair[1])
+}
+
+/// Spans of the indentation at the ends of steps in load control, with the load and the index of the curve.
+fn spans(tested: &[Tested]) -> impl Iterator<Item = (Span, f64, usize)> {
+    tested.iter().enumerate().flat_map(|(i, one)| {
+        let steps = one.spans.iter().flatten().zip(&one.indentation.steps);
+        steps
+            .filter(|(spans, _)| spans.indentation.high > spans.indentation.low)
+            .map(move |(spans, step)| (spans.indentation, step.force, i))
+    })
+}
+
+fn entries(loops: &[Loop], tested: &[Tested]) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = loops
+        .iter()
+        .enumerate()
+        .map(|(i, one)| {
+            let (stroke, mark) = series(i);
+            let stroke = Stroke { dash: SOLID, width: one.width, ..stroke };
+            Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(&one.name, stroke) }
+        })
+        .collect();
+    let branch = |dash| Stroke { color: GREY, width: 3.0, dash };
+    entries.push(Entry::line("loading", branch(SOLID)));
+    if loops.iter().flat_map(|one| one.rows).any(|row| !is_loading(row)) {
+        entries.push(Entry::line("unloading and reloading", branch(DASHED)));
+    }
+    if let [one] = tested
+        && let Some(step) = one.indentation.steps.last()
+    {
+        let memory = &step.memory;
+        entries.push(
+            Entry::text("Largest load")
+                .and(format!("Fₘ = {}", quantity(memory.force, "N")))
+                .and(format!("δₘ = {}", quantity(memory.indentation, "m")))
+                .and(format!("δᵣ = {}", quantity(memory.residual_indentation, "m"))),
+        );
+    }
+    if spans(tested).next().is_some() {
+        entries.push(Entry::text("Bars: uncertain inputs").and("at the ends of steps".to_owned()));
+    }
+    entries
+}
+
+fn title(tested: &[Tested]) -> String {
+    let strongest =
+        tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
+    let load = quantity(strongest, "N");
+    match tested {
+        [one] => match &one.specimen.name {
+            Some(name) => format!("Indentation of {name} to {load}"),
+            None => format!("Indentation to {load}"),
+        },
+        several => format!("Indentation of {} half-spaces to {load}", several.len()),
+    }
+}

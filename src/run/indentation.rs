@@ -1,0 +1,107 @@
+//! One indentation scenario to its output files.
+
+use crate::error::Error;
+use crate::indentation::{IndentationError, StaticContact, Tested};
+use crate::output::{OutputDirectory, OutputFile};
+use crate::plot;
+use crate::report::indentation::{self, Provenance};
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
+
+/// An indentation that was run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// What came of every half-space.
+    pub tested: Vec<Tested>,
+    /// Where scene or model are doubtful.
+    pub warnings: Vec<String>,
+    /// For the terminal.
+    pub table: String,
+    /// For the output directory.
+    pub files: Vec<OutputFile>,
+}
+
+/// The scene of a scenario, with its contacts in the order of its half-spaces.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticContact>), Error> {
+    let scene = scenario.indentation()?;
+    let contact = |half_space| StaticContact::try_new(scene.indenter, half_space, &scene.coefficients, scene.exponent);
+    let contacts = scene.specimens.iter().map(|specimen| contact(&specimen.half_space)).collect::<Result<Vec<_>, _>>();
+    let contacts = contacts.map_err(|range| refused(scenario, None, range.into()))?;
+    for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
+        let name = specimen.name.as_deref();
+        contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
+    }
+    Ok((scene, contacts))
+}
+
+/// Runs an indentation; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, a result beyond double precision, a picture that cannot be drawn.
+pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
+    let (scene, contacts) = prepare(scenario)?;
+    let mut warnings: Vec<String> = scene.warnings.iter().map(ToString::to_string).collect();
+    let mut tested = Vec::new();
+    for (specimen, contact) in scene.specimens.iter().zip(contacts) {
+        let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
+        let indentation = contact.indent(&scene.targets, Some(scene.samples)).map_err(refuse)?;
+        let spans = specimen
+            .spans(scene.indenter, &scene.coefficients, scene.exponent, &scene.targets, &indentation)
+            .map_err(refuse)?;
+        let named =
+            |doubt| specimen.name.as_ref().map_or_else(|| format!("{doubt}"), |name| format!("{name}, {doubt}"));
+        warnings.extend(indentation.doubts.iter().map(named));
+        tested.push(Tested { specimen: specimen.clone(), pair: *contact.pair(), indentation, spans });
+    }
+    let provenance = provenance(scenario, &scene, command)?;
+    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    let files = vec![
+        file("summary.json", indentation::summary(&scene.indenter, &tested, &warnings, &provenance)?.into_bytes()),
+        file("trace.csv", indentation::trace(&tested)?),
+        file("force_indentation.png", plot::indentation(&tested)?),
+    ];
+    let table = indentation::table(&tested);
+    Ok(Run { tested, warnings, table, files })
+}
+
+impl Run {
+    /// Writes the files; with `is_strict`, only if there is no warning.
+    ///
+    /// # Errors
+    /// [`Error::Strict`], [`Error::Unwritable`].
+    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
+        let count = self.warnings.len();
+        if is_strict && count > 0 {
+            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
+        }
+        directory.write(&self.files)
+    }
+}
+
+/// No result for this scenario; a bad step is pointed at.
+fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
+    let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
+    match reason {
+        IndentationError::Range(range) => {
+            Error::Indentation { scenario: scenario.document.name().to_owned(), reason: format!("{on}{range}") }
+        }
+        step => scenario.document.refuse("indentation.steps", format!("{on}{step}")).into(),
+    }
+}
+
+fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Result<Provenance, Error> {
+    let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
+    let coefficients = can_yield.then_some(&scene.coefficients.provenance);
+    Ok(Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        scenario_file: scenario.document.name().to_owned(),
+        scenario_sha256: scenario.sha256()?,
+        command: command.to_owned(),
+        law: if can_yield { "plm" } else { "hertz" }.to_owned(),
+        coefficients: coefficients.map(|table| table.name.clone()),
+        coefficients_source: coefficients.map(|table| table.source.clone()),
+    })
+}

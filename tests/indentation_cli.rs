@@ -1,0 +1,200 @@
+//! `[indentation]` through a real process: outputs, messages, exit codes, and nothing written where the input is wrong.
+#![allow(clippy::unwrap_used)]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Output;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+const CYCLES: &str = include_str!("../scenarios/indentation-cycles.toml");
+const ALLOYS: &str = include_str!("../scenarios/indentation-ti-nb.toml");
+
+struct Desk(TempDir);
+
+impl Desk {
+    fn with(scenario: &str) -> Self {
+        let desk = Self(TempDir::new().unwrap());
+        fs::write(desk.path("s.toml"), scenario).unwrap();
+        desk
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn call(&self, arguments: &[&str]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        command.current_dir(self.0.path()).args(arguments).output().unwrap()
+    }
+
+    /// Runs the scenario; the standard output.
+    fn run(&self) -> String {
+        let output = self.call(&["run", "s.toml", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout)
+    }
+
+    fn summary(&self) -> serde_json::Value {
+        serde_json::from_slice(&fs::read(self.path("out/summary.json")).unwrap()).unwrap()
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
+    let desk = Desk::with(CYCLES);
+    let table = desk.run();
+    assert!(table.starts_with("step  to") && table.lines().count() == 9, "{table}");
+    let summary = desk.summary();
+    let half_space = &summary["half_spaces"][0];
+    let steps = half_space["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), 8);
+    let number = |step: usize, key: &str| steps[step][key].as_f64().unwrap();
+    // lifted off and pressed in again
+    assert_eq!((number(5, "force_N"), number(5, "indentation_m")), (0.0, 2e-6));
+    assert!(steps[5]["branch"] == "separated" && steps[6]["branch"] == "plastic" && steps[4]["branch"] == "reloading");
+    assert_eq!(number(7, "indentation_m"), number(7, "residual_indentation_m"));
+    let plastic: f64 = (0..8).map(|step| number(step, "plastic_work_J")).sum();
+    assert!((half_space["plastic_work_J"].as_f64().unwrap() / plastic - 1.0).abs() < 1e-14);
+    // unloaded at the end: all the work is plastic
+    assert!((half_space["work_J"].as_f64().unwrap() / plastic - 1.0).abs() < 1e-12);
+    assert_eq!(summary["provenance"]["law"], "plm");
+    assert!(half_space.get("name").is_none());
+
+    let trace = fs::read_to_string(desk.path("out/trace.csv")).unwrap();
+    let header = "step,indentation_m,sphere_indentation_m,half_space_indentation_m,force_N,branch";
+    assert_eq!(trace.lines().next().unwrap(), header);
+    // 400 rows a step, and more where branches meet: at two old peaks, and where the surfaces part and meet again
+    assert_eq!(trace.lines().count(), 1 + 8 * 400 + 4, "{}", trace.lines().count());
+    let image = fs::read(desk.path("out/force_indentation.png")).unwrap();
+    assert!(image.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn several_half_spaces_are_told_apart_by_name() {
+    let desk = Desk::with(ALLOYS);
+    let table = desk.run();
+    for name in ["Ti-5Nb", "Ti-10Nb", "Ti-40Nb", "Ti-70Nb"] {
+        assert!(table.contains(name), "{table}");
+    }
+    let summary = desk.summary();
+    let half_spaces = summary["half_spaces"].as_array().unwrap();
+    assert_eq!(half_spaces.len(), 4);
+    for half_space in half_spaces {
+        let step = &half_space["steps"][0];
+        let span = &step["uncertainty"]["residual_indentation_m"];
+        let residual = step["residual_indentation_m"].as_f64().unwrap();
+        assert!(span[0].as_f64().unwrap() < residual && residual < span[1].as_f64().unwrap());
+    }
+    let trace = fs::read_to_string(desk.path("out/trace.csv")).unwrap();
+    assert!(trace.starts_with("half_space,step,indentation_m,") && trace.contains("\nTi-70Nb,2,"), "{}", &trace[..200]);
+    let checked = desk.call(&["check", "s.toml"]);
+    let printed = text(&checked.stdout);
+    for want in ["load 30 N", "± 12 GPa", "yield force F_Y", "Ti-40Nb"] {
+        assert!(printed.contains(want), "{want}: {printed}");
+    }
+}
+
+#[test]
+fn an_elastic_half_space_has_nothing_plastic() {
+    let desk = Desk::with(&CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", ""));
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    // the scenario names an exponent, which then has no effect
+    assert!(text(&output.stderr).contains("law.plm.unloading_exponent is not used"), "{}", text(&output.stderr));
+    let summary = desk.summary().to_string();
+    assert!(!summary.contains("plastic_work") && !summary.contains("residual"), "{summary}");
+    assert!(summary.contains("\"hertz\""));
+}
+
+#[test]
+fn densities_are_not_needed_and_do_no_harm() {
+    let plain = Desk::with(CYCLES);
+    plain.run();
+    let dense = Desk::with(
+        &CYCLES
+            .replace("poissons_ratio = 0.23", "poissons_ratio = 0.23\ndensity = 15600")
+            .replace("poissons_ratio = 0.3\n", "poissons_ratio = 0.3\ndensity = 4500\n"),
+    );
+    dense.run();
+    assert_eq!(plain.summary()["half_spaces"], dense.summary()["half_spaces"]);
+}
+
+#[test]
+fn strict_makes_a_deep_dent_an_error() {
+    let desk = Desk::with(&CYCLES.replace("\"16 um\"", "\"50 um\""));
+    let output = desk.call(&["run", "s.toml", "--out", "out", "--strict"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(message.contains("step 7: contact radius / sphere radius") && message.contains("--strict"), "{message}");
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn wrong_indentations_are_refused_by_both_commands() {
+    const STEPS: &str = "steps = [{ load = \"30 N\" }, { load = \"0 N\" }]";
+    // what is changed in the scenario of the alloys, into what, what the message holds
+    let table: &[(&str, &str, &[&str])] = &[
+        (STEPS, "steps = []", &["s.toml:12:", "indentation.steps: there is no step"]),
+        (STEPS, "", &["indentation: the key `steps` is missing"]),
+        (STEPS, "steps = [{ load = \"-5 N\" }]", &["s.toml:12:19: indentation.steps: \"-5 N\" = -5 N", ">= 0 N"]),
+        (STEPS, "steps = [{ indentation = \"-1 um\" }]", &["s.toml:12:26", "-1 um", ">= 0 m"]),
+        (STEPS, "steps = [{ load = \"5 um\" }]", &["s.toml:12:19", "is a length, but a force is needed"]),
+        (STEPS, "steps = [{ laod = \"5 N\" }]", &["s.toml:12:12", "unknown key `laod`, did you mean `load`?"]),
+        (STEPS, "steps = [{ load = 1 }, {}]", &["s.toml:12:9: ", "step 2: has no target", "exactly one"]),
+        (STEPS, "steps = [{ load = 1, indentation = 1e-6 }]", &["step 1: `load` and `indentation` are both given"]),
+        (STEPS, "steps = [{ load = 1 }, { load = \"1 N\" }]", &["\"Ti-5Nb\", step 2 ends where it begins"]),
+        (STEPS, "steps = [{ load = 0 }]", &["\"Ti-5Nb\", step 1 ends where it begins"]),
+        (STEPS, "steps = [{ load = \"1 MN\" }]", &["step 1 presses the sphere in by", "its radius of 2.5000e-4 m"]),
+        (
+            STEPS,
+            "steps = [{ load = 1e-320 }]",
+            &["s.toml: \"Ti-5Nb\", peak force", "cannot be held in double precision"],
+        ),
+        (
+            "[indentation]",
+            "[impact]\nspeed = 1\n[indentation]",
+            &["impact: [indentation] is given too", "one of the two"],
+        ),
+        ("[indentation]", "[solver]\ntolerance = 1e-6\n[indentation]", &["solver: [indentation] is given too"]),
+        ("[indentation]", "[sweep]\n\"impact.speed\" = [1]\n[indentation]", &["indentation: [sweep] is given too"]),
+        ("[indentation]", "[output]\ncolumns = [\"peak_force_N\"]\n[indentation]", &["output.columns: is for tables"]),
+        (
+            "[indentation]",
+            "[half_space]\nyoungs_modulus = 1e9\npoissons_ratio = 0.3\n[indentation]",
+            &["indentation.half_space: [half_space] is given too"],
+        ),
+        ("Ti-10Nb", "Ti-5Nb", &["two are called \"Ti-5Nb\""]),
+        ("Ti-10Nb", " ", &["number 2 has an empty name"]),
+        ("12 GPa", "100 GPa", &["\"Ti-5Nb\": youngs_modulus_uncertainty = 100 GPa must be smaller than", "100 GPa"]),
+        ("12 GPa", "0 GPa", &["s.toml:17:30", "> 0 Pa"]),
+        ("yield_strength = \"510 MPa\"\n", "", &["yield_strength_uncertainty = 23 MPa needs yield_strength"]),
+        ("youngs_modulus = \"100 GPa\"\n", "", &["the key `youngs_modulus` is missing"]),
+        ("radius = \"0.25 mm\"\n", "", &["sphere: the key `radius` is missing"]),
+    ];
+    for (from, to, wants) in table {
+        assert!(ALLOYS.contains(from), "{from}");
+        let desk = Desk::with(&ALLOYS.replacen(from, to, 1));
+        for command in ["run", "check"] {
+            let output = desk.call(&[command, "s.toml"]);
+            let message = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{command} {to}: {message}");
+            for want in *wants {
+                assert!(message.contains(want), "{command} {to}: {want:?} is not in\n{message}");
+            }
+            assert_eq!(fs::read_dir(desk.0.path()).unwrap().count(), 1, "{command} {to}");
+        }
+    }
+    // no half-space at all
+    let start = ALLOYS.find("[[").unwrap();
+    let output = Desk::with(&ALLOYS[..start]).call(&["run", "s.toml"]);
+    assert!(text(&output.stderr).contains("the table [half_space] is missing"), "{}", text(&output.stderr));
+    // options of tables
+    let output = Desk::with(ALLOYS).call(&["run", "s.toml", "--shard", "0/2"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--shard is for tables"), "{}", text(&output.stderr));
+}
