@@ -2,10 +2,12 @@
 
 mod bench;
 mod check;
+mod fit_plm;
 mod laws;
 mod merge;
 mod run;
 mod sweep;
+mod validate;
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
@@ -15,7 +17,8 @@ use plm_impact::scenario::{Scenario, ScenarioError};
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 130 interrupted (the same command goes on).
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
+/// tolerance, 130 interrupted (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
@@ -30,6 +33,8 @@ enum Command {
     Check(check::Arguments),
     Merge(merge::Arguments),
     Laws(laws::Arguments),
+    Validate(validate::Arguments),
+    FitPlm(fit_plm::Arguments),
 }
 
 /// A scenario and what the command line changes in it.
@@ -60,6 +65,8 @@ pub fn run() -> anyhow::Result<()> {
         Command::Check(arguments) => check::check(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
+        Command::Validate(arguments) => validate::validate(&arguments),
+        Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
     }
 }
 

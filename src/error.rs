@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::fit::FitError;
 use crate::impact::ImpactError;
 use crate::plot::PlotError;
 use crate::report::ReportError;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::sweep::SweepError;
 use crate::sweep::shard::ShardError;
+use crate::validation::ValidationError;
 
 /// Why a command did not do its job. The texts say what, where, the value, and the way out.
 #[derive(Debug, Error)]
@@ -66,6 +68,22 @@ pub enum Error {
         /// The table.
         table: PathBuf,
     },
+    /// No coefficients.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// No validation.
+    #[error(transparent)]
+    Validation(#[from] ValidationError),
+    /// A validation that missed tolerances.
+    #[error("{missed} of {checks} checks missed their tolerance: see {}", .table.display())]
+    Missed {
+        /// Checks beyond their tolerance.
+        missed: usize,
+        /// All checks.
+        checks: usize,
+        /// The table.
+        table: PathBuf,
+    },
     /// Warnings under `--strict`.
     #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
     Strict {
@@ -83,11 +101,14 @@ impl Error {
         Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }
 
-    /// 2 where the input has to change, 1 where a run failed.
+    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(error) => error.exit_code(),
+            Self::Fit(error) => error.exit_code(),
+            Self::Validation(error) => error.exit_code(),
+            Self::Missed { .. } => 3,
             Self::Shard(_)
             | Self::Option(_)
             | Self::Scenario(_)

@@ -66,6 +66,7 @@
 pub mod bench;
 pub mod compare;
 pub mod error;
+pub mod fit;
 pub mod impact;
 pub mod indentation;
 pub mod integrate;
@@ -84,3 +85,4 @@ pub mod scenario;
 pub mod smooth;
 pub mod sweep;
 pub mod units;
+pub mod validation;

@@ -43,7 +43,7 @@ static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| {
 
 static CURVES: LazyLock<Vec<UnloadingCurve>> = LazyLock::new(|| {
     let mut curves: Vec<UnloadingCurve> = Vec::new();
-    for fields in rows(include_str!("../tests/reference/fe_unloading_curves.csv")) {
+    for fields in rows(include_str!("../tests/reference/fe_figure_10.csv")) {
         let [peak, _, x, f] = fields[..] else { continue };
         let [Ok(peak), Ok(x), Ok(f)] = [peak, x, f].map(str::parse::<f64>) else { continue };
         match curves.last_mut() {

@@ -46,7 +46,7 @@ use thiserror::Error;
 use crate::impact::{Contact, Forces, Solver, Warning};
 use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
-pub use document::Document;
+pub use document::{Document, read_text};
 use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
 pub use kind::Kind;
@@ -68,7 +68,7 @@ pub enum ScenarioError {
         reason: std::io::Error,
     },
     /// Larger than any scenario.
-    #[error("{}: is larger than {largest} MiB, which no scenario is", .path.display())]
+    #[error("{}: is larger than {largest} MiB, which no input is", .path.display())]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -76,7 +76,7 @@ pub enum ScenarioError {
         largest: u64,
     },
     /// Not UTF-8.
-    #[error("{}:{line}: is not a text file (not UTF-8); a scenario is TOML text", .path.display())]
+    #[error("{}:{line}: is not a text file (not UTF-8)", .path.display())]
     NotText {
         /// The file.
         path: PathBuf,

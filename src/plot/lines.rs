@@ -46,6 +46,8 @@ pub enum Look {
     MarkedLine,
     /// Markers alone: measured points.
     Points,
+    /// A line without markers, for one that lies on points of its own colour.
+    Bare,
 }
 
 impl Series {
@@ -53,6 +55,12 @@ impl Series {
     #[must_use]
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { name: name.into(), points, look: Look::Line, style: None }
+    }
+
+    /// A curve without markers, beside points of the same style.
+    #[must_use]
+    pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self { look: Look::Bare, ..Self::line(name, points) }
     }
 
     /// A curve through few points, each with a marker.
@@ -166,7 +174,11 @@ impl Lines {
             if curve.look != Look::Points {
                 frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
             }
-            let marked = if curve.look == Look::Line { self.sparse_marks(&frame, i) } else { curve.points.clone() };
+            let marked = match curve.look {
+                Look::Line => self.sparse_marks(&frame, i),
+                Look::MarkedLine | Look::Points => curve.points.clone(),
+                Look::Bare => Vec::new(),
+            };
             for point in marked {
                 frame.mark(&mut canvas, point, mark, MARK, stroke.color)?;
             }
@@ -209,6 +221,9 @@ impl Lines {
                 } else {
                     Entry::line(&curve.name, stroke)
                 };
+                if curve.look == Look::Bare {
+                    return entry;
+                }
                 Entry { mark: Some((mark, MARK, stroke.color)), ..entry }
             })
             .collect();

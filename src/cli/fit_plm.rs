@@ -1,0 +1,77 @@
+//! `plm-impact fit-plm`
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
+use plm_impact::law::PlmCoefficients;
+use plm_impact::output::{OutputDirectory, OutputFile};
+
+/// Determine PLM coefficients from loading curves: a file for `[law.plm] coefficients`, deviations to the terminal
+///
+/// A curve is a CSV file. Comment lines name its bodies, as keys of a scenario:
+/// `# sphere.youngs_modulus = 208 GPa`, `# sphere.poissons_ratio = 0.3`, `# half_space.youngs_modulus = 210 GPa`,
+/// `# half_space.poissons_ratio = 0.3`, `# half_space.yield_strength = 345 MPa` and, for columns in SI units,
+/// `# sphere.radius = 35 mm`. Columns: indentation_m, force_N, sphere_indentation_m (or elastic_approach_m), and
+/// contact_radius_m if known; or, without units, delta_over_deltaY, F_over_FY, delta_s_over_delta, a_over_R.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Loading curves, best of several ratios of the moduli
+    #[arg(value_name = "CURVES.csv", required = true)]
+    curves: Vec<PathBuf>,
+    /// File of coefficients to write
+    #[arg(short, long = "out", value_name = "FILE")]
+    out: PathBuf,
+    /// What results will call the coefficients [default: PLM, name of the file]
+    #[arg(long)]
+    name: Option<String>,
+    /// Knots of the force, delta/delta_Y of each [default: those of the built-in table]
+    #[arg(long, value_name = "X1,X2,…", value_delimiter = ',')]
+    knots: Vec<f64>,
+    /// Fit the knots too, from those given or built in
+    #[arg(long)]
+    fit_knots: bool,
+}
+
+pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
+    let request = |message: String| Error::from(FitError::Request(message));
+    let (directory, file_name) = place(&arguments.out).map_err(request)?;
+    let curves: Result<Vec<LoadingCurve>, FitError> =
+        arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
+    let curves = curves.map_err(Error::from)?;
+    let is_out = |path: &PathBuf| {
+        path.canonicalize().ok().is_some_and(|path| arguments.out.canonicalize().is_ok_and(|out| out == path))
+    };
+    if arguments.curves.iter().any(is_out) {
+        return Err(
+            request(format!("--out {}: is one of the curves; name another file", arguments.out.display())).into()
+        );
+    }
+    let built_in = PlmCoefficients::built_in();
+    let start = match &arguments.knots[..] {
+        [] => built_in.clone(),
+        knots => fit::knots::with_knots(built_in, knots).map_err(Error::from)?,
+    };
+    let directory = OutputDirectory::prepare(directory)?;
+    let plan = Plan { start, has_knots: arguments.fit_knots };
+    let fitted = fit::fit(&curves, &plan).map_err(Error::from)?;
+    let default_name = || format!("PLM, {}", Path::new(&file_name).with_extension("").display());
+    let name = arguments.name.clone().unwrap_or_else(default_name);
+    let coefficients = report::coefficients(&fitted, &name, &super::run::command_line());
+    let text = report::toml(&coefficients).map_err(Error::from)?;
+    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
+    let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
+    super::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
+    eprintln!("wrote {}", arguments.out.display());
+    Ok(())
+}
+
+/// Directory and name of the file to write.
+fn place(path: &Path) -> Result<(&Path, String), String> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.ok_or_else(|| format!("--out {}: is not the name of a file", path.display()))?;
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    Ok((parent.unwrap_or(Path::new(".")), name.to_owned()))
+}

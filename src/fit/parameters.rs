@@ -1,0 +1,88 @@
+//! Coefficients as the numbers that are varied: logarithms of what must stay positive, so that every step makes a law.
+
+use nalgebra::DVector;
+
+use crate::law::PlmCoefficients;
+
+/// Least distance of a knot to the one before, and least value of a coefficient, where a logarithm is taken.
+const LEAST: f64 = 1e-9;
+
+fn ln(value: f64) -> f64 {
+    value.max(LEAST).ln()
+}
+
+/// Slopes at κ = 0 and at κ = 1: the two ends of a slope that is straight in κ².
+fn push_ends(into: &mut Vec<f64>, slope: f64, per_kappa_squared: f64) {
+    into.extend([ln(slope), ln(slope + per_kappa_squared)]);
+}
+
+/// The varied numbers of a table; with `has_knots`, the knots of force and geometry too.
+#[must_use]
+pub fn encode(table: &PlmCoefficients, has_knots: bool) -> DVector<f64> {
+    let (force, approach) = (&table.force, &table.elastic_approach);
+    let mut numbers = Vec::new();
+    for (slope, per_kappa_squared) in force.slope.iter().zip(&force.slope_kappa_squared) {
+        push_ends(&mut numbers, *slope, *per_kappa_squared);
+    }
+    push_ends(&mut numbers, approach.first_slope, approach.first_slope_kappa_squared);
+    push_ends(&mut numbers, approach.plastic_slope, approach.plastic_slope_kappa_squared);
+    numbers.extend([ln(approach.first_slope_limit), ln(approach.plastic_from_rho)]);
+    numbers.extend(approach.geometry_factor.iter().map(|factor| ln(*factor)));
+    if has_knots {
+        push_increments(&mut numbers, 1.0, &force.from);
+        push_increments(&mut numbers, 0.0, &approach.geometry_from);
+    }
+    DVector::from_vec(numbers)
+}
+
+fn push_increments(into: &mut Vec<f64>, first: f64, knots: &[f64]) {
+    let before = std::iter::once(&first).chain(knots);
+    into.extend(knots.iter().zip(before).map(|(knot, before)| ln(knot - before)));
+}
+
+/// The table of varied numbers; what they do not hold is taken from `form`.
+#[must_use]
+pub fn decode(numbers: &DVector<f64>, form: &PlmCoefficients, has_knots: bool) -> PlmCoefficients {
+    let mut table = form.clone();
+    let mut values = numbers.iter().map(|number| number.exp());
+    let mut next = || values.next().unwrap_or(f64::NAN);
+    let mut ends = || {
+        let slope = next();
+        (slope, next() - slope)
+    };
+    let force = &mut table.force;
+    for (slope, per_kappa_squared) in force.slope.iter_mut().zip(&mut force.slope_kappa_squared) {
+        (*slope, *per_kappa_squared) = ends();
+    }
+    let approach = &mut table.elastic_approach;
+    (approach.first_slope, approach.first_slope_kappa_squared) = ends();
+    (approach.plastic_slope, approach.plastic_slope_kappa_squared) = ends();
+    approach.first_slope_limit = next();
+    approach.plastic_from_rho = next();
+    approach.geometry_factor.iter_mut().for_each(|factor| *factor = next());
+    if has_knots {
+        for (first, knots) in [(1.0, &mut force.from), (0.0, &mut approach.geometry_from)] {
+            let mut at = first;
+            for knot in knots.iter_mut() {
+                at += next();
+                *knot = at;
+            }
+        }
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decoding_inverts_encoding() {
+        let table = PlmCoefficients::built_in();
+        for has_knots in [false, true] {
+            let numbers = encode(table, has_knots);
+            let again = encode(&decode(&numbers, table, has_knots), has_knots);
+            approx::assert_relative_eq!(numbers, again, max_relative = 1e-12);
+        }
+    }
+}

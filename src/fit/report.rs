@@ -1,0 +1,150 @@
+//! The outcome of a fit: a table for the terminal and the file of coefficients.
+
+use std::fmt::Write as _;
+
+use super::FitError;
+use super::solve::{CaseFit, Fit};
+use crate::law::PlmCoefficients;
+use crate::law::plm::Provenance;
+use crate::report::human::number;
+
+fn percent(share: f64) -> String {
+    format!("{:.2}", 100.0 * share)
+}
+
+/// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest, rms under a law fitted to
+/// the other curves, and rms under the built-in table (`built_in`).
+#[must_use]
+pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
+    let header = [
+        "curve",
+        "E*/E_s*",
+        "F: rms %",
+        "largest",
+        "left out",
+        "built-in",
+        "delta_e: rms %",
+        "largest",
+        "left out",
+        "built-in",
+        "a: rms %",
+    ];
+    let mut rows = vec![header.map(str::to_owned)];
+    for (case, built_in) in fit.cases.iter().zip(built_in) {
+        let left_out = |index: usize| {
+            case.left_out
+                .map_or_else(|| "-".to_owned(), |left| percent(if index == 0 { left.0.rms } else { left.1.rms }))
+        };
+        rows.push([
+            case.name.clone(),
+            format!("{:.4}", case.sphere_compliance),
+            percent(case.force.rms),
+            format!("{:+.2}", 100.0 * case.force.largest),
+            left_out(0),
+            percent(built_in.force.rms),
+            percent(case.approach.rms),
+            format!("{:+.2}", 100.0 * case.approach.largest),
+            left_out(1),
+            percent(built_in.approach.rms),
+            case.radius.map_or_else(|| "-".to_owned(), |radius| percent(radius.rms)),
+        ]);
+    }
+    let mut text = aligned(&rows);
+    let rise = fit.cases.iter().map(|case| case.restitution_rise).fold(0.0, f64::max);
+    let _ = writeln!(text, "largest rise of restitution with indentation: {} %", percent(rise));
+    text
+}
+
+fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells: Vec<String> = row
+            .iter()
+            .zip(&widths)
+            .enumerate()
+            .map(|(i, (cell, width))| if i == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") })
+            .collect();
+        text.push_str(cells.join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// The coefficients with their provenance; `name` is what results will call them.
+#[must_use]
+pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
+    let over = |value: fn(&CaseFit) -> f64| {
+        let values = || fit.cases.iter().map(value);
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let percents = |(low, high): (f64, f64)| format!("{}-{} %", percent(low), percent(high));
+    let mut accuracy = format!(
+        "rms {} in force, {} in elastic approach",
+        percents(over(|case| case.force.rms)),
+        percents(over(|case| case.approach.rms))
+    );
+    if fit.cases.iter().all(|case| case.left_out.is_some()) {
+        let _ = write!(
+            accuracy,
+            "; curves left out of the fit: {} and {}",
+            percents(over(|case| case.left_out.map_or(0.0, |left| left.0.rms))),
+            percents(over(|case| case.left_out.map_or(0.0, |left| left.1.rms)))
+        );
+    }
+    let (from, to) = (over(|case| case.range.0).0, over(|case| case.range.1).1);
+    let (least, most) = over(|case| case.sphere_compliance);
+    let mut range =
+        format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
+    let ratios = fit.cases.iter().filter_map(|case| case.largest_radius_ratio);
+    if let Some(ratio) = ratios.reduce(f64::max) {
+        let _ = write!(range, ", contact radius / sphere radius <= {ratio:.2}");
+    }
+    PlmCoefficients {
+        provenance: Provenance {
+            name: name.to_owned(),
+            source: format!(
+                "least squares of ln F and ln delta_e against {} loading curves: {command}",
+                fit.cases.len()
+            ),
+            accuracy,
+            range,
+        },
+        ..fit.coefficients.clone()
+    }
+}
+
+/// The file: TOML as `[law.plm] coefficients` takes it, numbers to ten digits.
+///
+/// # Errors
+/// [`FitError::Form`].
+pub fn toml(coefficients: &PlmCoefficients) -> Result<String, FitError> {
+    let mut rounded = coefficients.clone();
+    let round = |values: &mut [f64]| {
+        for value in values {
+            *value = format!("{value:.9e}").parse().unwrap_or(*value);
+        }
+    };
+    let (force, approach) = (&mut rounded.force, &mut rounded.elastic_approach);
+    for list in [&mut force.from, &mut force.slope, &mut force.slope_kappa_squared] {
+        round(list);
+    }
+    for list in [&mut approach.geometry_from, &mut approach.geometry_factor, &mut rounded.contact_radius.ratio] {
+        round(list);
+    }
+    for value in [
+        &mut approach.first_slope,
+        &mut approach.first_slope_kappa_squared,
+        &mut approach.first_slope_limit,
+        &mut approach.plastic_from_rho,
+        &mut approach.plastic_slope,
+        &mut approach.plastic_slope_kappa_squared,
+    ] {
+        round(std::slice::from_mut(value));
+    }
+    let text = toml::to_string(&rounded)?;
+    Ok(format!(
+        "# Coefficients of the piecewise-linear loading law, for `[law.plm] coefficients = \"...\"` in a scenario.\n\n{text}"
+    ))
+}

@@ -1,0 +1,134 @@
+//! What the fit makes small: deviations of ln F and ln ε, weights uniform in ln x, and any rise of e with x.
+
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+use super::curve::LoadingCurve;
+use super::parameters::{decode, encode};
+use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+
+/// Places along each curve where e is looked at.
+const RESTITUTION_POINTS: u32 = 150;
+/// Straight pieces let e rise by so much behind a knot; only what is beyond is penalised.
+const ALLOWED_RISE: f64 = 3e-4;
+/// Weight of a rise beyond, against a deviation of the curve by the same share.
+const RISE_WEIGHT: f64 = 1.0;
+/// Weight of a change of ln coefficient: decides what no curve decides (it stays), and nothing else.
+const STAY_WEIGHT: f64 = 1e-5;
+/// No coefficient goes farther than this from its start, in its logarithm: a factor of 20.
+const REACH: f64 = 3.0;
+/// Step of central differences in ln coefficient.
+const STEP: f64 = 1e-6;
+
+/// The least-squares problem.
+pub(super) struct Residuals<'a> {
+    curves: &'a [&'a LoadingCurve],
+    form: &'a PlmCoefficients,
+    has_knots: bool,
+    start: DVector<f64>,
+    numbers: DVector<f64>,
+}
+
+impl<'a> Residuals<'a> {
+    pub(super) fn new(curves: &'a [&'a LoadingCurve], form: &'a PlmCoefficients, has_knots: bool) -> Self {
+        let start = encode(form, has_knots);
+        Self { curves, form, has_knots, numbers: start.clone(), start }
+    }
+
+    pub(super) fn table(&self) -> PlmCoefficients {
+        self.table_at(&self.numbers)
+    }
+
+    /// The numbers are without bounds; what they stand for has one on either side, so that no step leads nowhere.
+    fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
+        let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * ((number - start) / REACH).tanh());
+        decode(&bounded, self.form, self.has_knots)
+    }
+
+    fn at(&self, numbers: &DVector<f64>) -> DVector<f64> {
+        let table = self.table_at(numbers);
+        let mut residuals = Vec::new();
+        for curve in self.curves {
+            let law = table.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
+            residuals.extend(deviations(curve, &law).flat_map(|deviation| {
+                let root = deviation.weight.sqrt();
+                [root * deviation.force, root * deviation.approach]
+            }));
+            residuals.extend(rises(&law, curve).map(|rise| RISE_WEIGHT * (rise - ALLOWED_RISE).max(0.0)));
+        }
+        residuals.extend((numbers - &self.start).iter().map(|change| STAY_WEIGHT * change));
+        DVector::from_vec(residuals)
+    }
+}
+
+impl levenberg_marquardt::LeastSquaresProblem<f64, Dyn, Dyn> for Residuals<'_> {
+    type ParameterStorage = Owned<f64, Dyn>;
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+
+    fn set_params(&mut self, numbers: &DVector<f64>) {
+        self.numbers.copy_from(numbers);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.numbers.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        Some(self.at(&self.numbers)).filter(|residuals| residuals.iter().all(|r| r.is_finite()))
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let columns: Vec<DVector<f64>> = (0..self.numbers.len())
+            .map(|i| {
+                let [ahead, behind] = [STEP, -STEP].map(|step| {
+                    let mut numbers = self.numbers.clone();
+                    numbers[i] += step;
+                    self.at(&numbers)
+                });
+                (ahead - behind) / (2.0 * STEP)
+            })
+            .collect();
+        Some(DMatrix::from_columns(&columns)).filter(|jacobian| jacobian.iter().all(|j| j.is_finite()))
+    }
+}
+
+/// How far the law is from one point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Deviation {
+    /// Share of the curve's range in ln x; they sum to 1.
+    pub weight: f64,
+    /// ln f of the law − ln f of the point.
+    pub force: f64,
+    /// The same for ε.
+    pub approach: f64,
+    /// The same for a, where the curve has it.
+    pub radius: Option<f64>,
+}
+
+/// Deviations at all points from first yield on: before it the law has no coefficients.
+pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item = Deviation> {
+    let plastic = || curve.points.iter().zip(curve.log_weights()).filter(|(point, _)| point.indentation >= 1.0);
+    let total: f64 = plastic().map(|(_, weight)| weight).sum();
+    plastic().map(move |(point, weight)| {
+        let peak = law.loaded_to(point.indentation);
+        Deviation {
+            weight: weight / total,
+            force: (peak.force / point.force).ln(),
+            approach: (peak.elastic_approach / point.elastic_approach).ln(),
+            radius: point.contact_radius.map(|radius| (law.contact_radius(&peak) / radius).ln()),
+        }
+    })
+}
+
+/// ln e above its least value so far, along the curve and somewhat beyond.
+pub(super) fn rises(law: &Law, curve: &LoadingCurve) -> impl Iterator<Item = f64> {
+    let last = curve.points.last().map_or(1.0, |point| point.indentation);
+    let range = (1.5 * last).ln();
+    let mut least = 0.0_f64;
+    (1..=RESTITUTION_POINTS).map(move |i| {
+        let x = (range * f64::from(i) / f64::from(RESTITUTION_POINTS)).exp();
+        let ln_restitution = 0.5 * (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).ln();
+        least = least.min(ln_restitution);
+        ln_restitution - least
+    })
+}

@@ -1,0 +1,170 @@
+//! The fit: Levenberg-Marquardt for force and elastic approach, linear least squares for the contact radius.
+
+use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
+use nalgebra::{DMatrix, DVector};
+
+use super::FitError;
+use super::curve::LoadingCurve;
+use super::residuals::{Residuals, deviations, rises};
+use crate::law::plm::RadiusRatio;
+use crate::law::{PlmCoefficients, UnloadingExponent};
+
+/// Evaluations for each varied number, after which there is little hope.
+const PATIENCE: usize = 20;
+
+/// What to fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Knots, and where slopes and factors start from; what the curves do not decide stays as here.
+    pub start: PlmCoefficients,
+    /// Whether knots are fitted too.
+    pub has_knots: bool,
+}
+
+/// Root mean square and largest deviation, relative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Weights uniform in ln x.
+    pub rms: f64,
+    /// With its sign.
+    pub largest: f64,
+}
+
+/// How well a law meets one curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseFit {
+    /// The file.
+    pub name: String,
+    /// κ.
+    pub sphere_compliance: f64,
+    /// Smallest and largest x.
+    pub range: (f64, f64),
+    /// Largest a/R, where the curve has it.
+    pub largest_radius_ratio: Option<f64>,
+    /// Of the force.
+    pub force: Spread,
+    /// Of the elastic approach.
+    pub approach: Spread,
+    /// Of the contact radius, where the curve has it.
+    pub radius: Option<Spread>,
+    /// Force and elastic approach of this curve under a law fitted to the others; none with fewer than three curves.
+    pub left_out: Option<(Spread, Spread)>,
+    /// By how much e rises above its least value before.
+    pub restitution_rise: f64,
+}
+
+/// What came of a fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// The coefficients; their provenance is that of the start.
+    pub coefficients: PlmCoefficients,
+    /// One for each curve.
+    pub cases: Vec<CaseFit>,
+}
+
+/// Fits the coefficients to curves, then to all curves but one in turn.
+///
+/// # Errors
+/// [`FitError::Request`] without curves, [`FitError::NotConverged`].
+pub fn fit(curves: &[LoadingCurve], plan: &Plan) -> Result<Fit, FitError> {
+    let all: Vec<&LoadingCurve> = curves.iter().collect();
+    let coefficients = coefficients(&all, plan)?;
+    let cases = curves.iter().enumerate().map(|(i, curve)| {
+        let others: Vec<&LoadingCurve> =
+            curves.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, curve)| curve).collect();
+        let left_out = if others.len() < 2 {
+            None
+        } else {
+            let fitted = self::coefficients(&others, plan)?;
+            let case = case_fit(curve, &fitted);
+            Some((case.force, case.approach))
+        };
+        Ok(CaseFit { left_out, ..case_fit(curve, &coefficients) })
+    });
+    let cases = cases.collect::<Result<Vec<_>, FitError>>()?;
+    Ok(Fit { coefficients, cases })
+}
+
+fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients, FitError> {
+    if curves.is_empty() {
+        return Err(FitError::Request("no curves: name at least one file".to_owned()));
+    }
+    let problem = Residuals::new(curves, &plan.start, plan.has_knots);
+    let (problem, report) = LevenbergMarquardt::new().with_patience(PATIENCE).minimize(problem);
+    match report.termination {
+        TerminationReason::Converged { .. }
+        | TerminationReason::Orthogonal
+        | TerminationReason::ResidualsZero
+        // as close as rounding lets it come
+        | TerminationReason::NoImprovementPossible(_) => {}
+        TerminationReason::LostPatience => {
+            return Err(FitError::NotConverged(format!("no minimum after {PATIENCE} evaluations for each coefficient")));
+        }
+        other => return Err(FitError::NotConverged(format!("{other:?}"))),
+    }
+    let mut table = problem.table();
+    table.contact_radius = radius_ratio(curves, &plan.start.contact_radius);
+    table.check().map_err(|error| FitError::NotConverged(error.to_string()))?;
+    Ok(table)
+}
+
+/// Λ at the knots of `start` beyond the first, where it stays; linear least squares of Λ/Λ_point − 1.
+fn radius_ratio(curves: &[&LoadingCurve], start: &RadiusRatio) -> RadiusRatio {
+    let mut rows: Vec<(Vec<f64>, f64)> = Vec::new();
+    let free = start.from.len().saturating_sub(1);
+    for curve in curves {
+        for (point, weight) in curve.points.iter().zip(curve.log_weights()) {
+            let Some(radius) = point.contact_radius else { continue };
+            let equivalent = point.force / point.elastic_approach;
+            let wanted = equivalent / radius;
+            let scale = weight.sqrt() / wanted;
+            // the polyline is linear in its values: each knot's share is the polyline with 1 there and 0 elsewhere
+            let share = |knot: usize| {
+                let ratio = (0..=free).map(|i| if i == knot { 1.0 } else { 0.0 }).collect();
+                RadiusRatio { from: start.from.clone(), ratio }.at(equivalent)
+            };
+            let shares: Vec<f64> = (1..=free).map(|knot| scale * share(knot)).collect();
+            rows.push((shares, scale * (wanted - start.at(equivalent))));
+        }
+    }
+    if rows.is_empty() || free == 0 {
+        return start.clone();
+    }
+    let shares = DMatrix::from_fn(rows.len(), free, |i, j| rows[i].0[j]);
+    let missing = DVector::from_fn(rows.len(), |i, _| rows[i].1);
+    // what no point decides is not changed: the solution of least norm
+    let Ok(change) = shares.svd(true, true).solve(&missing, 1e-9) else { return start.clone() };
+    let mut fitted = start.clone();
+    for (ratio, change) in fitted.ratio.iter_mut().skip(1).zip(change.iter()) {
+        *ratio = (*ratio + change).clamp(1.0, 1.6);
+    }
+    fitted
+}
+
+/// How well these coefficients meet a curve.
+#[must_use]
+pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit {
+    let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
+    let all: Vec<_> = deviations(curve, &law).collect();
+    let spread = |values: Vec<(f64, f64)>| {
+        let largest =
+            values.iter().map(|(_, deviation)| *deviation).fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        let total: f64 = values.iter().map(|(weight, _)| weight).sum();
+        let square: f64 = values.iter().map(|(weight, deviation)| weight * deviation * deviation).sum();
+        Spread { rms: (square / total).sqrt(), largest }
+    };
+    let radius: Vec<(f64, f64)> = all.iter().filter_map(|d| Some((d.weight, d.radius?))).collect();
+    let end = |point: Option<&super::LoadingPoint>| point.map_or(f64::NAN, |point| point.indentation);
+    let ratios = curve.points.iter().filter_map(|point| Some(point.contact_radius? * curve.yield_radius_ratio));
+    CaseFit {
+        name: curve.name.clone(),
+        sphere_compliance: curve.pair.sphere_compliance,
+        range: (end(curve.points.first()), end(curve.points.last())),
+        largest_radius_ratio: ratios.reduce(f64::max),
+        force: spread(all.iter().map(|d| (d.weight, d.force)).collect()),
+        approach: spread(all.iter().map(|d| (d.weight, d.approach)).collect()),
+        radius: (!radius.is_empty()).then(|| spread(radius)),
+        left_out: None,
+        restitution_rise: rises(&law, curve).fold(0.0, f64::max),
+    }
+}

@@ -1,0 +1,149 @@
+//! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
+
+use std::sync::Arc;
+
+use serde::Deserialize;
+
+use super::check::{Check, Tolerance};
+use super::reference::{DYNAMIC, rows};
+use super::{EXPONENTS, ValidationError};
+use crate::impact::Impact;
+use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::scenario::Scenario;
+
+const TIME: Tolerance = Tolerance { limit: 0.016, source: "documented 1.4 %, margin 0.2 %" };
+const DENT: Tolerance = Tolerance { limit: 0.022, source: "documented 2 %, margin 0.2 %" };
+const FORCE: Tolerance = Tolerance { limit: 0.036, source: "loading force, documented 3.5 %, margin 0.1 %" };
+const WITH_WAVES: Tolerance = Tolerance { limit: 0.010, source: "documented 0.8 %, margin 0.2 %" };
+const RADIATED: Tolerance = Tolerance {
+    limit: 0.085,
+    source: "documented 0 to 7 % below the reference, which has two or three digits (1.2 %)",
+};
+
+/// Rows of a trace that pictures are drawn from.
+const SAMPLES: usize = 300;
+
+const SCENARIOS: [(&str, &str); 3] = [
+    ("D1", include_str!("../../scenarios/dynamic-fe-d1.toml")),
+    ("D2", include_str!("../../scenarios/dynamic-fe-d2.toml")),
+    ("D5", include_str!("../../scenarios/dynamic-fe-d5.toml")),
+];
+
+/// What the finite elements say of an impact.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Reference {
+    case: String,
+    /// e.
+    pub restitution: f64,
+    #[serde(rename = "contact_time_s")]
+    contact_time: f64,
+    #[serde(rename = "peak_force_N")]
+    peak_force: f64,
+    #[serde(rename = "residual_indentation_m")]
+    residual_indentation: f64,
+    radiated_share: f64,
+}
+
+/// A sample of the finite elements.
+#[derive(Debug, Clone, Deserialize)]
+pub struct Sample {
+    case: String,
+    /// \[s\]
+    #[serde(rename = "time_s")]
+    pub time: f64,
+    /// \[N\]
+    #[serde(rename = "force_N")]
+    pub force: f64,
+    /// Approach of the centre of mass \[m\].
+    #[serde(rename = "indentation_m")]
+    pub indentation: f64,
+    /// \[m\]
+    #[serde(rename = "sphere_indentation_m")]
+    pub sphere_indentation: f64,
+    /// \[m\]
+    #[serde(rename = "half_space_indentation_m")]
+    pub half_space_indentation: f64,
+}
+
+/// One impact, by finite elements and by the law.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// "D1".
+    pub name: &'static str,
+    /// Finite elements.
+    pub reference: Reference,
+    /// Their samples, by time.
+    pub samples: Vec<Sample>,
+    /// The law with each of [`EXPONENTS`], integrated, with a trace.
+    pub impacts: Vec<Impact>,
+}
+
+/// The three impacts.
+///
+/// # Errors
+/// [`ValidationError`] if a reference was damaged or an impact has no result.
+pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationError> {
+    let table = "fe_dynamic.csv";
+    let references: Vec<Reference> = rows(table, include_str!("../../tests/reference/fe_dynamic.csv"))?;
+    let samples: Vec<Sample> =
+        rows("fe_dynamic_curves.csv", include_str!("../../tests/reference/fe_dynamic_curves.csv"))?;
+    let coefficients = Arc::new(coefficients.clone());
+    SCENARIOS
+        .iter()
+        .map(|&(name, text)| {
+            let reference = references.iter().find(|row| row.case == name).cloned();
+            let reference =
+                reference.ok_or_else(|| ValidationError::Reference { table, problem: format!("has no row {name}") })?;
+            let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
+            let mut scene = scene.map_err(ValidationError::Scenario)?;
+            scene.coefficients = Arc::clone(&coefficients);
+            let impacts = EXPONENTS.map(|(exponent, _)| {
+                scene.exponent = exponent;
+                scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES)).map_err(ValidationError::from)
+            });
+            let samples = samples.iter().filter(|sample| sample.case == name).cloned().collect();
+            Ok(Case { name, reference, samples, impacts: impacts.into_iter().collect::<Result<_, _>>()? })
+        })
+        .collect()
+}
+
+fn restitution_tolerance(exponent: UnloadingExponent) -> Tolerance {
+    match exponent {
+        UnloadingExponent::Paper => Tolerance { limit: 0.030, source: "documented 2.8 %, margin 0.2 %" },
+        _ => Tolerance { limit: 0.023, source: "documented 2.1 %, margin 0.2 %" },
+    }
+}
+
+pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+    let mut checks = Vec::new();
+    for case in cases(coefficients)? {
+        let fe = &case.reference;
+        let mut row = |quantity: &str, unit, numbers, tolerance| {
+            checks.push(Check::numbers(
+                &format!("impact: {quantity}"),
+                case.name.to_owned(),
+                DYNAMIC,
+                unit,
+                numbers,
+                tolerance,
+            ));
+        };
+        for (impact, (exponent, name)) in case.impacts.iter().zip(EXPONENTS) {
+            let tolerance = restitution_tolerance(exponent);
+            row(&format!("restitution, {name}"), "", [fe.restitution, impact.restitution], tolerance);
+            row(&format!("contact time, {name}"), "s", [fe.contact_time, impact.contact_time], TIME);
+        }
+        // loading is the same under both exponents
+        if let Some(impact) = case.impacts.first() {
+            row("peak force", "N", [fe.peak_force, impact.peak_force], FORCE);
+            row("residual indentation", "m", [fe.residual_indentation, impact.residual_indentation], DENT);
+        }
+        let Some(shape) = case.impacts.last() else { continue };
+        if let (Some(restitution), Some(loss)) = (shape.restitution_with_waves, shape.wave_loss_fraction) {
+            row("restitution, pressure-shape with waves", "", [fe.restitution, restitution], WITH_WAVES);
+            row("energy radiated as waves", "", [fe.radiated_share, loss], RADIATED);
+        }
+    }
+    checks.sort_by(|a, b| a.quantity.cmp(&b.quantity));
+    Ok(checks)
+}

@@ -1,0 +1,128 @@
+//! Elastic impacts against published values and Hertz's closed forms. The program integrates; its own closed form is not
+//! used here.
+//!
+//! The half-space of this model is never rigid. A sphere of modulus E on a rigid plane and a rigid sphere of the same
+//! density on a half-space of modulus E are the same problem: F = (4/3) E* √R δ^1.5 with E* = E/(1 − ν²) in both.
+
+use super::ValidationError;
+use super::check::{Check, Tolerance};
+use crate::impact::{Contact, Impact, Method, Solver};
+use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, Sphere};
+
+const RIGID: Material = Material { youngs_modulus: f64::INFINITY, poissons_ratio: 0.3 };
+const CHUNG_OOI: &str = "Hertz impact with the inputs of Chung & Ooi 2011, test 2";
+const LAMMPS: &str = "LAMMPS pair granular, hertz/material, wall";
+const PRINTED: &str = "half a unit of the last digit";
+/// (4/5) B(2/5, 1/2).
+const HERTZ_TIME: f64 = 2.943_275_184_324_704_7;
+
+struct Scene {
+    name: &'static str,
+    sphere: Material,
+    half_space: Material,
+    radius: f64,
+    density: f64,
+    speed: f64,
+    reference: &'static str,
+    /// Quantity, unit, value, half a unit of its last digit.
+    values: &'static [(&'static str, &'static str, f64, f64)],
+}
+
+const SCENES: [Scene; 4] = [
+    Scene {
+        name: "aluminium alloy on a rigid plane, 0.2 m/s",
+        sphere: RIGID,
+        half_space: Material { youngs_modulus: 70e9, poissons_ratio: 0.3 },
+        radius: 0.1,
+        density: 2699.0,
+        speed: 0.2,
+        reference: CHUNG_OOI,
+        values: &[
+            ("largest indentation", "m", 49.72e-6, 0.005e-6),
+            ("largest force", "N", 11_370.0, 0.5),
+            ("contact time", "s", 731.7e-6, 0.05e-6),
+        ],
+    },
+    Scene {
+        name: "magnesium alloy on a rigid plane, 0.2 m/s",
+        sphere: RIGID,
+        half_space: Material { youngs_modulus: 40e9, poissons_ratio: 0.35 },
+        radius: 0.1,
+        density: 1800.0,
+        speed: 0.2,
+        reference: CHUNG_OOI,
+        values: &[
+            ("largest indentation", "m", 52.12e-6, 0.005e-6),
+            ("largest force", "N", 7233.0, 0.5),
+            ("contact time", "s", 767.1e-6, 0.05e-6),
+        ],
+    },
+    Scene {
+        name: "100 GPa, wall of the same material, 3.9 m/s",
+        sphere: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
+        half_space: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
+        radius: 2.5e-3,
+        density: 7000.0,
+        speed: 3.9,
+        reference: LAMMPS,
+        values: &[("largest indentation", "m", 22.6806e-6, 0.000_05e-6)],
+    },
+    Scene {
+        name: "100 GPa, rigid wall, 3.9 m/s",
+        sphere: RIGID,
+        half_space: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
+        radius: 2.5e-3,
+        density: 7000.0,
+        speed: 3.9,
+        reference: LAMMPS,
+        values: &[("largest indentation", "m", 17.19e-6, 0.005e-6)],
+    },
+];
+
+fn value(impact: &Impact, quantity: &str) -> f64 {
+    match quantity {
+        "largest indentation" => impact.peak_indentation,
+        "largest force" => impact.peak_force,
+        "contact time" => impact.contact_time,
+        _ => f64::NAN,
+    }
+}
+
+pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+    let mut published = Vec::new();
+    let mut exact = Vec::new();
+    for scene in &SCENES {
+        let sphere =
+            Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };
+        let half_space = HalfSpace { material: scene.half_space, yield_strength: None, density: None };
+        let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+        let solver = Solver { method: Method::Rk8, ..Solver::default() };
+        let impact = contact.impact(scene.speed, &solver, None)?;
+        for &(quantity, unit, expected, half_a_digit) in scene.values {
+            let tolerance = Tolerance { limit: half_a_digit / expected, source: PRINTED };
+            let numbers = [expected, value(&impact, quantity)];
+            let name = format!("Hertz impact, published: {quantity}");
+            published.push(Check::numbers(&name, scene.name.to_owned(), scene.reference, unit, numbers, tolerance));
+        }
+        let plane_strain = |material: Material| material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2));
+        let e_star = 1.0 / (1.0 / plane_strain(scene.sphere) + 1.0 / plane_strain(scene.half_space));
+        let stiffness = 4.0 / 3.0 * e_star * scene.radius.sqrt();
+        let mass = 4.0 / 3.0 * std::f64::consts::PI * scene.radius.powi(3) * scene.density;
+        let depth = (1.25 * mass * scene.speed.powi(2) / stiffness).powf(0.4);
+        for (quantity, unit, expected, got) in [
+            ("largest indentation", "m", depth, impact.peak_indentation),
+            ("largest force", "N", stiffness * depth.powf(1.5), impact.peak_force),
+            ("contact time", "s", HERTZ_TIME * depth / scene.speed, impact.contact_time),
+            ("restitution", "", 1.0, impact.restitution),
+        ] {
+            let tolerance = Tolerance { limit: 1e-9, source: "10 x the solver's tolerance" };
+            let name = format!("Hertz impact, exact: {quantity}");
+            let reference = "closed form of Hertz's impact";
+            exact.push(Check::numbers(&name, scene.name.to_owned(), reference, unit, [expected, got], tolerance));
+        }
+    }
+    published.extend(exact);
+    published.sort_by(|a, b| a.quantity.cmp(&b.quantity));
+    Ok(published)
+}

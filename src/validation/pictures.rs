@@ -1,0 +1,87 @@
+//! Pictures of the comparison: points are the reference, lines the law. In the form of Figs. 5-9, 11 and 12 of Xie et al.
+//! (2024), for all cases, and deviations against depth.
+
+mod cycles;
+mod dents;
+mod deviations;
+mod impacts;
+mod shares;
+
+use rayon::prelude::*;
+
+use super::ValidationError;
+use super::reference::cases;
+use crate::law::{Peak, PlmCoefficients};
+use crate::output::OutputFile;
+use crate::plot::{Axis, Guide, Lines, PlotError, Series};
+
+/// A picture before it is drawn.
+struct Picture {
+    /// Without ".png".
+    name: String,
+    lines: Lines,
+}
+
+impl Picture {
+    fn new(name: String, title: String, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
+        Self { name, lines: Lines { title, x, y, series, guides: Vec::new(), notes: Vec::new() } }
+    }
+
+    fn with_guides(mut self, guides: Vec<Guide>) -> Self {
+        self.lines.guides = guides;
+        self
+    }
+
+    fn with_notes<T: Into<String>>(mut self, notes: impl IntoIterator<Item = T>) -> Self {
+        self.lines.notes = notes.into_iter().map(Into::into).collect();
+        self
+    }
+
+    fn draw(&self) -> Result<OutputFile, PlotError> {
+        Ok(OutputFile { name: format!("{}.png", self.name), bytes: self.lines.to_png()? })
+    }
+}
+
+/// Index of a style of the same colour as another, with other dashes and marker.
+const SISTER: usize = 7;
+
+/// "case-3".
+fn slug(case: &str) -> String {
+    case.to_lowercase().replace(' ', "-")
+}
+
+/// Axes of indentation and force in units of the yield point, up to `room` times a peak, and what forces are divided by:
+/// labels of five digits would run into the title.
+fn loop_axes(peak: &Peak, room: f64) -> ([Axis; 2], f64) {
+    let (unit, title) = if peak.force >= 1e4 { (1e3, "Force over 1000 F_Y") } else { (1.0, "Force over F_Y") };
+    let x = Axis::linear("Indentation over δ_Y", "").between(0.0, room * peak.indentation);
+    ([x, Axis::linear(title, "").between(0.0, room * peak.force / unit)], unit)
+}
+
+/// A curve of `n` points from `low` to `high`.
+fn sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
+    (0..=n).map(|i| point(low + (high - low) * f64::from(i) / f64::from(n))).collect()
+}
+
+/// The same with even ratios.
+fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
+    sampled(low.ln(), high.ln(), n, |at| point(at.exp()))
+}
+
+/// All pictures.
+///
+/// # Errors
+/// [`ValidationError`].
+pub fn pictures(coefficients: &PlmCoefficients) -> Result<Vec<OutputFile>, ValidationError> {
+    let cases = cases()?;
+    let mut pictures = deviations::pictures(&cases, coefficients);
+    for case in &cases {
+        pictures.push(shares::shape(case, coefficients));
+        pictures.extend(shares::pictures(case, coefficients));
+        pictures.extend(cycles::pictures(case, coefficients));
+        pictures.extend(dents::picture(case));
+    }
+    pictures.extend(impacts::pictures(&super::dynamic::cases(coefficients)?));
+    let drawn: Result<Vec<OutputFile>, PlotError> = pictures.par_iter().map(Picture::draw).collect();
+    Ok(drawn?)
+}

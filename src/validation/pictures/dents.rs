@@ -1,0 +1,34 @@
+//! The crater after unloading, and the circle of Eq. 25 (Fig. 7).
+
+use super::super::dents::residual_radius;
+use super::super::reference::Case;
+use super::{Picture, sampled, slug};
+use crate::plot::{Axis, Guide, Series};
+use crate::report::human::number;
+
+pub(super) fn picture(case: &Case) -> Option<Picture> {
+    let cycle = case.cycles.iter().find(|cycle| !cycle.dent.is_empty())?;
+    let radius = residual_radius(&cycle.peak);
+    // lengths in R: δ_Y/R = (a_Y/R)²
+    let depth = cycle.peak.residual() * case.loading.yield_radius_ratio.powi(2);
+    let points = cycle.dent.iter().map(|[r, z]| (*r, 1e3 * z)).collect();
+    let circle =
+        sampled(0.0, cycle.contact_radius, 100, |r| (r, 1e3 * (radius - (radius * radius - r * r).sqrt() - depth)));
+    let fitted = number(cycle.residual_radii[0]);
+    Some(
+        Picture::new(
+            format!("dent-{}", slug(case.name)),
+            format!("{}: dent left by δₘ = {} δ_Y", case.name.replace('c', "C"), number(cycle.peak.indentation)),
+            [Axis::linear("Radius r/R", ""), Axis::linear("Height of the surface, 1000 z/R", "")],
+            vec![
+                Series::points("finite elements", points),
+                Series::bare(format!("circle of Eqs. 23-25, R_res = {} R", number(radius)), circle).styled(1),
+            ],
+        )
+        .with_guides(vec![
+            Guide::Vertical { at: cycle.contact_radius, label: "contact radius at the peak".to_owned(), series: None },
+            Guide::Horizontal { at: 0.0, label: "undeformed".to_owned() },
+        ])
+        .with_notes([format!("circle fitted to it: {fitted} R")]),
+    )
+}

@@ -1,0 +1,60 @@
+//! Whole impacts: force against indentations and against time (Fig. 12).
+
+use super::super::EXPONENTS;
+use super::super::dynamic::{Case, Sample};
+use super::{Picture, SISTER, slug};
+use crate::impact::TraceRow;
+use crate::plot::{Axis, Series};
+
+/// An indentation: name, of the reference, of the law.
+type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
+
+const SHARES: [Share; 3] = [
+    ("approach δ", |sample| sample.indentation, |row| row.indentation),
+    ("sphere δₛ", |sample| sample.sphere_indentation, |row| row.sphere_indentation),
+    ("half-space δₕ", |sample| sample.half_space_indentation, |row| row.half_space_indentation),
+];
+
+pub(super) fn pictures(cases: &[Case]) -> Vec<Picture> {
+    cases.iter().flat_map(|case| [force_indentation(case), history(case)]).collect()
+}
+
+fn title(case: &Case) -> String {
+    format!("Impact {} (scenarios/dynamic-fe-{}.toml)", case.name, slug(case.name))
+}
+
+/// Restitution by finite elements and under each exponent.
+fn notes(case: &Case) -> Vec<String> {
+    let of_law =
+        case.impacts.iter().zip(EXPONENTS).map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution));
+    let of_reference = format!("  finite elements: {:.4}", case.reference.restitution);
+    let with_waves = case.impacts.last().and_then(|impact| impact.restitution_with_waves);
+    let with_waves = with_waves.map(|restitution| format!("  … with waves: {restitution:.4}"));
+    ["Restitution".to_owned(), of_reference].into_iter().chain(of_law).chain(with_waves).collect()
+}
+
+fn force_indentation(case: &Case) -> Picture {
+    let mut series = Vec::new();
+    for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
+        let points = case.samples.iter().map(|sample| (of_sample(sample), sample.force));
+        series.push(Series::points(format!("{name}, finite elements"), points.collect()).styled(i));
+        for (which, (impact, (_, exponent))) in case.impacts.iter().zip(EXPONENTS).enumerate() {
+            let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
+            series.push(Series::bare(format!("{name}, {exponent}"), curve).styled(i + SISTER * which));
+        }
+    }
+    let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    Picture::new(format!("impact-{}-force-indentation", slug(case.name)), title(case), axes, series)
+        .with_notes(notes(case))
+}
+
+fn history(case: &Case) -> Picture {
+    let points = case.samples.iter().map(|sample| (sample.time, sample.force)).collect();
+    let mut series = vec![Series::points("finite elements", points)];
+    for (i, (impact, (_, exponent))) in case.impacts.iter().zip(EXPONENTS).enumerate() {
+        let curve = impact.trace.iter().map(|row| (row.time, row.force)).collect();
+        series.push(Series::bare(format!("law, {exponent}"), curve).styled(i + 1));
+    }
+    let axes = [Axis::engineering("Time", "s"), Axis::engineering("Force", "N")];
+    Picture::new(format!("impact-{}-history", slug(case.name)), title(case), axes, series).with_notes(notes(case))
+}

@@ -1,0 +1,197 @@
+//! The reference tables, compiled in. Each tells in its head where it comes from, how it was obtained and its error.
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use super::ValidationError;
+use crate::fit::{LoadingCurve, LoadingPoint};
+use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
+
+/// Who is compared with: the quasi-static campaign.
+pub const STATIC: &str = "finite elements, CalculiX 2.20, tests/reference/fe_*.csv";
+/// The whole impacts.
+pub const DYNAMIC: &str = "explicit finite elements, tests/reference/fe_dynamic.csv";
+
+const LOADING: [(&str, &str); 5] = [
+    ("case 1", include_str!("../../tests/reference/fe_loading_case1.csv")),
+    ("case 2", include_str!("../../tests/reference/fe_loading_case2.csv")),
+    ("case 3", include_str!("../../tests/reference/fe_loading_case3.csv")),
+    ("case 4", include_str!("../../tests/reference/fe_loading_case4.csv")),
+    ("case 5", include_str!("../../tests/reference/fe_loading_case5.csv")),
+];
+
+/// Fewest elements in contact at which a dent has a shape.
+const RESOLVED: f64 = 10.0;
+
+/// One of the five pairs of materials: loading curve and unloadings.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// "case 3".
+    pub name: &'static str,
+    /// The loading curve.
+    pub loading: LoadingCurve,
+    /// Unloadings by rising depth.
+    pub cycles: Vec<Cycle>,
+}
+
+/// A full unloading.
+#[derive(Debug, Clone)]
+pub struct Cycle {
+    /// Run and number of the unloading in it.
+    pub run: String,
+    /// From 1.
+    pub number: u32,
+    /// Elements over the contact radius at the peak.
+    pub elements: f64,
+    /// x_m, f_m and ε_m = x_s,m/κ of the finite elements.
+    pub peak: Peak,
+    /// a_m/R.
+    pub contact_radius: f64,
+    /// x_r of the finite elements.
+    pub residual: f64,
+    /// √(recovered/spent work), where the loading curve reaches back to first yield.
+    pub restitution: Option<f64>,
+    /// R_res/R fitted within the contact radius, and within 0.7 of it.
+    pub residual_radii: [f64; 2],
+    /// From the peak to separation, both left out: x, f, x_s.
+    pub points: Vec<[f64; 3]>,
+    /// Surface after unloading: r/R, z/R; few unloadings have it.
+    pub dent: Vec<[f64; 2]>,
+}
+
+impl Cycle {
+    /// "case3_small, x = 105.1".
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}, x = {}", self.run, crate::report::human::number(self.peak.indentation))
+    }
+
+    /// Whether the dent spans enough elements to have a shape.
+    #[must_use]
+    pub fn is_resolved(&self) -> bool {
+        self.elements >= RESOLVED
+    }
+}
+
+impl Case {
+    /// The law of this pair.
+    #[must_use]
+    pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
+        coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
+    }
+
+    /// κ.
+    #[must_use]
+    pub fn sphere_compliance(&self) -> f64 {
+        self.loading.pair.sphere_compliance
+    }
+
+    /// Points of the loading curve from first yield on.
+    pub fn plastic(&self) -> impl Iterator<Item = &LoadingPoint> {
+        self.loading.points.iter().filter(|point| point.indentation >= 1.0)
+    }
+
+    /// Unloadings without those at (nearly) the depth of a better resolved one.
+    #[must_use]
+    pub fn distinct_cycles(&self) -> Vec<&Cycle> {
+        let is_near = |a: &Cycle, b: &Cycle| (a.peak.indentation / b.peak.indentation).ln().abs() < 0.1;
+        let has_better = |one: &&Cycle| {
+            let mut others = self.cycles.iter().filter(|other| !std::ptr::eq(*one, *other));
+            others.any(|other| is_near(one, other) && other.elements > one.elements)
+        };
+        self.cycles.iter().filter(|one| !has_better(one)).collect()
+    }
+}
+
+#[derive(Deserialize)]
+struct CycleRow {
+    case: String,
+    run: String,
+    cycle: u32,
+    elements_in_contact: f64,
+    x: f64,
+    f: f64,
+    sphere_share: f64,
+    #[serde(rename = "contact_radius_over_R")]
+    contact_radius: f64,
+    residual_share: f64,
+    restitution: Option<f64>,
+    #[serde(rename = "residual_radius_over_R")]
+    residual_radius: f64,
+    #[serde(rename = "inner_residual_radius_over_R")]
+    inner_residual_radius: f64,
+}
+
+#[derive(Deserialize)]
+struct CurveRow {
+    run: String,
+    cycle: u32,
+    x: f64,
+    f: f64,
+    sphere_x: f64,
+}
+
+#[derive(Deserialize)]
+struct DentRow {
+    run: String,
+    cycle: u32,
+    #[serde(rename = "r_over_R")]
+    r: f64,
+    #[serde(rename = "z_over_R")]
+    z: f64,
+}
+
+/// Rows of a table.
+pub(super) fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, ValidationError> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let rows = reader.deserialize().collect::<Result<Vec<T>, csv::Error>>();
+    rows.map_err(|error| ValidationError::Reference { table, problem: error.to_string() })
+}
+
+/// The five cases.
+///
+/// # Errors
+/// [`ValidationError::Reference`], [`ValidationError::Curve`] if a table was damaged.
+pub fn cases() -> Result<Vec<Case>, ValidationError> {
+    let cycles: Vec<CycleRow> = rows("fe_unloading.csv", include_str!("../../tests/reference/fe_unloading.csv"))?;
+    let curves: Vec<CurveRow> =
+        rows("fe_unloading_curves.csv", include_str!("../../tests/reference/fe_unloading_curves.csv"))?;
+    let dents: Vec<DentRow> = rows("fe_dents.csv", include_str!("../../tests/reference/fe_dents.csv"))?;
+    LOADING
+        .iter()
+        .map(|&(name, text)| {
+            let loading = LoadingCurve::parse(name, text)?;
+            let kappa = loading.pair.sphere_compliance;
+            let of_case = cycles.iter().filter(|row| row.case == name.replace(' ', ""));
+            let mut cycles: Vec<Cycle> = of_case
+                .map(|row| {
+                    let is_this = |run: &str, cycle: u32| run == row.run && cycle == row.cycle;
+                    let peak =
+                        Peak { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa };
+                    Cycle {
+                        run: row.run.clone(),
+                        number: row.cycle,
+                        elements: row.elements_in_contact,
+                        peak,
+                        contact_radius: row.contact_radius,
+                        residual: row.residual_share * row.x,
+                        restitution: row.restitution,
+                        residual_radii: [row.residual_radius, row.inner_residual_radius],
+                        points: curves
+                            .iter()
+                            .filter(|point| is_this(&point.run, point.cycle))
+                            .map(|point| [point.x, point.f, point.sphere_x])
+                            .collect(),
+                        dent: dents
+                            .iter()
+                            .filter(|point| is_this(&point.run, point.cycle))
+                            .map(|point| [point.r, point.z])
+                            .collect(),
+                    }
+                })
+                .collect();
+            cycles.sort_by(|a, b| a.peak.indentation.total_cmp(&b.peak.indentation));
+            Ok(Case { name, loading, cycles })
+        })
+        .collect()
+}
