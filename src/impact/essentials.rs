@@ -1,9 +1,10 @@
 //! The numbers of an impact that a table holds, without the rest of an [`Impact`].
 
+use super::ImpactError;
 use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use crate::law::Law;
-use crate::material::{OutOfFloatRange, normal};
+use crate::material::normal;
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,14 +31,14 @@ impl Essentials {
     /// In SI units; `mass` is the sphere's \[kg\].
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where energy, force or time leave double precision.
+    /// [`OutOfFloatRange`](crate::material::OutOfFloatRange) where energy, force or time leave double precision.
     pub(super) fn new(
         mass: f64,
         speed: f64,
         scales: &Scales,
         law: &Law,
         outcome: &Outcome,
-    ) -> Result<Self, OutOfFloatRange> {
+    ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
         let residual = peak.residual();
         let kinetic_in = normal("kinetic energy (J)", 0.5 * mass * speed * speed)?;

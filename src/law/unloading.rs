@@ -88,6 +88,7 @@ impl Unloading {
     }
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
+    #[inline]
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
         let recovered = x - self.peak.residual();
@@ -96,19 +97,32 @@ impl Unloading {
         }
         match self.shape {
             UnloadingShape::Power => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            _ => self.branch().force_at(x),
+            _ => self.force_on_branch(x),
         }
     }
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
+    #[inline]
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
-        let recovered = x - self.peak.residual();
         match self.shape {
-            UnloadingShape::Power => self.force(x) * recovered / (self.exponent + 1.0),
-            _ if x == self.peak.indentation => self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0),
-            _ => self.branch().work_at(x),
+            UnloadingShape::Power => self.force(x) * (x - self.peak.residual()) / (self.exponent + 1.0),
+            _ => self.stored_on_branch(x),
         }
+    }
+
+    #[cold]
+    fn stored_on_branch(&self, x: f64) -> f64 {
+        if x == self.peak.indentation {
+            self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
+        } else {
+            self.branch().work_at(x)
+        }
+    }
+
+    #[cold]
+    fn force_on_branch(&self, x: f64) -> f64 {
+        self.branch().force_at(x)
     }
 
     /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
@@ -116,7 +130,7 @@ impl Unloading {
     pub fn force_after(&self, recovered: f64) -> f64 {
         match self.shape {
             UnloadingShape::Power => self.stiffness() * power(recovered, self.exponent),
-            _ => self.branch().force_at(self.peak.residual() + recovered),
+            _ => self.force_on_branch(self.peak.residual() + recovered),
         }
     }
 
@@ -125,7 +139,7 @@ impl Unloading {
     pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
         match self.shape {
             UnloadingShape::Power => force * recovered / (self.exponent + 1.0),
-            _ => self.branch().work_at(self.peak.residual() + recovered),
+            _ => self.stored_on_branch(self.peak.residual() + recovered),
         }
     }
 
