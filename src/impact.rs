@@ -322,7 +322,7 @@ impl Contact {
             _ => closed_form::solve(law, q),
         };
         law.accept(&outcome.unloading.peak)?;
-        Ok(Essentials::new(self, speed, &scales, law, &outcome)?)
+        Essentials::new(self, speed, &scales, law, &outcome)
     }
 
     /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first

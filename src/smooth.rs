@@ -99,7 +99,7 @@ impl Smooth {
     }
 
     /// f at a distance.
-    #[inline]
+    #[cold]
     #[must_use]
     pub fn value(&self, start: f64, distance: f64) -> f64 {
         match self.formula.variable {
@@ -139,6 +139,7 @@ impl Smooth {
     }
 
     /// ∫ f dd between two distances.
+    #[cold] // beside pieces in closed form, which these calls must not slow
     #[must_use]
     pub fn work(&self, start: f64, from: f64, to: f64) -> f64 {
         match (self.formula.variable, self.formula.integral) {
@@ -161,6 +162,7 @@ impl Smooth {
     ///
     /// Newton's method in ln x and ln w, where forces of contacts are almost straight, each step integrated from the last
     /// point on; then in x, where the work is convex, so that it ends on the root.
+    #[cold]
     #[must_use]
     pub fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
         if work <= 0.0 || !work.is_finite() {
@@ -257,6 +259,7 @@ impl Smooth {
 
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
     /// turning point). The same as that of the way back.
+    #[cold]
     #[must_use]
     pub fn time(&self, start: f64, from: f64, to: f64, exit: f64, c: f64) -> f64 {
         // the formula is smooth but for its zero: at d = 0 or, for a function of x, at x = 0

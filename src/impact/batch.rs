@@ -87,7 +87,7 @@ pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Ess
         // there is one outcome for every case that could be scaled
         let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
         law.accept(&outcome.unloading.peak)?;
-        Ok(Essentials::new(contact, *speed, &scales, law, &outcome)?)
+        Essentials::new(contact, *speed, &scales, law, &outcome)
     });
     rows.collect()
 }

@@ -9,6 +9,7 @@ use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::power::{arctangent, power_time, quarter_period};
+use crate::smooth::Smooth;
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 #[must_use]
@@ -58,9 +59,15 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     let unloading_time = if unloading.is_power() {
         quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
     } else {
-        time_to_turn(&unloading.branch(), peak.elastic_approach, restitution * speed)
+        other_unloading_time(&unloading, restitution * speed)
     };
     Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
+}
+
+/// The time of a branch that is no power, left at speed `exit`.
+#[cold]
+fn other_unloading_time(unloading: &Unloading, exit: f64) -> f64 {
+    time_to_turn(&unloading.branch(), unloading.peak.elastic_approach, exit)
 }
 
 /// √c, so that ω = √c √s on a straight piece of slope s.
@@ -78,14 +85,19 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             (omega * entry / (ACCELERATION * piece.force)).atan() * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
-        // just behind a knot as on the tangent there, for the same reason
-        Shape::Smooth(_) if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start => {
-            let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
-            (omega * entry / (ACCELERATION * piece.force)).atan() / omega
-        }
-        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
+        Shape::Smooth(smooth) => smooth_time_to_turn(piece, &smooth, distance, entry),
         Shape::LatePower { .. } => late_time(piece, distance, entry, 0.0),
     }
+}
+
+#[cold]
+fn smooth_time_to_turn(piece: &Piece, smooth: &Smooth, distance: f64, entry: f64) -> f64 {
+    // just behind a knot as on the tangent there, for the same reason
+    if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
+        let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
+        return (omega * entry / (ACCELERATION * piece.force)).atan() / omega;
+    }
+    smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION)
 }
 
 /// A turning point nearer to a knot than this share of the indentation (halved) has lost digits of its distance.

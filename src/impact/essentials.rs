@@ -1,11 +1,11 @@
 //! The numbers of an impact that a table holds, without the rest of an [`Impact`].
 
-use super::Contact;
+use super::{Contact, ImpactError};
 use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use super::waves;
 use crate::law::Law;
-use crate::material::{OutOfFloatRange, normal};
+use crate::material::normal;
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,14 +34,14 @@ impl Essentials {
     /// In SI units.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where energy, force, time or radiation leave double precision.
+    /// [`OutOfFloatRange`](crate::material::OutOfFloatRange) where energy, force, time or radiation leave double precision.
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
         scales: &Scales,
         law: &Law,
         outcome: &Outcome,
-    ) -> Result<Self, OutOfFloatRange> {
+    ) -> Result<Self, ImpactError> {
         let kinetic_in = normal("kinetic energy (J)", 0.5 * contact.mass() * speed * speed)?;
         let waves = contact.waves().map(|waves| waves.loss_fraction(speed, scales, law, outcome)).transpose()?;
         Ok(Self { wave_loss_fraction: waves, ..Self::with_kinetic(kinetic_in, scales, law, outcome)? })
@@ -54,7 +54,7 @@ impl Essentials {
         scales: &Scales,
         law: &Law,
         outcome: &Outcome,
-    ) -> Result<Self, OutOfFloatRange> {
+    ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
         let residual = law.dent(&peak).residual();
         let lost = law.spent(&outcome.unloading);

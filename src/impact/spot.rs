@@ -71,9 +71,10 @@ impl Contact {
     ///
     /// # Errors
     /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
-    pub fn essentials_on(&self, spot: &mut Spot, speed: f64) -> Result<Essentials, OutOfFloatRange> {
+    pub fn essentials_on(&self, spot: &mut Spot, speed: f64) -> Result<Essentials, ImpactError> {
         let (scales, law, q) = self.scaled_on(spot, speed)?;
         let outcome = closed_form::solve(law, q);
+        law.accept(&outcome.unloading.peak)?;
         let essentials = Essentials::new(self, speed, &scales, law, &outcome)?;
         let after = after(law, &outcome.unloading.peak);
         spot.remember(after);

@@ -180,6 +180,7 @@ impl Published {
     }
 
     /// ε, at most x and at most what the work of loading allows.
+    #[cold] // beside the PLM, which these calls must not slow
     pub(super) fn elastic_approach(&self, loading: &Curve, x: f64, force: f64) -> f64 {
         if x <= self.elastic_until {
             return x;
@@ -188,12 +189,14 @@ impl Published {
     }
 
     /// The branch from a peak.
+    #[cold]
     pub(super) fn unloading(&self, peak: Peak) -> Unloading {
         let Recovered { exponent, shape, .. } = self.recovered(peak.indentation, peak.force);
         Unloading::new(peak, exponent, shape)
     }
 
     /// a/a_Y at a peak.
+    #[cold]
     pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
         if peak.indentation <= self.elastic_until {
             return peak.indentation.sqrt();
@@ -202,6 +205,7 @@ impl Published {
     }
 
     /// Whether the law has an answer for a peak.
+    #[cold]
     pub(super) fn accept(&self, loading: &Curve, peak: &Peak) -> Result<(), OutsideLaw> {
         let &Peak { indentation, force, .. } = peak;
         if indentation <= self.elastic_until {

@@ -25,8 +25,8 @@ use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// Full plasticity is where the mean pressure reaches about 2.8 σ_Y: 2.806 σ_Y at x = 84 for ϑ = 1.1, and that pressure is
 /// kept, so that nothing jumps (2.8 σ_Y exactly would be a fall of 0.2 %).
 ///
-/// Just above yield the two halves do not fit: between x of about 1 and 3.6 the unloading gives back up to a fifth more energy
-/// than the loading takes (the force grows with twice Hertz's slope), and there the law has no answer.
+/// Just above yield the two halves do not fit: the force grows with twice Hertz's slope, and the unloading gives back up to
+/// 17 % more energy than the loading takes. Between δ/δ_Y of about 1.1 and 2.5 (ν = 0.3) the law has no answer.
 ///
 /// Stronge (2000), Impact Mechanics, Cambridge University Press, ch. 6; unloading as Eq. 2 of Xie et al. (2024).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -118,6 +118,7 @@ impl Unloading {
     }
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
+    #[inline]
     #[must_use]
     pub fn force(&self, x: f64) -> f64 {
         self.force_of(x - self.peak.residual())
@@ -131,8 +132,18 @@ impl Unloading {
         }
         match self.curve {
             None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            Some(curve) => curve.value(self.peak.residual(), recovered),
+            Some(curve) => self.force_on(&curve, recovered),
         }
+    }
+
+    #[cold]
+    fn force_on(&self, curve: &Smooth, recovered: f64) -> f64 {
+        curve.value(self.peak.residual(), recovered)
+    }
+
+    #[cold]
+    fn stored_on(&self, curve: &Smooth, recovered: f64) -> f64 {
+        curve.work(self.peak.residual(), 0.0, recovered.max(0.0))
     }
 
     /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
@@ -156,13 +167,13 @@ impl Unloading {
     }
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
+    #[inline]
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
-        let recovered = x - self.peak.residual();
         match self.curve {
-            None => self.force(x) * recovered / (self.exponent + 1.0),
+            None => self.force(x) * (x - self.peak.residual()) / (self.exponent + 1.0),
             Some(_) if x == self.peak.indentation => self.capacity(),
-            Some(curve) => curve.work(self.peak.residual(), 0.0, recovered.max(0.0)),
+            Some(curve) => self.stored_on(&curve, x - self.peak.residual()),
         }
     }
 
@@ -179,7 +190,7 @@ impl Unloading {
     pub fn force_after(&self, recovered: f64) -> f64 {
         match self.curve {
             None => self.stiffness() * power(recovered, self.exponent),
-            Some(curve) => curve.value(self.peak.residual(), recovered),
+            Some(curve) => self.force_on(&curve, recovered),
         }
     }
 
@@ -188,7 +199,7 @@ impl Unloading {
     pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
         match self.curve {
             None => force * recovered / (self.exponent + 1.0),
-            Some(curve) => curve.work(self.peak.residual(), 0.0, recovered),
+            Some(curve) => self.stored_on(&curve, recovered),
         }
     }
 
