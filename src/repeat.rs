@@ -55,7 +55,7 @@ pub enum Drive {
         speed: f64,
         /// Most impacts.
         most: u64,
-        /// Ends before an impact slower than this \[m/s\].
+        /// Ends before an impact slower than this \[m/s\]; the first one is always run.
         until: Option<f64>,
     },
     /// One shot after the other, of these speeds \[m/s\]; what happens between them is left open.

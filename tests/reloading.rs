@@ -195,6 +195,16 @@ fn fixed_steps_run_up_the_branch_too() {
 }
 
 #[test]
+fn a_spot_can_be_made_from_a_memory() {
+    let (contact, spot, _) = dented(UnloadingExponent::Paper);
+    assert_eq!(Spot::loaded_to(&contact, spot.memory().unwrap()), spot);
+    // what never yielded is fresh
+    let elastic = Scene::steel().law().loaded_to(0.9);
+    assert_eq!(Spot::loaded_to(&contact, elastic), Spot::fresh());
+    assert_eq!(contact.elastic_speed(&Spot::fresh()), contact.yield_speed());
+}
+
+#[test]
 fn the_deeper_memory_stays() {
     let law = Scene::steel().law();
     let (shallow, deep) = (law.loaded_to(20.0), law.loaded_to(50.0));
