@@ -12,6 +12,10 @@ use crate::law::{PlmCoefficients, UnloadingExponent};
 /// Evaluations for each varied number, after which there is little hope.
 const PATIENCE: usize = 20;
 
+/// Relative, of the sum of squares and of the steps: the knots of the law make edges in the sum of squares, along which
+/// steps creep to no use.
+const PRECISION: f64 = 1e-8;
+
 /// What to fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
@@ -90,7 +94,8 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         return Err(FitError::Request("no curves: name at least one file".to_owned()));
     }
     let problem = Residuals::new(curves, &plan.start, plan.has_knots);
-    let (problem, report) = LevenbergMarquardt::new().with_patience(PATIENCE).minimize(problem);
+    let (problem, report) =
+        LevenbergMarquardt::new().with_ftol(PRECISION).with_xtol(PRECISION).with_patience(PATIENCE).minimize(problem);
     match report.termination {
         TerminationReason::Converged { .. }
         | TerminationReason::Orthogonal

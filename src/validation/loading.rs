@@ -21,7 +21,7 @@ const KNOWN_RADIUS: [Known; 2] = [
     },
     Known {
         limit: 0.11,
-        remark: "the contact is too wide beyond a/R = 0.15, by 7 to 18 % where the curves end, so the mean pressure is too low by twice that; in cases 1 and 2 up to 7 % of it is pile-up that the reference does not resolve",
+        remark: "the contact is too wide beyond a/R = 0.15, by 6 to 18 % where the curves end, so the mean pressure is too low by twice that; in cases 1 and 2 up to 7 % of it is pile-up that the reference does not resolve",
     },
 ];
 
