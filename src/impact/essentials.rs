@@ -1,9 +1,9 @@
 //! The numbers of an impact that a table holds, without the rest of an [`Impact`].
 
-use super::{Contact, ImpactError};
 use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use super::waves;
+use super::{Contact, ImpactError};
 use crate::law::Law;
 use crate::material::normal;
 

@@ -97,7 +97,9 @@ fn loading_integral(law: &Law, peak: &Peak) -> f64 {
             }
             Shape::Straight { slope, .. } => straight_integral(slope, piece.force_at(end), piece.force, entry, exit),
             // as any shape can be
-            Shape::Power { .. } | Shape::LatePower { .. } | Shape::Smooth(_) => integral_by_quadrature(piece, end, speed_at),
+            Shape::Power { .. } | Shape::LatePower { .. } | Shape::Smooth(_) => {
+                integral_by_quadrature(piece, end, speed_at)
+            }
         };
         entry = exit;
     }

@@ -87,7 +87,11 @@ impl HalfSpaceTable {
     #[must_use]
     pub fn resolve(&self) -> HalfSpace {
         let material = Material { youngs_modulus: self.youngs_modulus.0, poissons_ratio: self.poissons_ratio.0 };
-        HalfSpace { material, yield_strength: self.yield_strength.map(|strength| strength.0), density: self.density.map(|density| density.0) }
+        HalfSpace {
+            material,
+            yield_strength: self.yield_strength.map(|strength| strength.0),
+            density: self.density.map(|density| density.0),
+        }
     }
 }
 

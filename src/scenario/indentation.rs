@@ -5,8 +5,8 @@ use std::sync::Arc;
 use serde::Deserialize;
 
 use super::file::{HalfSpaceTable, PlmTable, ScenarioFile};
-use super::quantity::{Depth, Load, Modulus, PoissonsRatio, Strength};
 use super::law::LawTable;
+use super::quantity::{Depth, Load, Modulus, PoissonsRatio, Strength};
 use super::{DEFAULT_SAMPLES, Scenario, ScenarioError, unused};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
