@@ -185,6 +185,7 @@ impl Scenario {
         let half_space = half_space.as_ref().ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
         let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
         let forces = self.forces()?;
+        self.refuse_waves(&half_space, &forces)?;
         let (speed, drop_height) = self.speed(&forces)?;
         let sphere = Sphere {
             radius: self.radius(sphere)?,

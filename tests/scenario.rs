@@ -374,3 +374,24 @@ fn an_impact_needs_a_speed_and_a_mass() {
     let want = "steel.toml:1:1: sphere: the key `density` is missing: a density such as density = \"7850 kg/m^3\"";
     assert!(message.starts_with(want), "{message}");
 }
+
+#[test]
+fn waves_and_forces_are_refused_where_they_cannot_be_computed() {
+    let dense =
+        STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = \"7850 kg/m^3\"\n");
+    for (table, named) in [
+        ("[gravity]\nacceleration = 9.81\n", "[gravity]"),
+        ("[damping]\nviscous = 0.1\n", "[damping]"),
+        ("[repeat]\nspeeds = [1, 2]\nspot = \"same\"\n", "[repeat]"),
+    ] {
+        let text = if named == "[repeat]" { dense.replace("[impact]\nspeed = \"3 m/s\"\n", "") } else { dense.clone() };
+        let message = refusal(&format!("{text}{table}"), &[]);
+        assert!(message.contains("half_space.density: ") && message.contains(named), "{message}");
+    }
+    let slow = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    for table in ["[gravity]\nacceleration = 9.81\n", "[damping]\nviscous = 0.1\n"] {
+        let text = format!("{slow}[indentation]\nsteps = [{{ load = 1 }}]\n{table}");
+        let error = Scenario::from_text("slow", &text, &[]).unwrap().kind().unwrap_err().to_string();
+        assert!(error.contains("there is no motion"), "{error}");
+    }
+}

@@ -5,6 +5,7 @@ use serde::Deserialize;
 use super::quantity::{Acceleration, Bound, HuntCrossley, Quantity, ViscousFraction, positive};
 use super::{Scenario, ScenarioError, Scene};
 use crate::impact::{Damping, Forces, drop_speed};
+use crate::material::HalfSpace;
 use crate::units::Dimension;
 
 /// Gravity.
@@ -65,6 +66,25 @@ impl Scenario {
             }
         };
         Ok(Forces { gravity, damping })
+    }
+
+    /// Waves are those of the impact by the law alone.
+    pub(super) fn refuse_waves(&self, half_space: &HalfSpace, forces: &Forces) -> Result<(), ScenarioError> {
+        let beside = if self.file.repeat.is_some() {
+            "[repeat]"
+        } else if forces.damping.is_some() {
+            "[damping]"
+        } else if forces.gravity.is_some() {
+            "[gravity]"
+        } else {
+            return Ok(());
+        };
+        if half_space.density.is_none() {
+            return Ok(());
+        }
+        let message =
+            format!("elastic waves are computed for one impact by the law alone: leave out this key, or {beside}");
+        Err(self.document.refuse("half_space.density", message))
     }
 
     /// Impact speed \[m/s\] and the drop height that gives it, if one does \[m\].

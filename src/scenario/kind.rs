@@ -20,6 +20,9 @@ pub enum Kind {
     Indentation,
 }
 
+/// Why forces have no use.
+const NO_MOTION: &str = "there is no motion that it could act on";
+
 impl Kind {
     /// The kinds that have a table of their own, with its name.
     const TABLES: &[(&'static str, Self)] = &[
@@ -45,6 +48,8 @@ impl Kind {
     fn idle_table(self, file: &ScenarioFile) -> Option<(&'static str, &'static str)> {
         match self {
             Self::Indentation if file.impact.is_some() => Some(("impact", "an indentation is slow")),
+            Self::Indentation | Self::Compare if file.gravity.is_some() => Some(("gravity", NO_MOTION)),
+            Self::Indentation | Self::Compare if file.damping.is_some() => Some(("damping", NO_MOTION)),
             Self::Indentation if file.solver != SolverTable::default() => {
                 Some(("solver", "an indentation is computed in closed form"))
             }

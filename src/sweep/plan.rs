@@ -176,6 +176,9 @@ impl Plan {
                 "damping.viscous" if varies("damping.hunt_crossley") => {
                     "is a second damping beside \"damping.hunt_crossley\"; keep one of the two"
                 }
+                "half_space.density" if !scene.forces.is_none() => {
+                    "is not used: elastic waves are computed without gravity and damping"
+                }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
                 path if (path == "law" || path.starts_with("law.")) && !self.is_plastic() => {
