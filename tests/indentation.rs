@@ -220,6 +220,15 @@ fn the_spans_of_uncertain_inputs_hold_every_case_within() {
     assert!(known.spans(indenter(), coefficients, exponent, &targets, &middle).unwrap().is_none());
 }
 
+/// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3, and the rigid sphere of case 5 as the finite elements had it.
+const CASES: [(&str, f64, f64, f64); 5] = [
+    ("case1", 52e9, 210e9, 50e6),
+    ("case2", 104e9, 210e9, 120e6),
+    ("case3", 208e9, 210e9, 345e6),
+    ("case4", 208e9, 52.5e9, 550e6),
+    ("case5", 210e12, 210e9, 345e6),
+];
+
 #[test]
 fn load_cycles_follow_the_finite_elements() {
     // reference/fe_unloading.csv: full unloadings, each to its own peak x_m
@@ -233,13 +242,10 @@ fn load_cycles_follow_the_finite_elements() {
     let (mut count, mut sum_of_squares) = (0.0, 0.0);
     for rows in runs.values() {
         let number = |row: &BTreeMap<String, String>, column: &str| row[column].parse::<f64>().unwrap();
-        let material = |column| Material { youngs_modulus: number(&rows[0], column), poissons_ratio: 0.3 };
-        let sphere = Indenter { radius: 35e-3, material: material("sphere_youngs_modulus_Pa"), yield_strength: None };
-        let half_space = HalfSpace {
-            material: material("half_space_youngs_modulus_Pa"),
-            yield_strength: Some(number(&rows[0], "yield_strength_Pa")),
-            density: None,
-        };
+        let (_, of_sphere, of_half_space, strength) = *CASES.iter().find(|case| case.0 == rows[0]["case"]).unwrap();
+        let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+        let sphere = Indenter { radius: 35e-3, material: material(of_sphere), yield_strength: None };
+        let half_space = HalfSpace { material: material(of_half_space), yield_strength: Some(strength), density: None };
         let exponent = UnloadingExponent::PressureShape;
         let contact = StaticContact::try_new(sphere, &half_space, PlmCoefficients::built_in(), exponent).unwrap();
         let point = contact.pair().yield_point.unwrap();
@@ -249,6 +255,12 @@ fn load_cycles_follow_the_finite_elements() {
         let done = steps(&contact, &targets);
         let mut spent = 0.0;
         for (row, pair) in rows.iter().zip(done.chunks(2)) {
+            // reloading before gave back what unloading took
+            spent += pair[0].plastic_work;
+            // the shallow cycles of the softest sphere have no restitution, and nothing was fitted to them
+            if row["restitution"].is_empty() {
+                continue;
+            }
             let what = format!("{} at {}", row["run"], row["x"]);
             // residual over largest indentation: PLM and Eq. 23 together within 3 % of it (the coarsest mesh), and a shallow dent, which is the
             // difference of nearly equal depths, within 2 % of the depth
@@ -257,8 +269,7 @@ fn load_cycles_follow_the_finite_elements() {
                 assert!(off(got, want) < 0.03, "{what}: {got} {want}");
             }
             assert!((got - want).abs() < 0.02, "{what}: {got} {want}");
-            // e² is recovered over spent work; reloading before gave back what unloading took
-            spent += pair[0].plastic_work;
+            // e² is recovered over spent work
             let e = (-pair[1].work / (spent - pair[1].work)).sqrt();
             let deviation = e / number(row, "restitution") - 1.0;
             // documented: −2.5 to +1.9 %, rms 0.95 % (and a tenth or two as the spent work there is integrated anew)
