@@ -95,18 +95,41 @@ impl Law {
         }
     }
 
+    /// Whether its elastic approach and its unloading are closed forms written here: no other published law, fresh surface.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        !matches!(self.elastic, ElasticApproach::Published(_) | ElasticApproach::Reloaded(_))
+    }
+
     /// Elastic approach ε at a point (x, f) of the loading curve; 0 < ε ≤ x.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
-            ElasticApproach::All => x,
             ElasticApproach::Published(law) => law.elastic_approach(&self.loading, x, force),
             ElasticApproach::Reloaded(reloaded) => reloaded.elastic_approach(x, force),
-            _ if x <= 1.0 => x,
-            ElasticApproach::Line(line) => line.at(force).min(x),
-            ElasticApproach::FixedStiffness(stiffness) => (force / stiffness).powf(2.0 / 3.0).min(x),
+            _ => self.plain_elastic_approach(x, force),
         }
+    }
+
+    #[inline(always)]
+    fn plain_elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match &self.elastic {
+            ElasticApproach::Line(line) if x > 1.0 => line.at(force).min(x),
+            ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => (force / stiffness).powf(2.0 / 3.0).min(x),
+            _ => x,
+        }
+    }
+
+    /// [`Law::state_at`] of a law that [is plain](Law::is_plain).
+    #[inline(always)]
+    #[must_use]
+    pub fn plain_state_at(&self, index: usize, distance: f64) -> Peak {
+        let piece = &self.loading.pieces()[index];
+        let indentation = piece.start + distance;
+        let force = piece.force_at(indentation);
+        Peak { indentation, force, elastic_approach: self.plain_elastic_approach(indentation, force) }
     }
 
     /// The state at x on the loading curve, as a peak that unloading may leave from.
@@ -118,14 +141,20 @@ impl Law {
 
     /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice; on the
     /// branch of a spot that was loaded before, that branch.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
         match &self.elastic {
-            ElasticApproach::Published(law) => return law.unloading(peak),
-            ElasticApproach::Reloaded(reloaded) => return reloaded.unloading(peak),
-            _ => {}
+            ElasticApproach::Published(law) => law.unloading(peak),
+            ElasticApproach::Reloaded(reloaded) => reloaded.unloading(peak),
+            _ => self.plain_unloading(peak),
         }
+    }
+
+    /// [`Law::unloading`] of a law that [is plain](Law::is_plain).
+    #[inline(always)]
+    #[must_use]
+    pub fn plain_unloading(&self, peak: Peak) -> Unloading {
         let exponent = match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
@@ -137,7 +166,7 @@ impl Law {
     }
 
     /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn elastic_until(&self) -> f64 {
         match &self.elastic {

@@ -9,16 +9,33 @@ pub fn power(distance: f64, exponent: f64) -> f64 {
     if exponent == 1.5 { distance * size.sqrt() } else { distance.signum() * size.powf(exponent) }
 }
 
+/// 1/(n + 1), the share of force times distance that is the work; n = 3/2 without a division.
+#[inline(always)]
+#[must_use]
+pub fn work_share(exponent: f64) -> f64 {
+    #[allow(clippy::float_cmp)] // as above
+    if exponent == 1.5 { 0.4 } else { 1.0 / (exponent + 1.0) }
+}
+
 /// Time on a power law from its zero, at speed `entry`, to `distance`, where the speed is `exit`.
 ///
 /// With z = 1 − (exit/entry)² = (d/d_max)^(n+1) and a = 1/(n+1) the time is
 /// (d/entry) ₂F₁(½, a; 1 + a; z), or for z near 1 the whole quarter period less the rest.
+#[inline]
 #[must_use]
 pub fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
+    if exit == 0.0 {
+        return quarter_period(exponent) * distance / entry;
+    }
+    power_time_to_speed(exponent, distance, entry, exit)
+}
+
+/// The same before the turning point.
+fn power_time_to_speed(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
     if distance == 0.0 {
         return 0.0;
     }
-    let a = 1.0 / (exponent + 1.0);
+    let a = work_share(exponent);
     let slowness = exit / entry;
     let remaining = slowness * slowness;
     let spent = (1.0 - slowness) * (1.0 + slowness);
@@ -27,10 +44,7 @@ pub fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
         return distance / entry * series;
     }
     // distance over the turning point, z^a
-    let turning = if remaining == 0.0 { distance } else { distance * spent.powf(-a) };
-    if remaining == 0.0 {
-        return turning / entry * quarter_period(exponent);
-    }
+    let turning = distance * spent.powf(-a);
     let rest = if exponent == 1.5 { sum(remaining, &FROM_TURNING) } else { sum(remaining, &from_turning(a)) };
     turning / entry * (quarter_period(exponent) - 2.0 * a * slowness * rest)
 }
@@ -94,12 +108,14 @@ pub fn arctangent(t: f64) -> f64 {
 
 /// ∫₀¹ dy/√(1 − y^(n+1)) = (1/(n+1)) B(1/(n+1), ½): time from the zero of a power law to the turning point, times
 /// speed over distance. 1.4716375921623523 for n = 3/2: half a Hertz impact.
+#[inline]
 #[must_use]
 pub fn quarter_period(exponent: f64) -> f64 {
     #[allow(clippy::float_cmp)] // the default, exactly
-    if exponent == 1.5 {
-        return 1.471_637_592_162_352_3;
-    }
+    if exponent == 1.5 { 1.471_637_592_162_352_3 } else { other_quarter_period(exponent) }
+}
+
+fn other_quarter_period(exponent: f64) -> f64 {
     let a = 1.0 / (exponent + 1.0);
     // √π Γ(1 + a)/Γ(½ + a)
     1.772_453_850_905_516 * libm::tgamma(1.0 + a) / libm::tgamma(0.5 + a)

@@ -19,6 +19,7 @@ pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
 }
 
 /// What the balance of energy gives.
+#[derive(Debug, Clone, Copy)]
 struct Balance {
     unloading: Unloading,
     restitution: f64,
@@ -30,22 +31,47 @@ struct Balance {
     distance: f64,
 }
 
-#[inline]
 fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
-    let pieces = law.loading.pieces();
     let last = law.turning_piece(kinetic);
-    let distance = pieces[last].distance_at_work(kinetic);
-    let unloading = law.unloading(law.state_at(last, distance));
-    let recovered = unloading.capacity();
-    let restitution = if law.is_elastic_to(unloading.peak.indentation) { 1.0 } else { (recovered / kinetic).sqrt() };
-    Balance { unloading, restitution, kinetic, last, distance }
+    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
+    Balance::new(law, kinetic, last, distance, law.unloading(law.state_at(last, distance)))
+}
+
+/// The same for a law that is plain, without the calls that others need: the peak stays in registers.
+#[inline(always)]
+fn plain_balance(law: &Law, speed: f64) -> Balance {
+    let kinetic = 0.4 * speed * speed;
+    let last = law.loading.index_at_work(kinetic);
+    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
+    Balance::new(law, kinetic, last, distance, law.plain_unloading(law.plain_state_at(last, distance)))
+}
+
+impl Balance {
+    #[inline(always)]
+    fn new(law: &Law, kinetic: f64, last: usize, distance: f64, unloading: Unloading) -> Self {
+        let recovered = unloading.capacity();
+        let is_elastic = law.is_elastic_to(unloading.peak.indentation);
+        let restitution = if is_elastic { 1.0 } else { (recovered / kinetic).sqrt() };
+        Self { unloading, restitution, kinetic, last, distance }
+    }
 }
 
 /// The whole outcome of an impact at q = v/V, exact to rounding.
 #[must_use]
 pub fn solve(law: &Law, speed: f64) -> Outcome {
-    let Balance { unloading, restitution, kinetic, last, distance } = balance(law, speed);
+    if law.is_plain() { outcome(law, speed, plain_balance(law, speed)) } else { outcome_of_other(law, speed) }
+}
+
+#[cold]
+#[inline(never)]
+fn outcome_of_other(law: &Law, speed: f64) -> Outcome {
+    outcome(law, speed, balance(law, speed))
+}
+
+#[inline(always)]
+fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
+    let Balance { unloading, restitution, kinetic, last, distance } = balance;
     let pieces = &law.loading.pieces()[..=last];
     let mut loading_time = 0.0;
     let mut entry = speed;

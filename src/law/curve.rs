@@ -5,7 +5,7 @@
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
 use super::Unloading;
-use crate::power::power;
+use crate::power::{power, work_share};
 use crate::smooth::Smooth;
 
 /// How the force goes on from the start of a piece.
@@ -65,7 +65,7 @@ pub struct Piece {
 
 impl Piece {
     /// Force at x.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn force_at(&self, x: f64) -> f64 {
         let d = x - self.start;
@@ -102,7 +102,9 @@ impl Piece {
     pub fn work_at(&self, x: f64) -> f64 {
         let d = x - self.start;
         match self.shape {
-            Shape::Power { stiffness, exponent } => self.work + stiffness * power(d, exponent) * d / (exponent + 1.0),
+            Shape::Power { stiffness, exponent } => {
+                self.work + stiffness * power(d, exponent) * d * work_share(exponent)
+            }
             Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
             Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
             Shape::LatePower { stiffness, exponent, lead } => {
@@ -132,12 +134,12 @@ impl Piece {
     }
 
     /// The same measured from the start of the piece: near a start far from zero it has digits that x has lost.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn distance_at_work(&self, work: f64) -> f64 {
         let rest = work - self.work;
         match self.shape {
-            Shape::Power { stiffness, exponent } => ((exponent + 1.0) / stiffness * rest).powf(1.0 / (exponent + 1.0)),
+            Shape::Power { stiffness, exponent } => ((exponent + 1.0) / stiffness * rest).powf(work_share(exponent)),
             // the root of ½ s d² + f_i d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
                 2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
@@ -240,6 +242,13 @@ impl Curve {
     #[must_use]
     pub fn index_at(&self, x: f64) -> usize {
         self.pieces.partition_point(|piece| piece.start <= x).saturating_sub(1)
+    }
+
+    /// Index of the piece on which the work reaches `work`.
+    #[inline(always)]
+    #[must_use]
+    pub fn index_at_work(&self, work: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.work <= work).saturating_sub(1)
     }
 
     /// Force at x.

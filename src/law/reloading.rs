@@ -37,11 +37,13 @@ impl Reloaded {
     }
 
     /// ε at (x, f).
+    #[cold]
     pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         if self.is_on_branch(x) { x - self.branch.peak.residual() } else { self.fresh.elastic_approach(x, force) }
     }
 
     /// The unloading branch from a peak.
+    #[cold]
     pub(super) fn unloading(&self, peak: Peak) -> Unloading {
         if self.is_on_branch(peak.indentation) { self.branch.below(peak) } else { self.fresh.unloading(peak) }
     }
@@ -75,6 +77,7 @@ impl Reloaded {
     }
 
     /// The state at a distance from x_r, which has digits that x has not.
+    #[cold]
     fn state_at(&self, distance: f64) -> Peak {
         let peak = self.branch.peak;
         if distance >= peak.elastic_approach {
@@ -144,34 +147,35 @@ impl Law {
     }
 
     /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn turning_piece(&self, kinetic: f64) -> usize {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if reloaded.holds(kinetic) => 0,
-            _ => self.loading.pieces().partition_point(|piece| piece.work <= kinetic).saturating_sub(1),
+            _ => self.loading.index_at_work(kinetic),
         }
     }
 
     /// Whether an impact that turns at x leaves the contact as it was: at most first yield, or on the branch.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn is_elastic_to(&self, x: f64) -> bool {
         x <= self.elastic_until()
     }
 
     /// The state at a distance from the start of a piece.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn state_at(&self, index: usize, distance: f64) -> Peak {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if index == 0 => reloaded.state_at(distance),
-            _ => {
+            ElasticApproach::Reloaded(_) | ElasticApproach::Published(_) => {
                 let piece = &self.loading.pieces()[index];
                 let indentation = piece.start + distance;
                 let force = piece.force_at(indentation);
                 Peak { indentation, force, elastic_approach: self.elastic_approach(indentation, force) }
             }
+            _ => self.plain_state_at(index, distance),
         }
     }
 

@@ -4,7 +4,7 @@
 use super::curve::{Piece, Shape};
 use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::yigit_christoforou::SHIFTED_HERTZ;
-use crate::power::power;
+use crate::power::{power, work_share};
 use crate::smooth::Smooth;
 
 /// The largest state a contact has seen: all the memory the law has.
@@ -87,7 +87,7 @@ impl Unloading {
     }
 
     /// The power law f_m (d/ε_m)^n.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn power(peak: Peak, exponent: f64) -> Self {
         Self { peak, exponent, curve: None }
@@ -171,7 +171,7 @@ impl Unloading {
     #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
         match self.curve {
-            None => self.force(x) * (x - self.peak.residual()) / (self.exponent + 1.0),
+            None => self.force(x) * (x - self.peak.residual()) * work_share(self.exponent),
             Some(_) if x == self.peak.indentation => self.capacity(),
             Some(curve) => self.stored_on(&curve, x - self.peak.residual()),
         }
@@ -179,10 +179,10 @@ impl Unloading {
 
     /// Elastic energy stored at the peak, f_m ε_m/(n + 1): what unloading from there gives back, and what a reload may bring
     /// without going beyond.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn capacity(&self) -> f64 {
-        self.peak.force * self.peak.elastic_approach / (self.exponent + 1.0)
+        self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
     }
 
     /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
@@ -198,7 +198,7 @@ impl Unloading {
     #[must_use]
     pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
         match self.curve {
-            None => force * recovered / (self.exponent + 1.0),
+            None => force * recovered * work_share(self.exponent),
             Some(curve) => self.stored_on(&curve, recovered),
         }
     }
