@@ -9,6 +9,7 @@ pub mod closed_form;
 pub mod course;
 pub mod essentials;
 pub mod forced;
+pub mod forced_batch;
 pub mod forced_trace;
 pub mod forced_verlet;
 pub mod forces;

@@ -2,7 +2,7 @@
 
 use super::course::{self, entry_of, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError, Method, Solver};
+use super::{Contact, Essentials, ImpactError, Method, Solver, forced_batch};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Sizes, State};
@@ -75,9 +75,8 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
 #[must_use]
 pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
     if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
-        // lanes know no gravity and no damping: one by one
         let solver = Solver { method: Method::Rk8, tolerance, ..Solver::default() };
-        return impacts.iter().map(|(contact, speed)| contact.essentials_by(*speed, &solver)).collect();
+        return forced_batch::essentials(impacts, &solver);
     }
     let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
     let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();

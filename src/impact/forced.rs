@@ -16,62 +16,15 @@
 use super::balance;
 use super::course::{Event, entry_of, unloading_from, way_back, way_out};
 use super::forced_trace::{ForcedRecorder, On};
-use super::forces::Damping;
 use super::outcome::Outcome;
 use super::scales::ACCELERATION;
-use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
+use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use crate::integrate::{IntegrationError, Leg, Sizes, State};
 use crate::law::{ElasticApproach, Law, Unloading};
+pub use load::Load;
+pub(super) use load::{Creep, equilibrium};
 
-/// Gravity and damping in the units of an impact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
-    /// w = m g/Φ; 0 without gravity.
-    pub weight: f64,
-    /// χ in units of 1/V, or ζ.
-    pub damping: Option<Damping>,
-}
-
-impl Load {
-    /// Whether nothing takes energy but the dent.
-    #[must_use]
-    pub fn is_conservative(&self) -> bool {
-        matches!(self.damping, None | Some(Damping::HuntCrossley(0.0) | Damping::Viscous(0.0)))
-    }
-
-    /// Without damping: whether a sphere that came at q = v/V stays in its dent.
-    #[must_use]
-    pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
-        let has_dent = unloading.peak.residual() > 0.0;
-        self.weight > 0.0 && (q == 0.0 || has_dent && unloading.peak.force <= (unloading.exponent + 1.0) * self.weight)
-    }
-
-    /// Elastic approach at which the unloading branch carries the weight; at most that of the peak.
-    #[must_use]
-    pub fn static_approach(&self, unloading: &Unloading) -> f64 {
-        let peak = &unloading.peak;
-        peak.elastic_approach * (self.weight / peak.force).min(1.0).powf(1.0 / unloading.exponent)
-    }
-
-    /// x at which the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has
-    /// not yet come so far.
-    #[must_use]
-    pub fn static_indentation(&self, law: &Law, unloading: &Unloading) -> f64 {
-        if unloading.peak.force < self.weight {
-            equilibrium(law, self.weight).0
-        } else {
-            law.dent(&unloading.peak).residual() + self.static_approach(unloading)
-        }
-    }
-
-    pub(super) fn drag(&self) -> Drag {
-        match self.damping {
-            None | Some(Damping::HuntCrossley(0.0) | Damping::Viscous(0.0)) => Drag::None,
-            Some(Damping::HuntCrossley(chi)) => Drag::OfForce(chi),
-            Some(Damping::Viscous(zeta)) => Drag::OfStiffness(2.0 * zeta),
-        }
-    }
-}
+mod load;
 
 /// How a contact ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -119,69 +72,29 @@ impl ForcedOutcome {
     }
 }
 
-/// How near to its static indentation an overdamped sphere counts as captured there.
-const NEAR: f64 = 1e-3;
-/// How near a sphere is that the linear theory of the creep has missed: rounding ends its run.
-const NEARER: f64 = 1e-7;
-
-/// Creep to a static indentation: overdamped, a sphere comes near it and never passes.
+/// Where an impact is.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Creep {
-    /// How far from the static indentation the run ends,
-    pub(super) within: f64,
-    /// at speeds up to this: less than the fast one of the two rates of decay times that distance.
-    pub(super) below: f64,
+enum Phase {
+    /// On a piece of the loading curve; what is at the end of the leg, and the creep to rest if it ends near that.
+    Loading { piece: usize, event: Option<Event>, creep: Option<Creep> },
+    /// On the way back, as far as the creep to rest would begin, or all of it.
+    Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep> },
 }
 
-impl Load {
-    /// The creep to a static point at `distance` from where its branch begins, of tangent stiffness `slope`; `None` where
-    /// the sphere swings through it.
-    pub(super) fn creep(&self, distance: f64, slope: f64) -> Option<Creep> {
-        let omega = (ACCELERATION * slope).sqrt();
-        let zeta = match self.damping? {
-            Damping::HuntCrossley(chi) => 0.5 * ACCELERATION * self.weight * chi / omega,
-            Damping::Viscous(zeta) => zeta,
-        };
-        let within = NEAR * distance;
-        // next to critical a swing is e^(−πζ/√(1−ζ²)) of the one before: too small to be seen
-        let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
-        (self.weight > 0.0 && zeta >= 0.9).then_some(Creep { within, below: fast * omega * within })
-    }
-}
-
-impl Creep {
-    /// What the integrator itself takes for rest.
-    fn rest(self, distance: f64) -> Rest {
-        let nearer = NEARER / NEAR;
-        Rest { distance, within: nearer * self.within, below: nearer * self.below }
-    }
-}
-
-/// x at which the loading curve carries the weight, and its piece.
-pub(super) fn equilibrium(law: &Law, weight: f64) -> (f64, usize) {
-    let pieces = law.loading.pieces();
-    let index = pieces.partition_point(|piece| piece.force <= weight).saturating_sub(1);
-    let piece = &pieces[index];
-    (piece.indentation_at_force(weight), index)
-}
-
-/// What stays the same along an impact.
-struct Course<'a> {
+/// An impact on its way, leg by leg: whoever integrates it carries `at` along `path` and says where that has landed.
+#[derive(Debug, Clone)]
+pub struct Course<'a> {
     law: &'a Law,
-    load: &'a Load,
+    load: Load,
     q: f64,
     pull: f64,
     drag: Drag,
     sizes: Sizes,
-}
-
-/// Where compression ended.
-struct Deepest {
-    piece: usize,
-    /// Distance as the integrator counts it.
-    at: ForcedState,
-    /// Whether it will never be over: the sphere has crept up to its static indentation.
-    is_at_rest: bool,
+    stops_at_yield: bool,
+    phase: Phase,
+    path: ForcedPath,
+    /// The state at the start of that leg, and then at its end.
+    pub at: ForcedState,
 }
 
 /// Integrates an impact at q = v/V from first touch to its end.
@@ -195,35 +108,112 @@ pub fn integrate<I: ForcedIntegrator>(
     integrator: &mut I,
     mut recorder: Option<&mut ForcedRecorder>,
 ) -> Result<ForcedOutcome, IntegrationError> {
-    let distance = balance::way_to_peak(law, 0.4 * q * q, load.weight);
-    let pull = ACCELERATION * load.weight;
-    let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
-    let course = Course { law, load, q, pull, drag: load.drag(), sizes };
-    let deepest = course.compress(integrator, recorder.as_deref_mut())?;
-    let Deepest { piece, at, is_at_rest } = deepest;
-    let unloading = unloading_from(law, piece, at.state.distance);
-    if let Some(recorder) = recorder.as_deref_mut() {
-        let event = if is_at_rest { Event::Captured } else { Event::Peak };
-        recorder.take(&course.on(piece), Some((event, &at)));
-    }
-    let (mut end, fate) = if is_at_rest {
-        (ForcedState { state: State { distance: unloading.peak.elastic_approach, ..at.state }, ..at }, Fate::Captured)
-    } else {
-        course.go_back(&unloading, &at, integrator, recorder)?
-    };
-    end.state.distance += law.dent(&unloading.peak).residual();
-    Ok(ForcedOutcome {
-        unloading,
-        restitution: if fate == Fate::Captured { 0.0 } else { -end.state.speed / q },
-        loading_time: at.state.time,
-        end: end.state,
-        fate,
-        loss: end.loss / ACCELERATION,
-    })
+    let mut course = Course::begin(law, q, load, recorder.as_deref_mut());
+    course.finish(integrator, recorder)
 }
 
-impl Course<'_> {
-    fn on(&self, piece: usize) -> On<'_> {
+impl<'a> Course<'a> {
+    /// At first touch; with a recorder, legs end at first yield too.
+    #[must_use]
+    pub fn begin(law: &'a Law, q: f64, load: &Load, recorder: Option<&mut ForcedRecorder>) -> Self {
+        let distance = balance::way_to_peak(law, 0.4 * q * q, load.weight);
+        let pull = ACCELERATION * load.weight;
+        let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+        let is_reload = law.branch().is_some();
+        let is_elastic = matches!(law.elastic, ElasticApproach::All);
+        let touch = ForcedState { state: State { time: 0.0, distance: 0.0, speed: q }, loss: 0.0 };
+        let drag = load.drag();
+        let mut course = Self {
+            law,
+            load: *load,
+            q,
+            pull,
+            drag,
+            sizes,
+            stops_at_yield: recorder.is_some() && !is_elastic && !is_reload,
+            phase: Phase::Loading { piece: 0, event: None, creep: None },
+            path: ForcedPath { path: way_out(law, 0, sizes), pull, drag, back_to: 0.0, rest: None },
+            at: touch,
+        };
+        course.at.state = course.start();
+        if let Some(recorder) = recorder {
+            recorder.take(&course.on(0), Some((Event::Touch, &touch)));
+        }
+        course.set_out(0);
+        course
+    }
+
+    /// The leg to be integrated.
+    #[must_use]
+    pub fn path(&self) -> &ForcedPath {
+        &self.path
+    }
+
+    /// What resists the motion.
+    #[must_use]
+    pub fn drag(&self) -> Drag {
+        self.drag
+    }
+
+    /// Integrates the rest.
+    ///
+    /// # Errors
+    /// What the integrator reports.
+    pub fn finish<I: ForcedIntegrator>(
+        &mut self,
+        integrator: &mut I,
+        mut recorder: Option<&mut ForcedRecorder>,
+    ) -> Result<ForcedOutcome, IntegrationError> {
+        loop {
+            let sampler = recorder.as_deref_mut().map(|recorder| &mut recorder.sampler);
+            let landing = integrator.traverse(&self.path, &mut self.at, sampler)?;
+            if let Some(outcome) = self.landed(landing, recorder.as_deref_mut()) {
+                return Ok(outcome);
+            }
+        }
+    }
+
+    /// Goes on where a leg has landed: to the next leg, or to the end.
+    pub fn landed(
+        &mut self,
+        landing: ForcedLanding,
+        mut recorder: Option<&mut ForcedRecorder>,
+    ) -> Option<ForcedOutcome> {
+        match self.phase {
+            Phase::Loading { piece, event, creep } => {
+                if let Some(recorder) = recorder.as_deref_mut() {
+                    recorder.take(&self.on(piece), None);
+                }
+                let is_near_rest = creep.is_some_and(|creep| self.at.state.speed <= creep.below);
+                if landing == ForcedLanding::End && !is_near_rest {
+                    self.go_on(piece, event, recorder);
+                    return None;
+                }
+                let is_at_rest = landing == ForcedLanding::Rest || landing == ForcedLanding::End;
+                self.turn(piece, is_at_rest, recorder)
+            }
+            Phase::Unloading { unloading, loading_time, is_captured, creep } => {
+                let is_still = |creep: Creep| -self.at.state.speed <= creep.below;
+                let creeps = landing == ForcedLanding::End && creep.is_some_and(is_still);
+                if creep.is_some() && landing == ForcedLanding::End && !creeps {
+                    self.path.back_to = self.back_to(&unloading, is_captured);
+                    self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep: None };
+                    return None;
+                }
+                let fate = match landing {
+                    ForcedLanding::End | ForcedLanding::LiftOff if !is_captured && !creeps => Fate::Separated,
+                    _ => Fate::Captured,
+                };
+                if let Some(recorder) = recorder {
+                    let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
+                    recorder.take(&On::Unloading { unloading: &unloading, drag: self.drag }, Some((event, &self.at)));
+                }
+                Some(self.outcome(unloading, loading_time, fate))
+            }
+        }
+    }
+
+    fn on(&self, piece: usize) -> On<'a> {
         On::Piece { law: self.law, index: piece, drag: self.drag }
     }
 
@@ -268,82 +258,70 @@ impl Course<'_> {
         (ForcedPath { path, pull: self.pull, drag: self.drag, back_to: 0.0, rest }, event, rests)
     }
 
-    fn compress<I: ForcedIntegrator>(
-        &self,
-        integrator: &mut I,
-        mut recorder: Option<&mut ForcedRecorder>,
-    ) -> Result<Deepest, IntegrationError> {
-        let touch = ForcedState { state: State { time: 0.0, distance: 0.0, speed: self.q }, loss: 0.0 };
-        let mut at = ForcedState { state: self.start(), loss: 0.0 };
-        let mut piece = 0;
-        if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.take(&self.on(0), Some((Event::Touch, &touch)));
-        }
-        let is_reload = self.law.branch().is_some();
-        let is_elastic = matches!(self.law.elastic, ElasticApproach::All);
-        let mut stops_at_yield = recorder.is_some() && !is_elastic && !is_reload;
-        loop {
-            let (path, mut event, creep) = self.leg(piece, &at.state, stops_at_yield);
-            let landing = integrator.traverse(&path, &mut at, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-            if let Some(recorder) = recorder.as_deref_mut() {
-                recorder.take(&self.on(piece), None);
-            }
-            let is_near_rest = creep.is_some_and(|creep| at.state.speed <= creep.below);
-            if landing != ForcedLanding::End || is_near_rest {
-                let is_at_rest = landing == ForcedLanding::Rest || landing == ForcedLanding::End;
-                return Ok(Deepest { piece, at, is_at_rest });
-            }
-            if event == Some(Event::Knot) {
-                if is_reload && piece == 0 {
-                    event = Some(Event::Yield);
-                }
-                piece += 1;
-                at.state.distance = entry_of(self.law, piece);
-            }
-            stops_at_yield &= event != Some(Event::Yield);
-            if let (Some(recorder), Some(event)) = (recorder.as_deref_mut(), event) {
-                recorder.take(&self.on(piece), Some((event, &at)));
-            }
-        }
+    /// Onto a piece of the loading curve.
+    fn set_out(&mut self, piece: usize) {
+        let (path, event, creep) = self.leg(piece, &self.at.state, self.stops_at_yield);
+        self.path = path;
+        self.phase = Phase::Loading { piece, event, creep };
     }
 
-    /// From rest at the peak to the end; the distance of the end is from the residual indentation.
-    fn go_back<I: ForcedIntegrator>(
-        &self,
-        unloading: &Unloading,
-        deepest: &ForcedState,
-        integrator: &mut I,
-        mut recorder: Option<&mut ForcedRecorder>,
-    ) -> Result<(ForcedState, Fate), IntegrationError> {
-        // a sphere that had no speed has none to leave with
-        let is_captured = self.q == 0.0 || self.load.is_conservative() && self.load.captures(unloading, self.q);
-        let at_rest = self.load.static_approach(unloading);
-        let creep = self.load.creep(at_rest, unloading.exponent * self.load.weight / at_rest);
-        let back_to = if is_captured && self.load.is_conservative() { at_rest } else { 0.0 };
-        let rest = creep.map(|creep| creep.rest(at_rest));
-        let path = ForcedPath { path: way_back(unloading), pull: self.pull, drag: self.drag, back_to, rest };
-        let state = State { distance: unloading.peak.elastic_approach, speed: 0.0, ..deepest.state };
-        let mut at = ForcedState { state, ..*deepest };
-        let mut traverse = |path: &ForcedPath, at: &mut ForcedState| {
-            integrator.traverse(path, at, recorder.as_deref_mut().map(|r| &mut r.sampler))
-        };
-        let mut landing = ForcedLanding::End;
-        let mut creeps = false;
-        if let Some(creep) = creep.filter(|creep| at_rest + creep.within < at.state.distance) {
-            landing = traverse(&ForcedPath { back_to: at_rest + creep.within, ..path }, &mut at)?;
-            creeps = landing == ForcedLanding::End && -at.state.speed <= creep.below;
+    /// On from the end of a leg of the loading curve.
+    fn go_on(&mut self, mut piece: usize, mut event: Option<Event>, recorder: Option<&mut ForcedRecorder>) {
+        if event == Some(Event::Knot) {
+            if piece == 0 && self.law.branch().is_some() {
+                event = Some(Event::Yield);
+            }
+            piece += 1;
+            self.at.state.distance = entry_of(self.law, piece);
         }
-        if landing == ForcedLanding::End && !creeps {
-            landing = traverse(&path, &mut at)?;
+        self.stops_at_yield &= event != Some(Event::Yield);
+        if let (Some(recorder), Some(event)) = (recorder, event) {
+            recorder.take(&self.on(piece), Some((event, &self.at)));
         }
-        let fate = match landing {
-            ForcedLanding::End | ForcedLanding::LiftOff if !is_captured && !creeps => Fate::Separated,
-            _ => Fate::Captured,
-        };
+        self.set_out(piece);
+    }
+
+    /// Compression has ended: onto the way back, unless the sphere has crept up to its static indentation.
+    fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut ForcedRecorder>) -> Option<ForcedOutcome> {
+        let unloading = unloading_from(self.law, piece, self.at.state.distance);
         if let Some(recorder) = recorder {
-            let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
-            recorder.take(&On::Unloading { unloading, drag: self.drag }, Some((event, &at)));
+            let event = if is_at_rest { Event::Captured } else { Event::Peak };
+            recorder.take(&self.on(piece), Some((event, &self.at)));
         }
-        Ok((at, fate))
+        let loading_time = self.at.state.time;
+        self.at.state.distance = unloading.peak.elastic_approach;
+        if is_at_rest {
+            return Some(self.outcome(unloading, loading_time, Fate::Captured));
+        }
+        self.at.state.speed = 0.0;
+        // a sphere that had no speed has none to leave with
+        let is_captured = self.q == 0.0 || self.load.is_conservative() && self.load.captures(&unloading, self.q);
+        let at_rest = self.load.static_approach(&unloading);
+        let creep = self.load.creep(at_rest, unloading.exponent * self.load.weight / at_rest);
+        let rest = creep.map(|creep| creep.rest(at_rest));
+        let creep = creep.filter(|creep| at_rest + creep.within < self.at.state.distance);
+        let back_to = creep.map_or_else(|| self.back_to(&unloading, is_captured), |creep| at_rest + creep.within);
+        self.path = ForcedPath { path: way_back(&unloading), pull: self.pull, drag: self.drag, back_to, rest };
+        self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
+        None
+    }
+
+    /// Where the way back ends, if nothing ends it before.
+    fn back_to(&self, unloading: &Unloading, is_captured: bool) -> f64 {
+        if is_captured && self.load.is_conservative() { self.load.static_approach(unloading) } else { 0.0 }
+    }
+
+    /// The outcome of a run that ends here; distances have been from the residual indentation.
+    fn outcome(&self, unloading: Unloading, loading_time: f64, fate: Fate) -> ForcedOutcome {
+        let mut end = self.at;
+        end.state.distance += self.law.dent(&unloading.peak).residual();
+        ForcedOutcome {
+            unloading,
+            restitution: if fate == Fate::Captured { 0.0 } else { -end.state.speed / self.q },
+            loading_time,
+            end: end.state,
+            fate,
+            loss: end.loss / ACCELERATION,
+        }
     }
 }

@@ -36,17 +36,17 @@ pub struct UnderForces {
 }
 
 /// One impact to be computed: units, law, and what acts.
-struct Scene<'a> {
+pub(super) struct Scene<'a> {
     scales: Scales,
-    law: &'a Law,
-    q: f64,
-    load: Load,
+    pub(super) law: &'a Law,
+    pub(super) q: f64,
+    pub(super) load: Load,
 }
 
 impl Contact {
     /// Units, law, q = v/V and forces of an impact: like [`Contact::scaled`], also for a sphere that is let go at rest. On
     /// a spot that was loaded before, by its law.
-    fn scene<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Scene<'a>, OutOfFloatRange> {
+    pub(super) fn scene<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Scene<'a>, OutOfFloatRange> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
         // what takes energy only makes the impact shallower: elastic without damping, elastic with it
@@ -164,7 +164,8 @@ impl Contact {
         self.row(speed, &scene, &outcome)
     }
 
-    fn row(&self, speed: f64, scene: &Scene, outcome: &ForcedOutcome) -> Result<Essentials, ImpactError> {
+    /// What a table holds of this outcome.
+    pub(super) fn row(&self, speed: f64, scene: &Scene, outcome: &ForcedOutcome) -> Result<Essentials, ImpactError> {
         scene.law.accept(&outcome.unloading.peak)?;
         // the kinetic energy of a sphere at rest is 0, no number out of range
         let kinetic_in = 0.5 * self.mass() * speed * speed;

@@ -3,6 +3,8 @@
 //! Hairer, Nørsett, Wanner (1993), Solving Ordinary Differential Equations I, section II.10: order 8 is propagated, orders
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
+use super::lanes::Lane;
+
 const A2: [f64; 1] = [0.052_600_151_958_767_73];
 const A3: [f64; 2] = [0.019_725_056_984_537_9, 0.059_175_170_953_613_7];
 const A4: [f64; 2] = [0.029_587_585_476_806_85, 0.088_762_756_430_420_54];
@@ -80,12 +82,12 @@ const E5: [f64; 8] = [
 const B3: [f64; 3] = [0.244_094_488_188_976_4, 0.733_846_688_281_611_8, 0.022_058_823_529_411_766];
 
 /// A point of the motion: \[y, u, t, loss\]; and its rate along the independent variable.
-pub(super) type Quad = [f64; 4];
+pub(super) type Quad<T = f64> = [T; 4];
 
-/// A motion in its own variables.
-pub(super) trait Motion: Copy {
+/// A motion in its own variables; of one sphere, or of several in lock step.
+pub(super) trait Motion<T: Lane>: Copy {
     /// The rates at (y, u).
-    fn rates(&self, y: f64, u: f64) -> Quad;
+    fn rates(&self, y: T, u: T) -> Quad<T>;
 }
 
 /// Evaluations of the rates a step costs: stages 2 … 12 and the first of the next step.
@@ -93,26 +95,52 @@ pub(super) const EVALUATIONS: u64 = 12;
 
 /// The end of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
-    pub(super) node: Quad,
+pub(super) struct Step<T = f64> {
+    pub(super) node: Quad<T>,
     /// Rates at the end: the first stage of the next step.
-    pub(super) rates: Quad,
-    /// Estimated error relative to the sizes.
-    pub(super) error: f64,
+    pub(super) rates: Quad<T>,
+    /// Largest relative error of order 5 per length,
+    pub(super) fifth: T,
+    /// and of order 3.
+    pub(super) third: T,
 }
 
+impl Step {
+    /// Estimated error of this step of length h relative to the sizes.
+    #[inline(always)]
+    pub(super) fn error(&self, h: f64) -> f64 {
+        // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
+        let scale = self.fifth.hypot(0.1 * self.third);
+        // a step far too long leaves the numbers
+        if !self.node.iter().all(|part| part.is_finite()) {
+            f64::INFINITY
+        } else if scale > 0.0 {
+            h.abs() * self.fifth * (self.fifth / scale)
+        } else {
+            h.abs() * self.fifth
+        }
+    }
+}
+
+// Plain loops and no closures, as in `lanes`.
 #[inline(always)]
-fn sum<const N: usize>(weights: [f64; N], stages: [&Quad; N], part: usize) -> f64 {
-    let mut total = 0.0;
+fn sum<T: Lane, const N: usize>(weights: [f64; N], stages: [&Quad<T>; N], part: usize) -> T {
+    let mut total = stages[0][part].all(0.0);
     for i in 0..N {
-        total += weights[i] * stages[i][part];
+        total = total + stages[i][part] * weights[i];
     }
     total
 }
 
 /// One step of length h from `node` with its `rates`; errors are measured against 1/`inverse_sizes` of y, u and loss.
 #[inline(always)]
-pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inverse_sizes: &[f64; 3]) -> Step {
+pub(super) fn step<T: Lane, M: Motion<T>>(
+    motion: M,
+    node: &Quad<T>,
+    rates: &Quad<T>,
+    h: T,
+    inverse_sizes: &[T; 3],
+) -> Step<T> {
     macro_rules! stage {
         ($weights:ident, $($stage:ident),*) => {
             motion.rates(
@@ -134,27 +162,22 @@ pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inve
     let k11 = stage!(A11, k1, k4, k5, k6, k7, k8, k9, k10);
     let k12 = stage!(A12, k1, k4, k5, k6, k7, k8, k9, k10, k11);
     let stages = [&k1, &k6, &k7, &k8, &k9, &k10, &k11, &k12];
-    let mut slope = [0.0; 4];
-    for (part, slope) in slope.iter_mut().enumerate() {
-        *slope = sum(B, stages, part);
+    let mut slope = k1;
+    let mut to = *node;
+    for part in 0..4 {
+        slope[part] = sum(B, stages, part);
+        to[part] = node[part] + h * slope[part];
     }
-    let (mut fifth, mut third) = (0.0_f64, 0.0_f64);
-    for (part, inverse) in [(0, inverse_sizes[0]), (1, inverse_sizes[1]), (3, inverse_sizes[2])] {
-        fifth = fifth.max((sum(E5, stages, part) * inverse).abs());
-        third = third.max(((slope[part] - sum(B3, [&k1, &k9, &k12], part)) * inverse).abs());
+    let (mut fifth, mut third) = (h.all(0.0), h.all(0.0));
+    for i in 0..3 {
+        let part = [0, 1, 3][i];
+        let of_fifth = (sum(E5, stages, part) * inverse_sizes[i]).abs();
+        let of_third = ((slope[part] - sum(B3, [&k1, &k9, &k12], part)) * inverse_sizes[i]).abs();
+        // what is no number does not count: so for one as for many
+        fifth = fifth.if_less(of_fifth, of_fifth, fifth);
+        third = third.if_less(of_third, of_third, third);
     }
-    let node: Quad = std::array::from_fn(|part| node[part] + h * slope[part]);
-    // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
-    let scale = fifth.hypot(0.1 * third);
-    // a step far too long leaves the numbers
-    let error = if !node.iter().all(|part| part.is_finite()) {
-        f64::INFINITY
-    } else if scale > 0.0 {
-        h.abs() * fifth * (fifth / scale)
-    } else {
-        h.abs() * fifth
-    };
-    Step { node, rates: motion.rates(node[0], node[1]), error }
+    Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third }
 }
 
 #[cfg(test)]
@@ -166,7 +189,7 @@ mod tests {
     fn a_damped_oscillator_converges_with_order_eight() {
         #[derive(Clone, Copy)]
         struct Damped;
-        impl Motion for Damped {
+        impl Motion<f64> for Damped {
             fn rates(&self, y: f64, u: f64) -> Quad {
                 [u, -y * y * y - 0.2 * u, 1.0, 0.2 * u * u]
             }

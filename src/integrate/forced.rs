@@ -17,6 +17,18 @@ pub enum Drag {
     OfStiffness(f64),
 }
 
+impl Drag {
+    /// (χ, η), the one that is not given 0.
+    #[must_use]
+    pub fn coefficients(self) -> (f64, f64) {
+        match self {
+            Self::None => (0.0, 0.0),
+            Self::OfForce(chi) => (chi, 0.0),
+            Self::OfStiffness(eta) => (0.0, eta),
+        }
+    }
+}
+
 /// A place where a damped motion may come to rest, and how near to it counts as rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rest {

@@ -1,24 +1,35 @@
 //! The pieces as the damped stepper sees them: rates in variables in which they are smooth (see [`super::damped`]).
 
 use super::dop853::{Motion, Quad};
+use super::forced::ForcedPath;
+use super::lanes::Lane;
 
 /// A straight piece: d'' = γ − (a + b d)(1 + χ u) − c u.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Straight {
-    pub(super) a: f64,
-    pub(super) b: f64,
-    pub(super) chi: f64,
-    pub(super) c: f64,
-    pub(super) pull: f64,
+pub(super) struct Straight<T = f64> {
+    pub(super) a: T,
+    pub(super) b: T,
+    pub(super) chi: T,
+    pub(super) c: T,
+    pub(super) pull: T,
 }
 
 /// A power law in r = d^(1/m) for n = 3/2; `c` is √(k n) times the drag of stiffness.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Hertz<const M: u8> {
-    pub(super) k: f64,
-    pub(super) chi: f64,
-    pub(super) c: f64,
-    pub(super) pull: f64,
+pub(super) struct Hertz<const M: u8, T = f64> {
+    pub(super) k: T,
+    pub(super) chi: T,
+    pub(super) c: T,
+    pub(super) pull: T,
+}
+
+/// The two side by side in lock step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mixed<const M: u8, T> {
+    pub(super) straight: Straight<T>,
+    pub(super) hertz: Hertz<M, T>,
+    /// 1 in a lane that is straight, else 0.
+    pub(super) is_straight: T,
 }
 
 /// The same for any exponent.
@@ -32,7 +43,7 @@ pub(super) struct Power<const M: u8> {
 }
 
 /// What stepping, landing and sampling need of a motion.
-pub(super) trait Piece: Motion {
+pub(super) trait Piece: Motion<f64> {
     /// m.
     const ROOT: i32;
     /// A function that is zero where the contact force is, and its derivative.
@@ -52,12 +63,20 @@ pub(super) trait Piece: Motion {
     }
 }
 
-impl Motion for Straight {
+impl Straight {
+    /// The piece a + b d with the pull and the drag of a path.
+    pub(super) fn along(a: f64, b: f64, path: &ForcedPath) -> Self {
+        let (chi, eta) = path.drag.coefficients();
+        Self { a, b, chi, c: eta * b.sqrt(), pull: path.pull }
+    }
+}
+
+impl<T: Lane> Motion<T> for Straight<T> {
     #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
+    fn rates(&self, y: T, u: T) -> Quad<T> {
         let force = self.a + self.b * y;
         let drag = (force * self.chi + self.c) * u;
-        [u, self.pull - force - drag, 1.0, drag * u]
+        [u, self.pull - force - drag, y.all(1.0), drag * u]
     }
 }
 
@@ -71,21 +90,41 @@ impl Piece for Straight {
     }
 }
 
-impl<const M: u8> Motion for Hertz<M> {
+impl<const M: u8> Hertz<M> {
+    /// The piece k d^1.5 with the pull and the drag of a path.
+    pub(super) fn along(k: f64, path: &ForcedPath) -> Self {
+        let (chi, eta) = path.drag.coefficients();
+        Self { k, chi, c: eta * (k * 1.5).sqrt(), pull: path.pull }
+    }
+}
+
+impl<const M: u8, T: Lane> Motion<T> for Hertz<M, T> {
     #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
+    fn rates(&self, y: T, u: T) -> Quad<T> {
         let square = y * y;
         if M == 2 {
             // per 2 s: k s³, and no drag of stiffness
-            let (clock, force) = (2.0 * y, 2.0 * self.k * square * square);
+            let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
             let drag = force * self.chi * u;
             [u, clock * self.pull - force - drag, clock, drag * u]
         } else {
-            let clock = 4.0 * square * y;
+            let clock = square * 4.0 * y;
             let force = clock * self.k * square * square * square;
             let drag = (force * self.chi + clock * self.c * y) * u;
             [u, clock * self.pull - force - drag, clock, drag * u]
         }
+    }
+}
+
+impl<const M: u8, T: Lane> Motion<T> for Mixed<M, T> {
+    #[inline(always)]
+    fn rates(&self, y: T, u: T) -> Quad<T> {
+        let (straight, mut rates) = (self.straight.rates(y, u), self.hertz.rates(y, u));
+        let zero = y.all(0.0);
+        for part in 1..4 {
+            rates[part] = zero.if_less(self.is_straight, straight[part], rates[part]);
+        }
+        rates
     }
 }
 
@@ -101,7 +140,7 @@ impl<const M: u8> Piece for Hertz<M> {
     }
 }
 
-impl<const M: u8> Motion for Power<M> {
+impl<const M: u8> Motion<f64> for Power<M> {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
         let m = f64::from(M);

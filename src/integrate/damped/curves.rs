@@ -35,7 +35,7 @@ impl Curve {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plain(pub(super) Curve);
 
-impl Motion for Plain {
+impl Motion<f64> for Plain {
     fn rates(&self, y: f64, u: f64) -> Quad {
         let curve = &self.0;
         // without drag of stiffness no slope
@@ -77,7 +77,7 @@ impl<const M: u8> Rooted<M> {
     }
 }
 
-impl<const M: u8> Motion for Rooted<M> {
+impl<const M: u8> Motion<f64> for Rooted<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
         let clock = f64::from(M) * y.powi(i32::from(M) - 1);
         let root = Self::root(y.abs());

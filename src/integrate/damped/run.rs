@@ -1,0 +1,280 @@
+//! The way along one leg, told step by step: it says how long the next step from its node is to be, and what a step of that
+//! length has come to. One home for error control and landing, whether steps are taken one by one or in lock step.
+//!
+//! ```text
+//! march ── an event is passed ──► mend ── on the event ──► landed
+//!   │ ▲                            ▲
+//!   ▼ └── not: go on               │
+//!  dip ── the force was gone ──────┘
+//! ```
+
+use super::super::dop853::{EVALUATIONS, Quad, Step};
+use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
+use super::super::motions::{Piece, cubic_minimum};
+use super::super::{IntegrationError, Leg, State, Work};
+
+/// More steps than a leg needs unless its drag is hundreds of times beyond critical: explicit steps are no longer than the
+/// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
+const MOST_STEPS: u64 = 1_000_000;
+
+/// Repeats of a landing step.
+const MOST_ROUNDS: u32 = 12;
+
+/// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
+const PART: f64 = 0.05;
+
+/// What ends a leg, as a function that falls through zero there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Event {
+    Turning,
+    End,
+    LiftOff,
+}
+
+/// What the next step is for.
+#[derive(Debug, Clone, Copy)]
+enum Aim {
+    /// To go on.
+    March,
+    /// To see whether the contact force is gone within a step of length `h` to `next`, which has this error.
+    Dip { next: Step, h: f64, error: f64 },
+    /// To end on an event, not farther than `most`.
+    Mend { event: Event, size: f64, most: f64, rounds: u32 },
+}
+
+/// What a step has come to.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Progress {
+    /// Another step from the same node is to be taken.
+    Again,
+    /// The node is the end of a step of this length.
+    Moved { length: f64 },
+    /// The leg has ended, after a step of this length.
+    Landed { landing: ForcedLanding, length: f64, state: ForcedState },
+}
+
+/// A leg on its way, in the variables of its piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Run {
+    pub(super) node: Quad,
+    pub(super) rates: Quad,
+    /// Of the next step.
+    pub(super) length: f64,
+    pub(super) inverse_sizes: [f64; 3],
+    pub(super) work: Work,
+    aim: Aim,
+    end: f64,
+    /// +1 outward, −1 back.
+    direction: f64,
+    path: ForcedPath,
+}
+
+impl Run {
+    /// At the first node. Where it has turned there already, to the last bit, it has no way to go: `None`.
+    pub(super) fn begin<P: Piece>(piece: P, path: &ForcedPath, begun: &ForcedState, tolerance: f64) -> Option<Self> {
+        let sizes = &path.path.sizes;
+        let (end, direction) = match path.path.leg {
+            Leg::Outward(end) => (P::y_at(end), 1.0),
+            Leg::Back => (P::y_at(path.back_to), -1.0),
+        };
+        let size = P::y_at(sizes.distance);
+        let inverse = |size: f64| 1.0 / (PART * tolerance * size);
+        let inverse_sizes = [inverse(size), inverse(sizes.speed), inverse(sizes.speed * sizes.speed)];
+        let State { time, distance, speed } = begun.state;
+        // from zero, so that a short leg late in time keeps its digits
+        let node = [P::y_at(distance), speed, time, begun.loss];
+        if direction > 0.0 && speed <= 0.0 {
+            return None;
+        }
+        // a first step that the error control may still shrink; not beyond the end, where a short leg is slow to feel force
+        let far = if direction > 0.0 { end.min(size.max(node[0])) } else { node[0] };
+        let mut length = tolerance.powf(0.125) / piece.frequency(far);
+        if node[1] > 0.0 && far > node[0] {
+            length = length.min((far - node[0]) / node[1]);
+        }
+        let rates = piece.rates(node[0], node[1]);
+        let work = Work { force_evaluations: 1, ..Work::default() };
+        Some(Self { node, rates, length, inverse_sizes, work, aim: Aim::March, end, direction, path: *path })
+    }
+
+    /// Takes what a step of [`Run::length`] from the node has come to.
+    #[inline]
+    pub(super) fn tell<P: Piece>(&mut self, piece: P, next: &Step) -> Result<Progress, IntegrationError> {
+        self.work.force_evaluations += EVALUATIONS;
+        match self.aim {
+            Aim::March => self.marched(piece, next),
+            Aim::Dip { next: passed, h, error } => {
+                self.aim = Aim::March;
+                if self.is_past(piece, Event::LiftOff, next) {
+                    return Ok(self.land(piece, Event::LiftOff, next, self.length));
+                }
+                Ok(self.go_on(piece, &passed, h, error))
+            }
+            Aim::Mend { event, size, most, rounds } => Ok(self.mended(piece, next, event, size, most, rounds)),
+        }
+    }
+
+    /// The function of an event and its derivative along σ.
+    #[inline(always)]
+    fn event<P: Piece>(&self, piece: P, event: Event, node: &Quad, rates: &Quad) -> (f64, f64) {
+        match event {
+            Event::End => (self.direction * (self.end - node[0]), -self.direction * rates[0]),
+            Event::Turning => (self.direction * node[1], self.direction * rates[1]),
+            Event::LiftOff => piece.contact(node, rates),
+        }
+    }
+
+    fn is_past<P: Piece>(&self, piece: P, event: Event, step: &Step) -> bool {
+        self.event(piece, event, &step.node, &step.rates).0 <= 0.0
+    }
+
+    /// A step under error control: rejected, or the first event that it has passed is landed on.
+    #[inline(always)]
+    fn marched<P: Piece>(&mut self, piece: P, next: &Step) -> Result<Progress, IntegrationError> {
+        if self.work.steps + self.work.rejected >= MOST_STEPS {
+            return Err(IntegrationError::Creeping { steps: MOST_STEPS });
+        }
+        let h = self.length;
+        let error = next.error(h);
+        if error > 1.0 {
+            self.work.rejected += 1;
+            self.length = h * (0.9 * error.powf(-0.125)).max(0.2);
+            if self.length < f64::MIN_POSITIVE {
+                return Err(IntegrationError::StepUnderflow { time: self.node[2], step: self.length });
+            }
+            return Ok(Progress::Again);
+        }
+        self.work.steps += 1;
+        if self.direction > 0.0 {
+            if self.is_past(piece, Event::Turning, next) {
+                return Ok(self.land(piece, Event::Turning, next, h));
+            }
+        } else if self.path.can_lift_off() {
+            let (after, slope_after) = self.event(piece, Event::LiftOff, &next.node, &next.rates);
+            if after <= 0.0 {
+                return Ok(self.land(piece, Event::LiftOff, next, h));
+            }
+            // a shorter step to where the contact force is gone, if it vanishes and comes again within the step: under
+            // gravity a sphere that hardly lifts off falls back
+            let (before, slope_before) = self.event(piece, Event::LiftOff, &self.node, &self.rates);
+            if let Some(at) = cubic_minimum(before, slope_before * h, after, slope_after * h) {
+                (self.aim, self.length) = (Aim::Dip { next: *next, h, error }, at * h);
+                return Ok(Progress::Again);
+            }
+        }
+        Ok(self.go_on(piece, next, h, error))
+    }
+
+    /// The rest of the events, and on from the end of the step if it has passed none.
+    #[inline(always)]
+    fn go_on<P: Piece>(&mut self, piece: P, next: &Step, h: f64, error: f64) -> Progress {
+        if self.direction < 0.0 && self.is_past(piece, Event::Turning, next) {
+            return self.land(piece, Event::Turning, next, h);
+        }
+        if self.is_past(piece, Event::End, next) {
+            return self.land(piece, Event::End, next, h);
+        }
+        if self.path.is_at_rest(P::distance_at(next.node[0]), next.node[1]) {
+            return self.landed::<P>(ForcedLanding::Rest, h, &next.node);
+        }
+        (self.node, self.rates) = (next.node, next.rates);
+        self.length = h * (0.9 * error.powf(-0.125)).min(5.0);
+        Progress::Moved { length: h }
+    }
+
+    /// A first guess of the step that ends at `event`, which the step of length `h` to `passed` has passed.
+    #[inline(never)]
+    fn land<P: Piece>(&mut self, piece: P, event: Event, passed: &Step, h: f64) -> Progress {
+        let (before, slope_before) = self.event(piece, event, &self.node, &self.rates);
+        let (after, slope_after) = self.event(piece, event, &passed.node, &passed.rates);
+        let length = h * cubic_root(before, slope_before * h, after, slope_after * h);
+        self.mend(piece, event, length, h)
+    }
+
+    fn mend<P: Piece>(&mut self, piece: P, event: Event, length: f64, most: f64) -> Progress {
+        let size = match event {
+            Event::End => self.end.abs().max(self.node[0].abs()),
+            Event::Turning => self.node[1].abs(),
+            Event::LiftOff => self.event(piece, event, &self.node, &self.rates).0.abs(),
+        };
+        (self.aim, self.length) = (Aim::Mend { event, size, most, rounds: 1 }, length);
+        Progress::Again
+    }
+
+    /// Newton's method on the length of the step.
+    #[inline(never)]
+    fn mended<P: Piece>(&mut self, piece: P, next: &Step, event: Event, size: f64, most: f64, rounds: u32) -> Progress {
+        let (miss, slope) = self.event(piece, event, &next.node, &next.rates);
+        let change = miss / slope;
+        let is_there =
+            miss.abs() <= 4.0 * f64::EPSILON * size || !change.is_finite() || change.abs() <= 1e-15 * self.length;
+        if !is_there {
+            let better = (self.length - change).clamp(0.0, most);
+            let is_better = better != self.length;
+            self.length = better;
+            if is_better && rounds < MOST_ROUNDS {
+                self.aim = Aim::Mend { event, size, most, rounds: rounds + 1 };
+                return Progress::Again;
+            }
+        }
+        let (length, mut to) = (self.length, next.node);
+        let landing = match event {
+            Event::End => {
+                to[0] = self.end;
+                ForcedLanding::End
+            }
+            Event::Turning => {
+                to[1] = 0.0;
+                if self.direction < 0.0 || to[0] <= self.end {
+                    ForcedLanding::Turning
+                } else {
+                    // the piece ends a little before the turning point: y_t − y = ½ |y''| τ²
+                    let pull = piece.rates(to[0], 0.0)[1].abs();
+                    let tau = (2.0 * (to[0] - self.end) / pull).sqrt();
+                    return self.mend(piece, Event::End, (length - tau).max(0.0), length);
+                }
+            }
+            Event::LiftOff => ForcedLanding::LiftOff,
+        };
+        self.landed::<P>(landing, length, &to)
+    }
+
+    fn landed<P: Piece>(&self, landing: ForcedLanding, length: f64, to: &Quad) -> Progress {
+        let distance = match (landing, self.path.path.leg) {
+            (ForcedLanding::End, Leg::Outward(end)) => end,
+            (ForcedLanding::End, Leg::Back) => self.path.back_to,
+            _ => P::distance_at(to[0]),
+        };
+        let state = ForcedState { state: State { time: to[2], distance, speed: to[1] }, loss: to[3] };
+        Progress::Landed { landing, length, state }
+    }
+}
+
+/// Where in (0, 1) the cubic with these values and slopes at both ends is zero; `before` > 0 ≥ `after`.
+fn cubic_root(before: f64, slope_before: f64, after: f64, slope_after: f64) -> f64 {
+    let at = |x: f64| {
+        let y = 1.0 - x;
+        let value =
+            y * y * ((1.0 + 2.0 * x) * before + x * slope_before) + x * x * ((3.0 - 2.0 * x) * after - y * slope_after);
+        let slope =
+            6.0 * x * y * (after - before) + y * (1.0 - 3.0 * x) * slope_before + x * (3.0 * x - 2.0) * slope_after;
+        (value, slope)
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut x = if before > after { before / (before - after) } else { 1.0 };
+    for _ in 0..60 {
+        let (value, slope) = at(x);
+        if value > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= 1e-12 {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
