@@ -19,7 +19,7 @@ use super::motions::{Hertz, Piece, Power, Straight};
 use super::{IntegrationError, Restoring, Sampler, State, Work};
 use crate::smooth::Variable;
 use curves::{Curve, Plain, Rooted};
-use run::{Progress, Run};
+use run::{Progress, Run, Verdict};
 
 mod curves;
 pub mod lockstep;
@@ -84,7 +84,8 @@ fn finish<P: Piece>(
     loop {
         let (node, rates) = (run.node, run.rates);
         let next = step(piece, run, &node, &rates, run.length);
-        let (length, end, landed) = match run.tell(piece, &next)? {
+        let verdict = if run.is_marching() { Verdict::of(&next, run.length) } else { Verdict::NONE };
+        let (length, end, landed) = match run.tell(piece, &next, verdict)? {
             Progress::Again => continue,
             Progress::Moved { length } => (length, run.node[2], None),
             Progress::Landed { landing, length, state } => (length, state.state.time, Some((landing, state))),

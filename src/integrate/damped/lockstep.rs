@@ -11,7 +11,7 @@ use super::super::forced::{Drag, ForcedLanding, ForcedPath, ForcedState};
 use super::super::lanes::Wide;
 use super::super::motions::{Hertz, Mixed, Straight};
 use super::super::{IntegrationError, Restoring};
-use super::{Progress, Run};
+use super::{Progress, Run, Verdict};
 
 /// Motions that step together.
 pub const LANES: usize = 32;
@@ -39,6 +39,8 @@ struct Rows {
     next_rates: [Row; 4],
     fifth: Row,
     third: Row,
+    error: Row,
+    pace: Row,
 }
 
 /// The piece that a lane is on.
@@ -92,6 +94,8 @@ impl<const M: u8> Lockstep<M> {
             next_rates: [row; 4],
             fifth: row,
             third: row,
+            error: row,
+            pace: row,
         };
         Self { rows: Box::new(rows), ways: Box::new([None; LANES]), tolerance, arch: Arch::new() }
     }
@@ -138,7 +142,15 @@ impl<const M: u8> Lockstep<M> {
 
     /// One step in every lane. Each lane that is under way is to be told then.
     pub fn step(&mut self) {
-        self.arch.dispatch(Kernel::<M>(&mut self.rows));
+        let rows = &mut *self.rows;
+        self.arch.dispatch(Kernel::<M>(rows));
+        // in loops of their own, so that the slow functions of one lane overlap those of the next
+        for lane in 0..LANES {
+            rows.error[lane] = rows.step_of(lane).error(rows.h[lane]);
+        }
+        for lane in 0..LANES {
+            rows.pace[lane] = Verdict::pace(rows.error[lane]);
+        }
     }
 
     /// Tells a lane what the last step has come to. If its leg has ended, the lane is then idle.
@@ -147,9 +159,10 @@ impl<const M: u8> Lockstep<M> {
         let rows = &mut *self.rows;
         let (run, piece) = self.ways[lane].as_mut()?;
         let next = rows.step_of(lane);
+        let verdict = Verdict { error: rows.error[lane], pace: rows.pace[lane] };
         let told = match piece {
-            Piece::Straight(piece) => run.tell(*piece, &next),
-            Piece::Hertz(piece) => run.tell(*piece, &next),
+            Piece::Straight(piece) => run.tell(*piece, &next, verdict),
+            Piece::Hertz(piece) => run.tell(*piece, &next, verdict),
         };
         let landed = match told {
             Ok(Progress::Again) => {

@@ -36,10 +36,35 @@ enum Event {
 enum Aim {
     /// To go on.
     March,
-    /// To see whether the contact force is gone within a step of length `h` to `next`, which has this error.
-    Dip { next: Step, h: f64, error: f64 },
+    /// To see whether the contact force is gone within a step of length `h` to `next`.
+    Dip { next: Step, h: f64, verdict: Verdict },
     /// To end on an event, not farther than `most`.
     Mend { event: Event, size: f64, most: f64, rounds: u32 },
+}
+
+/// What the error control says of a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Verdict {
+    /// Its error, 1 at most if it is accepted.
+    pub(super) error: f64,
+    /// The length of the next one in units of this one's: 0.9 error^(−1/8), before it is bounded.
+    pub(super) pace: f64,
+}
+
+impl Verdict {
+    /// Of a step that is not under error control.
+    pub(super) const NONE: Self = Self { error: 0.0, pace: 1.0 };
+
+    #[inline(always)]
+    pub(super) fn of(step: &Step, h: f64) -> Self {
+        let error = step.error(h);
+        Self { error, pace: Self::pace(error) }
+    }
+
+    #[inline(always)]
+    pub(super) fn pace(error: f64) -> f64 {
+        0.9 * error.powf(-0.125)
+    }
 }
 
 /// What a step has come to.
@@ -97,18 +122,29 @@ impl Run {
         Some(Self { node, rates, length, inverse_sizes, work, aim: Aim::March, end, direction, path: *path })
     }
 
+    /// Whether the next step is under error control: others need no verdict.
+    #[inline(always)]
+    pub(super) fn is_marching(&self) -> bool {
+        matches!(self.aim, Aim::March)
+    }
+
     /// Takes what a step of [`Run::length`] from the node has come to.
     #[inline]
-    pub(super) fn tell<P: Piece>(&mut self, piece: P, next: &Step) -> Result<Progress, IntegrationError> {
+    pub(super) fn tell<P: Piece>(
+        &mut self,
+        piece: P,
+        next: &Step,
+        verdict: Verdict,
+    ) -> Result<Progress, IntegrationError> {
         self.work.force_evaluations += EVALUATIONS;
         match self.aim {
-            Aim::March => self.marched(piece, next),
-            Aim::Dip { next: passed, h, error } => {
+            Aim::March => self.marched(piece, next, verdict),
+            Aim::Dip { next: passed, h, verdict } => {
                 self.aim = Aim::March;
                 if self.is_past(piece, Event::LiftOff, next) {
                     return Ok(self.land(piece, Event::LiftOff, next, self.length));
                 }
-                Ok(self.go_on(piece, &passed, h, error))
+                Ok(self.go_on(piece, &passed, h, verdict))
             }
             Aim::Mend { event, size, most, rounds } => Ok(self.mended(piece, next, event, size, most, rounds)),
         }
@@ -130,15 +166,14 @@ impl Run {
 
     /// A step under error control: rejected, or the first event that it has passed is landed on.
     #[inline(always)]
-    fn marched<P: Piece>(&mut self, piece: P, next: &Step) -> Result<Progress, IntegrationError> {
+    fn marched<P: Piece>(&mut self, piece: P, next: &Step, verdict: Verdict) -> Result<Progress, IntegrationError> {
         if self.work.steps + self.work.rejected >= MOST_STEPS {
             return Err(IntegrationError::Creeping { steps: MOST_STEPS });
         }
         let h = self.length;
-        let error = next.error(h);
-        if error > 1.0 {
+        if verdict.error > 1.0 {
             self.work.rejected += 1;
-            self.length = h * (0.9 * error.powf(-0.125)).max(0.2);
+            self.length = h * verdict.pace.max(0.2);
             if self.length < f64::MIN_POSITIVE {
                 return Err(IntegrationError::StepUnderflow { time: self.node[2], step: self.length });
             }
@@ -158,16 +193,16 @@ impl Run {
             // gravity a sphere that hardly lifts off falls back
             let (before, slope_before) = self.event(piece, Event::LiftOff, &self.node, &self.rates);
             if let Some(at) = cubic_minimum(before, slope_before * h, after, slope_after * h) {
-                (self.aim, self.length) = (Aim::Dip { next: *next, h, error }, at * h);
+                (self.aim, self.length) = (Aim::Dip { next: *next, h, verdict }, at * h);
                 return Ok(Progress::Again);
             }
         }
-        Ok(self.go_on(piece, next, h, error))
+        Ok(self.go_on(piece, next, h, verdict))
     }
 
     /// The rest of the events, and on from the end of the step if it has passed none.
     #[inline(always)]
-    fn go_on<P: Piece>(&mut self, piece: P, next: &Step, h: f64, error: f64) -> Progress {
+    fn go_on<P: Piece>(&mut self, piece: P, next: &Step, h: f64, verdict: Verdict) -> Progress {
         if self.direction < 0.0 && self.is_past(piece, Event::Turning, next) {
             return self.land(piece, Event::Turning, next, h);
         }
@@ -178,7 +213,7 @@ impl Run {
             return self.landed::<P>(ForcedLanding::Rest, h, &next.node);
         }
         (self.node, self.rates) = (next.node, next.rates);
-        self.length = h * (0.9 * error.powf(-0.125)).min(5.0);
+        self.length = h * verdict.pace.min(5.0);
         Progress::Moved { length: h }
     }
 
