@@ -71,6 +71,13 @@ impl Straight {
     }
 }
 
+impl<T: Lane> Straight<T> {
+    #[inline(always)]
+    fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+        (self.a + self.b * node[0] + self.c * node[1], self.b * rates[0] + self.c * rates[1])
+    }
+}
+
 impl<T: Lane> Motion<T> for Straight<T> {
     #[inline(always)]
     fn rates(&self, y: T, u: T) -> Quad<T> {
@@ -83,7 +90,7 @@ impl<T: Lane> Motion<T> for Straight<T> {
 impl Piece for Straight {
     const ROOT: i32 = 1;
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        (self.a + self.b * node[0] + self.c * node[1], self.b * rates[0] + self.c * rates[1])
+        self.contact_force(node, rates)
     }
     fn frequency(&self, _: f64) -> f64 {
         self.b.sqrt()
@@ -95,6 +102,16 @@ impl<const M: u8> Hertz<M> {
     pub(super) fn along(k: f64, path: &ForcedPath) -> Self {
         let (chi, eta) = path.drag.coefficients();
         Self { k, chi, c: eta * (k * 1.5).sqrt(), pull: path.pull }
+    }
+}
+
+impl<const M: u8, T: Lane> Hertz<M, T> {
+    /// Contact force over d^¼, m = 4: k r⁵ + c u; and its derivative.
+    #[inline(always)]
+    fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+        let square = node[0] * node[0];
+        let fourth = square * square;
+        (self.k * fourth * node[0] + self.c * node[1], self.k * 5.0 * fourth * rates[0] + self.c * rates[1])
     }
 }
 
@@ -116,6 +133,16 @@ impl<const M: u8, T: Lane> Motion<T> for Hertz<M, T> {
     }
 }
 
+impl<const M: u8, T: Lane> Mixed<M, T> {
+    /// As [`Piece::contact`], of whichever piece a lane is on.
+    #[inline(always)]
+    pub(super) fn contact(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+        let (straight, hertz) = (self.straight.contact_force(node, rates), self.hertz.contact_force(node, rates));
+        let zero = node[0].all(0.0);
+        (zero.if_less(self.is_straight, straight.0, hertz.0), zero.if_less(self.is_straight, straight.1, hertz.1))
+    }
+}
+
 impl<const M: u8, T: Lane> Motion<T> for Mixed<M, T> {
     #[inline(always)]
     fn rates(&self, y: T, u: T) -> Quad<T> {
@@ -131,9 +158,7 @@ impl<const M: u8, T: Lane> Motion<T> for Mixed<M, T> {
 impl<const M: u8> Piece for Hertz<M> {
     const ROOT: i32 = M as i32;
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        // contact force over d^¼, m = 4: k r⁵ + c u
-        let fourth = node[0].powi(4);
-        (self.k * fourth * node[0] + self.c * node[1], 5.0 * self.k * fourth * rates[0] + self.c * rates[1])
+        self.contact_force(node, rates)
     }
     fn frequency(&self, y: f64) -> f64 {
         frequency(self.k, 1.5, y, Self::ROOT)

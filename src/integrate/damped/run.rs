@@ -10,6 +10,7 @@
 
 use super::super::dop853::{EVALUATIONS, Quad, Step};
 use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
+use super::super::lanes::Lane;
 use super::super::motions::{Piece, cubic_minimum};
 use super::super::{IntegrationError, Leg, State, Work};
 
@@ -78,6 +79,34 @@ pub(super) enum Progress {
     Landed { landing: ForcedLanding, length: f64, state: ForcedState },
 }
 
+/// What ends a leg, for one or for many.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits<T> {
+    /// +1 outward, −1 back.
+    pub(super) direction: T,
+    /// y where the piece ends.
+    pub(super) end: T,
+    /// 1 where the contact force may vanish, else 0.
+    pub(super) lifts_off: T,
+    /// 1 where the motion may come to rest, else 0.
+    pub(super) rests: T,
+}
+
+impl<T: Lane> Limits<T> {
+    /// 1 where a step has passed nothing for sure, so that one which is accepted only goes on; else 0. Takes the contact
+    /// force and its derivative before and after the step.
+    #[inline(always)]
+    pub(super) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
+        let (zero, one) = (self.end.all(0.0), self.end.all(1.0));
+        let moves = zero.if_less(self.direction * next.node[1], one, zero);
+        let is_short = zero.if_less(self.direction * (self.end - next.node[0]), moves, zero);
+        let may_dip = before.1.if_less(zero, zero.if_less(after.1, one, zero), zero);
+        let stays = zero.if_less(after.0, one - may_dip, zero);
+        let is_clear = is_short * zero.if_less(self.lifts_off, stays, one);
+        zero.if_less(self.rests, zero, is_clear)
+    }
+}
+
 /// A leg on its way, in the variables of its piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run {
@@ -126,6 +155,25 @@ impl Run {
     #[inline(always)]
     pub(super) fn is_marching(&self) -> bool {
         matches!(self.aim, Aim::March)
+    }
+
+    /// What a step that is only to go on must not pass, as numbers.
+    pub(super) fn limits(&self) -> Limits<f64> {
+        let lifts_off = self.direction < 0.0 && self.path.can_lift_off();
+        Limits {
+            direction: self.direction,
+            end: self.end,
+            lifts_off: f64::from(u8::from(lifts_off)),
+            rests: f64::from(u8::from(self.path.rest.is_some())),
+        }
+    }
+
+    /// Takes steps that were accepted and passed nothing, without having been told of them.
+    #[inline(always)]
+    pub(super) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
+        (self.node, self.rates, self.length) = (node, rates, length);
+        self.work.steps += steps;
+        self.work.force_evaluations += EVALUATIONS * steps;
     }
 
     /// Takes what a step of [`Run::length`] from the node has come to.
@@ -213,7 +261,7 @@ impl Run {
             return self.landed::<P>(ForcedLanding::Rest, h, &next.node);
         }
         (self.node, self.rates) = (next.node, next.rates);
-        self.length = h * verdict.pace.min(5.0);
+        self.length = longer(h, verdict.pace);
         Progress::Moved { length: h }
     }
 
@@ -283,6 +331,12 @@ impl Run {
         let state = ForcedState { state: State { time: to[2], distance, speed: to[1] }, loss: to[3] };
         Progress::Landed { landing, length, state }
     }
+}
+
+/// The next step after one of length `h` that was accepted.
+#[inline(always)]
+pub(super) fn longer<T: Lane>(h: T, pace: T) -> T {
+    h * pace.min(pace.all(5.0))
 }
 
 /// Where in (0, 1) the cubic with these values and slopes at both ends is zero; `before` > 0 ≥ `after`.
