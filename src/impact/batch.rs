@@ -2,7 +2,7 @@
 
 use super::course::{self, entry_of, loading_sizes, unloading_from, way_back, way_out};
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError, Method, Solver, forced_batch};
+use super::{Contact, Essentials, ImpactError, Solver, forced_batch};
 use crate::integrate::lockstep::{LANES, Lockstep};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Sizes, State};
@@ -71,16 +71,16 @@ pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, I
     outcomes
 }
 
-/// The rows of a table, by rk8 at this relative tolerance: impacts of these contacts at these speeds \[m/s\].
+/// The rows of a table: impacts of these contacts at these speeds \[m/s\]. Without gravity and damping by rk8 at the
+/// tolerance of the solver, with them by its method.
 #[must_use]
-pub fn essentials(impacts: &[(&Contact, f64)], tolerance: f64) -> Vec<Result<Essentials, ImpactError>> {
+pub fn essentials(impacts: &[(&Contact, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
     if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
-        let solver = Solver { method: Method::Rk8, tolerance, ..Solver::default() };
-        return forced_batch::essentials(impacts, &solver);
+        return forced_batch::essentials(impacts, solver);
     }
     let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
     let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
-    let mut outcomes = integrate(&cases, tolerance).into_iter();
+    let mut outcomes = integrate(&cases, solver.tolerance).into_iter();
     let rows = scaled.into_iter().zip(impacts).map(|(scaled, (contact, speed))| {
         let (scales, law, _) = scaled?;
         // there is one outcome for every case that could be scaled

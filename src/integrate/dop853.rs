@@ -125,8 +125,8 @@ impl Step {
 // Plain loops and no closures, as in `lanes`.
 #[inline(always)]
 fn sum<T: Lane, const N: usize>(weights: [f64; N], stages: [&Quad<T>; N], part: usize) -> T {
-    let mut total = stages[0][part].all(0.0);
-    for i in 0..N {
+    let mut total = stages[0][part] * weights[0];
+    for i in 1..N {
         total = total + stages[i][part] * weights[i];
     }
     total

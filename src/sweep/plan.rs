@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::axis::{Axis, Setting, keeps_contact};
 use super::random::{Draws, Variable};
-use crate::impact::{Contact, Essentials, ImpactError, Method, Solver, batch};
+use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
 use crate::law::LawChoice;
 use crate::material::OutOfFloatRange;
@@ -237,8 +237,8 @@ pub struct Evaluator<'a> {
     contacts: Vec<Result<Contact, OutOfFloatRange>>,
     /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
     strides: Vec<u64>,
-    /// Tolerance of rk8 in lock step, where every row is integrated by it and the contacts are known.
-    lockstep: Option<f64>,
+    /// The solver of rows that are integrated in lock step, where all are and the contacts are known.
+    lockstep: Option<Solver>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -267,8 +267,8 @@ impl<'a> Evaluator<'a> {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
             let solver = &plan.scene.solver;
             let sweeps_solver = matches!(&plan.cases, Cases::Grid(axes) if axes.iter().any(Axis::is_of_solver));
-            if solver.method == Method::Rk8 && !sweeps_solver && !has_forces(plan) {
-                evaluator.lockstep = Some(solver.tolerance);
+            if has_lanes(plan) && !sweeps_solver {
+                evaluator.lockstep = Some(*solver);
             }
         }
         evaluator
@@ -339,8 +339,8 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        if let Some(tolerance) = self.lockstep {
-            integrate_together(&pending, tolerance, &mut rows.results);
+        if let Some(solver) = &self.lockstep {
+            integrate_together(&pending, solver, &mut rows.results);
         }
     }
 
@@ -348,6 +348,7 @@ impl<'a> Evaluator<'a> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut scene = self.plan.scene.clone();
+        let mut pending = Vec::new();
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -355,18 +356,31 @@ impl<'a> Evaluator<'a> {
                 rows.swept.push(value);
             }
             let result = match self.contacts.first() {
+                Some(contact) if self.lockstep.is_some() => {
+                    pending.push((contact, scene.speed));
+                    continue;
+                }
                 Some(contact) => evaluate(contact, scene.speed, &scene.solver),
                 None => evaluate(&scene.contact(), scene.speed, &scene.solver),
             };
             rows.results.push(result);
         }
+        if let Some(solver) = &self.lockstep {
+            integrate_together(&pending, solver, &mut rows.results);
+        }
     }
 }
 
-/// Whether any row has gravity or damping: such rows are integrated one by one, not in lock step.
-fn has_forces(plan: &Plan) -> bool {
+/// Whether rows by the method of the scene are integrated in lock step: those with damping by rk8 or auto, those of a grid
+/// by rk8 without gravity too.
+fn has_lanes(plan: &Plan) -> bool {
     // the scene holds a value of every axis
-    !plan.scene.forces.is_none()
+    let Forces { gravity, damping } = plan.scene.forces;
+    match plan.scene.solver.method {
+        Method::Rk8 => damping.is_some() || gravity.is_none() && !plan.is_monte_carlo(),
+        Method::Auto => damping.is_some(),
+        _ => false,
+    }
 }
 
 /// Whether rows of that method are integrated.
@@ -402,14 +416,14 @@ fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Sol
     }
 }
 
-/// The same for many impacts by rk8 in lock step.
+/// The same for many impacts in lock step.
 fn integrate_together(
     impacts: &[(&Result<Contact, OutOfFloatRange>, f64)],
-    tolerance: f64,
+    solver: &Solver,
     results: &mut Vec<Result<Essentials, Failure>>,
 ) {
     let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
-    let mut rows = batch::essentials(&known, tolerance).into_iter();
+    let mut rows = batch::essentials(&known, solver).into_iter();
     results.extend(impacts.iter().map(|(contact, _)| match contact {
         Err(error) => Err(Failure::from(*error)),
         Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),

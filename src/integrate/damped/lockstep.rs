@@ -207,7 +207,11 @@ impl<const M: u8> Lockstep<M> {
             Piece::Hertz(piece) => run.tell(*piece, &next, verdict),
         };
         let landed = match told {
-            Ok(Progress::Again | Progress::Moved { .. }) => {
+            Ok(Progress::Again) => {
+                rows.put_length(lane, run);
+                return None;
+            }
+            Ok(Progress::Moved { .. }) => {
                 rows.put(lane, run);
                 return None;
             }
@@ -243,6 +247,11 @@ impl Rows {
             self.node[part][lane] = run.node[part];
             self.rates[part][lane] = run.rates[part];
         }
+        self.put_length(lane, run);
+    }
+
+    #[inline(always)]
+    fn put_length(&mut self, lane: usize, run: &Run) {
         self.h[lane] = run.length;
         self.marches[lane] = f64::from(u8::from(run.is_marching()));
         self.untold[lane] = 0.0;
