@@ -1,4 +1,4 @@
-//! The batch form of rk8 gives the bits of rk8 alone, whatever shares the lanes.
+//! The batch forms of rk8 and of the damped stepper give the bits of those alone, whatever shares the lanes.
 
 #![allow(clippy::unwrap_used)]
 
@@ -6,8 +6,10 @@ mod common;
 
 use common::Scene;
 use plm_impact::bench::problems::kinked_law;
-use plm_impact::impact::{Outcome, batch, course};
+use plm_impact::impact::forced::{self, Fate, ForcedOutcome, Load};
+use plm_impact::impact::{Contact, Damping, Forces, Method, Outcome, Solver, batch, course, forced_batch};
 use plm_impact::integrate::IntegrationError;
+use plm_impact::integrate::pulled::Pulled;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 use plm_impact::material::Material;
@@ -95,6 +97,135 @@ fn every_size_meets_every_tolerance() {
         for tolerance in TOLERANCES {
             let want: Vec<Bits> = cases.iter().map(|(law, speed)| alone(law, *speed, tolerance)).collect();
             assert_eq!(together(&cases, tolerance), want, "{size} cases at {tolerance:e}");
+        }
+    }
+}
+
+type ForcedBits = Result<([u64; 9], Fate), IntegrationError>;
+
+fn forced_bits(outcome: Result<ForcedOutcome, IntegrationError>) -> ForcedBits {
+    outcome.map(|ForcedOutcome { unloading, restitution, loading_time, end, fate, loss }| {
+        let peak = unloading.peak;
+        let numbers = [
+            peak.indentation,
+            peak.force,
+            peak.elastic_approach,
+            restitution,
+            loading_time,
+            end.time,
+            end.distance,
+            end.speed,
+            loss,
+        ];
+        (numbers.map(f64::to_bits), fate)
+    })
+}
+
+/// No damping and both kinds of it, far beyond critical too; no weight, a small one, and one that captures.
+fn any_load() -> impl Strategy<Value = Load> {
+    let damping = prop_oneof![
+        1 => Just(None),
+        1 => Just(Some(Damping::Viscous(0.0))),
+        3 => (-3.0..0.7_f64).prop_map(|log| Some(Damping::HuntCrossley(10_f64.powf(log)))),
+        6 => (-3.0..0.5_f64).prop_map(|log| Some(Damping::Viscous(10_f64.powf(log)))),
+    ];
+    let weight = prop_oneof![Just(0.0), (-6.0..-2.0_f64).prop_map(|log| 10_f64.powf(log)), 0.01..3.0_f64];
+    (weight, damping).prop_map(|(weight, damping)| Load { weight, damping })
+}
+
+/// What each case comes to by itself.
+fn forced_alone(cases: &[(&Law, f64, Load)], tolerance: f64) -> Vec<ForcedBits> {
+    let one = |(law, q, load): &(&Law, f64, Load)| {
+        forced_bits(forced::integrate(law, *q, load, &mut Pulled::new(tolerance), None))
+    };
+    cases.iter().map(one).collect()
+}
+
+fn forced_together(cases: &[(&Law, f64, Load)], tolerance: f64) -> Vec<ForcedBits> {
+    forced_batch::integrate(cases, tolerance).into_iter().map(forced_bits).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn a_damped_batch_gives_the_bits_of_the_stepper_in_the_order_of_its_cases(
+        laws in prop::collection::vec(any_law(), 2..6),
+        loads in prop::collection::vec(any_load(), SIZES[4]),
+        log_speeds in prop::collection::vec(-2.0..3.0_f64, SIZES[4]),
+        size in prop::sample::select(SIZES.to_vec()),
+        tolerance in prop::sample::select(TOLERANCES.to_vec()),
+    ) {
+        let speeds = log_speeds.iter().map(|log| 10_f64.powf(*log));
+        let cases: Vec<(&Law, f64, Load)> =
+            laws.iter().cycle().zip(speeds).zip(loads).map(|((law, q), load)| (law, q, load)).take(size).collect();
+        let (got, want) = (forced_together(&cases, tolerance), forced_alone(&cases, tolerance));
+        prop_assert_eq!(got.len(), size);
+        for (i, (got, want)) in got.into_iter().zip(want).enumerate() {
+            prop_assert_eq!(got, want, "case {} of {}: q = {}, {:?}", i, size, cases[i].1, cases[i].2);
+        }
+    }
+}
+
+/// Every way to end, and every way to leave the lanes, in one batch.
+#[test]
+fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
+    let plm = |exponent| Scene { exponent, ..Scene::steel() }.law();
+    let laws = [plm(UnloadingExponent::Paper), plm(UnloadingExponent::PressureShape), Law::hertz(), kinked_law()];
+    let dampings = [Damping::Viscous(0.05), Damping::Viscous(1.5), Damping::HuntCrossley(0.3), Damping::Viscous(0.0)];
+    let mut cases = Vec::new();
+    for law in &laws {
+        for damping in dampings {
+            for weight in [0.0, 1e-3, 0.3, 2.0] {
+                for q in [0.1, 1.0, 7.0, 90.0] {
+                    cases.push((law, q, Load { weight, damping: Some(damping) }));
+                }
+                if weight > 0.0 {
+                    // let go at rest
+                    cases.push((law, 0.0, Load { weight, damping: Some(damping) }));
+                }
+            }
+        }
+    }
+    let got = forced_together(&cases, 1e-10);
+    assert_eq!(got, forced_alone(&cases, 1e-10));
+    let fates = |fate| got.iter().flatten().filter(|(_, of)| *of == fate).count();
+    assert!(fates(Fate::Captured) > 40 && fates(Fate::Separated) > 100, "{}", fates(Fate::Captured));
+}
+
+/// Creeping for more steps than a leg may take is the same error, however many of them the lanes take untold.
+#[test]
+fn a_lane_that_only_creeps_gives_up_as_the_stepper_does() {
+    let law = Law::hertz();
+    // as many as keep the lanes busy, so that none is finished by itself
+    let cases = [(&law, 1.0, Load { weight: 0.1, damping: Some(Damping::Viscous(3000.0)) }); 5];
+    let got = forced_together(&cases, 1e-6);
+    assert_eq!(got, forced_alone(&cases, 1e-6));
+    assert!(matches!(got[0], Err(IntegrationError::Creeping { .. })), "{:?}", got[0]);
+}
+
+#[test]
+fn rows_with_damping_are_those_of_one_impact_at_a_time() {
+    let contact = |forces| Scene::steel().contact().with_forces(forces);
+    let contacts: Vec<Contact> = [
+        Forces { gravity: None, damping: Some(Damping::Viscous(0.1)) },
+        Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.1)) },
+        Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.0)) },
+        Forces { gravity: None, damping: Some(Damping::HuntCrossley(0.2)) },
+        Forces { gravity: Some(1e5), damping: None },
+        Forces::default(),
+    ]
+    .map(contact)
+    .to_vec();
+    let speeds = [0.0, 1e-200, 1e-3, 0.02, 0.5, 3.0, 20.0, 1e200];
+    let impacts: Vec<(&Contact, f64)> =
+        contacts.iter().flat_map(|contact| speeds.map(|speed| (contact, speed))).collect();
+    for method in [Method::Rk8, Method::Auto] {
+        let solver = Solver { method, tolerance: 1e-9, ..Solver::default() };
+        let rows = batch::essentials(&impacts, &solver);
+        assert_eq!(rows.len(), impacts.len());
+        for ((contact, speed), row) in impacts.iter().zip(rows) {
+            assert_eq!(row, contact.essentials_by(*speed, &solver), "{:?} at {speed} by {method:?}", contact.forces());
         }
     }
 }

@@ -12,6 +12,9 @@
 //!
 //! **Landing.** A step that has passed an event is taken again with the length that the cubic through both its ends gives,
 //! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two or three repeats.
+//!
+//! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
+//! [`lockstep`]).
 
 use super::dop853::{self, EVALUATIONS, Quad, Step};
 use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
@@ -23,6 +26,7 @@ use run::{Progress, Run, Verdict};
 
 mod curves;
 pub mod lockstep;
+mod rows;
 mod run;
 
 /// The stepper.

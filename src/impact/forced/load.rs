@@ -46,7 +46,7 @@ impl Load {
         }
     }
 
-    /// The same for an integrator.
+    /// The resistance, as integrators know it.
     #[must_use]
     pub fn drag(&self) -> Drag {
         match self.damping {

@@ -4,58 +4,19 @@
 //! A step is that of [`super::super::dop853`] on registers of whatever width the machine has (chosen at run time); what
 //! comes of it, each lane is told by itself as the stepper alone is. So a lane gives the same bits as the stepper.
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Arch;
 
-use super::super::dop853::{self, Quad, Step};
 use super::super::forced::{Drag, ForcedLanding, ForcedPath, ForcedState};
-use super::super::lanes::{Lane, Wide};
-use super::super::motions::{Hertz, Mixed, Straight};
+use super::super::motions::{Hertz, Straight};
 use super::super::{IntegrationError, Restoring};
-use super::run::{Limits, longer};
+use super::rows::{Onward, Rows, Stepping};
 use super::{Progress, Run, Verdict};
 
 /// Motions that step together.
 pub const LANES: usize = 32;
 
-/// Registers in flight at once: the chain of dependent operations of one step is longer than its arithmetic.
-const REGISTERS: usize = 2;
-
 /// A lane is told of one step in so many, even if nothing happens: it may have taken more than any leg needs.
 const MOST_UNTOLD: u64 = 1024;
-
-type Row = [f64; LANES];
-
-/// Nodes, constants and steps of every lane.
-#[derive(Debug, Clone)]
-struct Rows {
-    node: [Row; 4],
-    rates: [Row; 4],
-    h: Row,
-    a: Row,
-    b: Row,
-    k: Row,
-    chi: Row,
-    c: Row,
-    pull: Row,
-    is_straight: Row,
-    inverse_sizes: [Row; 3],
-    next: [Row; 4],
-    next_rates: [Row; 4],
-    fifth: Row,
-    third: Row,
-    error: Row,
-    pace: Row,
-    direction: Row,
-    end: Row,
-    lifts_off: Row,
-    rests: Row,
-    /// 1 in a lane whose next step is under error control, else 0.
-    marches: Row,
-    /// 1 where the step has passed nothing, and then where it has been taken for that: the lane need not be told.
-    clear: Row,
-    /// Steps since the lane was told of one.
-    untold: Row,
-}
 
 /// The piece that a lane is on.
 #[derive(Debug, Clone, Copy)]
@@ -93,34 +54,7 @@ impl<const M: u8> Lockstep<M> {
     /// Lanes of this relative tolerance, all idle.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
-        let row = [0.0; LANES];
-        let rows = Rows {
-            node: [row; 4],
-            rates: [row; 4],
-            h: row,
-            a: row,
-            b: row,
-            k: row,
-            chi: row,
-            c: row,
-            pull: row,
-            is_straight: row,
-            inverse_sizes: [row; 3],
-            next: [row; 4],
-            next_rates: [row; 4],
-            fifth: row,
-            third: row,
-            error: row,
-            pace: row,
-            direction: row,
-            end: row,
-            lifts_off: row,
-            rests: row,
-            marches: row,
-            clear: row,
-            untold: row,
-        };
-        Self { rows: Box::new(rows), ways: Box::new([None; LANES]), tolerance, steps: 0, arch: Arch::new() }
+        Self { rows: Box::new(Rows::idle()), ways: Box::new([None; LANES]), tolerance, steps: 0, arch: Arch::new() }
     }
 
     /// Whether these are the lanes for this drag.
@@ -169,7 +103,7 @@ impl<const M: u8> Lockstep<M> {
     /// One step in every lane. Each lane that is under way is to be told then.
     pub fn step(&mut self) {
         let rows = &mut *self.rows;
-        self.arch.dispatch(Kernel::<M>(rows));
+        self.arch.dispatch(Stepping::<M>(rows));
         // the slow functions in loops of their own, so that those of one lane overlap those of the next
         let mut marching = [0; LANES];
         let mut count = 0;
@@ -184,7 +118,7 @@ impl<const M: u8> Lockstep<M> {
             rows.pace[*lane] = Verdict::pace(rows.error[*lane]);
         }
         self.steps += 1;
-        if self.steps % MOST_UNTOLD == 0 {
+        if self.steps.is_multiple_of(MOST_UNTOLD) {
             rows.clear = [0.0; LANES];
         } else {
             self.arch.dispatch(Onward(rows));
@@ -236,143 +170,5 @@ impl<const M: u8> Lockstep<M> {
             Piece::Straight(piece) => super::finish(piece, &mut run, None),
             Piece::Hertz(piece) => super::finish(piece, &mut run, None),
         })
-    }
-}
-
-impl Rows {
-    /// From where a lane steps next, and how far.
-    #[inline(always)]
-    fn put(&mut self, lane: usize, run: &Run) {
-        for part in 0..4 {
-            self.node[part][lane] = run.node[part];
-            self.rates[part][lane] = run.rates[part];
-        }
-        self.put_length(lane, run);
-    }
-
-    #[inline(always)]
-    fn put_length(&mut self, lane: usize, run: &Run) {
-        self.h[lane] = run.length;
-        self.marches[lane] = f64::from(u8::from(run.is_marching()));
-        self.untold[lane] = 0.0;
-    }
-
-    /// What a lane has not been told of.
-    #[inline(always)]
-    fn catch_up(&self, lane: usize, run: &mut Run) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count
-        let untold = self.untold[lane] as u64;
-        run.has_gone_on(at(&self.node, lane), at(&self.rates, lane), self.h[lane], untold);
-    }
-
-    #[inline(always)]
-    fn step_of(&self, lane: usize) -> Step {
-        let (node, rates) = (at(&self.next, lane), at(&self.next_rates, lane));
-        Step { node, rates, fifth: self.fifth[lane], third: self.third[lane] }
-    }
-}
-
-#[inline(always)]
-fn at(rows: &[Row; 4], lane: usize) -> Quad {
-    [rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]]
-}
-
-macro_rules! load {
-    ($row:expr, $simd:ident, $first:ident) => {
-        Wide::<S, REGISTERS>::load($simd, &S::as_simd_f64s(&$row).0[$first..])
-    };
-}
-macro_rules! load4 {
-    ($rows:expr, $simd:ident, $first:ident) => {
-        [
-            load!($rows[0], $simd, $first),
-            load!($rows[1], $simd, $first),
-            load!($rows[2], $simd, $first),
-            load!($rows[3], $simd, $first),
-        ]
-    };
-}
-macro_rules! store {
-    ($value:expr, $row:expr, $first:ident) => {
-        $value.store(&mut S::as_mut_simd_f64s(&mut $row).0[$first..])
-    };
-}
-
-/// One step of all lanes.
-struct Kernel<'a, const M: u8>(&'a mut Rows);
-
-impl<const M: u8> WithSimd for Kernel<'_, M> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let rows = self.0;
-        let mut first = 0;
-        while first + REGISTERS <= S::as_simd_f64s(&rows.h).0.len() {
-            macro_rules! row {
-                ($row:expr) => {
-                    load!($row, simd, first)
-                };
-            }
-            let (chi, c, pull) = (row!(rows.chi), row!(rows.c), row!(rows.pull));
-            let motion = Mixed {
-                straight: Straight { a: row!(rows.a), b: row!(rows.b), chi, c, pull },
-                hertz: Hertz::<M, _> { k: row!(rows.k), chi, c, pull },
-                is_straight: row!(rows.is_straight),
-            };
-            let sizes = [row!(rows.inverse_sizes[0]), row!(rows.inverse_sizes[1]), row!(rows.inverse_sizes[2])];
-            let (node, rates) = (load4!(rows.node, simd, first), load4!(rows.rates, simd, first));
-            let next = dop853::step(motion, &node, &rates, row!(rows.h), &sizes);
-            let limits = Limits {
-                direction: row!(rows.direction),
-                end: row!(rows.end),
-                lifts_off: row!(rows.lifts_off),
-                rests: row!(rows.rests),
-            };
-            let is_clear =
-                limits.is_clear(&next, motion.contact(&node, &rates), motion.contact(&next.node, &next.rates));
-            store!(is_clear * row!(rows.marches), rows.clear, first);
-            for part in 0..4 {
-                store!(next.node[part], rows.next[part], first);
-                store!(next.rates[part], rows.next_rates[part], first);
-            }
-            store!(next.fifth, rows.fifth, first);
-            store!(next.third, rows.third, first);
-            first += REGISTERS;
-        }
-    }
-}
-
-/// Takes the steps that are accepted and have passed nothing.
-struct Onward<'a>(&'a mut Rows);
-
-impl WithSimd for Onward<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let rows = self.0;
-        let mut first = 0;
-        while first + REGISTERS <= S::as_simd_f64s(&rows.h).0.len() {
-            macro_rules! row {
-                ($row:expr) => {
-                    load!($row, simd, first)
-                };
-            }
-            let h = row!(rows.h);
-            let (zero, one) = (h.all(0.0), h.all(1.0));
-            let goes_on = row!(rows.error).if_less(one, row!(rows.clear), zero);
-            for part in 0..4 {
-                let node = zero.if_less(goes_on, row!(rows.next[part]), row!(rows.node[part]));
-                let rates = zero.if_less(goes_on, row!(rows.next_rates[part]), row!(rows.rates[part]));
-                store!(node, rows.node[part], first);
-                store!(rates, rows.rates[part], first);
-            }
-            let length = zero.if_less(goes_on, longer(h, row!(rows.pace)), h);
-            store!(length, rows.h, first);
-            store!(row!(rows.untold) + goes_on, rows.untold, first);
-            store!(goes_on, rows.clear, first);
-            first += REGISTERS;
-        }
     }
 }
