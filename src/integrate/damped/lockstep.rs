@@ -1,7 +1,7 @@
 //! The damped stepper for many motions at once: every lane has its own piece, state and step size, and all of them step
 //! together.
 //!
-//! A step is that of [`super::super::dop853`] on registers of whatever width the machine has (chosen at run time); what
+//! A step is that of `dop853` on registers of whatever width the machine has (chosen at run time); what
 //! comes of it, each lane is told by itself as the stepper alone is. So a lane gives the same bits as the stepper.
 
 use pulp::Arch;
