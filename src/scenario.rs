@@ -34,8 +34,10 @@ pub mod law;
 pub mod overview;
 mod place;
 pub mod quantity;
+mod reader;
 pub mod repeat;
 pub mod sweep;
+pub mod values;
 mod words;
 
 use std::path::{Path, PathBuf};

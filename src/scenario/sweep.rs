@@ -6,7 +6,8 @@ use std::marker::PhantomData;
 use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use super::keys::{KEYS, Key};
-use super::quantity::{Quantity, Reader};
+use super::quantity::Quantity;
+use super::reader::Reader;
 use super::{Kind, Scenario, ScenarioError, words};
 use crate::impact::Method;
 use crate::law::LawChoice;
