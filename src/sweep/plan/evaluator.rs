@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::{Cases, Plan, method_is_stepped, places};
 use crate::impact::{Contact, Essentials, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
-use crate::material::OutOfFloatRange;
+use crate::scenario::Scene;
 use crate::sweep::axis::{Axis, keeps_contact};
 use crate::sweep::random::{Draws, Variable};
 
@@ -38,12 +38,6 @@ impl Failure {
             Self::OutsideLaw => "outside_law",
             Self::NoClosedForm => "no_closed_form",
         }
-    }
-}
-
-impl From<OutOfFloatRange> for Failure {
-    fn from(_: OutOfFloatRange) -> Self {
-        Self::OutOfFloatRange
     }
 }
 
@@ -91,7 +85,7 @@ impl Rows {
 pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// The contact of every combination of the axes that change it, where these are few.
-    contacts: Vec<Result<Contact, OutOfFloatRange>>,
+    contacts: Vec<Result<Contact, Failure>>,
     /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
     strides: Vec<u64>,
     /// Tolerance of rk8 in lock step, where every row is integrated by it and the contacts are known.
@@ -141,14 +135,14 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The contact of one combination.
-    fn combination(&self, index: u64) -> Result<Contact, OutOfFloatRange> {
+    fn combination(&self, index: u64) -> Result<Contact, Failure> {
         let mut scene = self.plan.scene.clone();
         if let Cases::Grid(axes) = &self.plan.cases {
             for (axis, stride) in axes.iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
                 axis.put(index / stride % axis.len(), &mut scene);
             }
         }
-        scene.contact()
+        contact(&scene)
     }
 
     /// Appends the rows of `cases`.
@@ -167,11 +161,11 @@ impl<'a> Evaluator<'a> {
         for (axis, place) in axes.iter().zip(&places) {
             axis.put(*place, &mut scene);
         }
-        let mut last: Option<Result<Contact, OutOfFloatRange>> = None;
+        let mut last: Option<Result<Contact, Failure>> = None;
         let mut pending = Vec::new();
         for _ in cases {
             let contact = if self.contacts.is_empty() {
-                last.get_or_insert_with(|| scene.contact())
+                last.get_or_insert_with(|| contact(&scene))
             } else {
                 let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
                 let contact = &self.contacts[index as usize];
@@ -213,11 +207,15 @@ impl<'a> Evaluator<'a> {
             }
             let result = match self.contacts.first() {
                 Some(contact) => evaluate(contact, scene.speed, &scene.solver),
-                None => evaluate(&scene.contact(), scene.speed, &scene.solver),
+                None => evaluate(&contact(&scene), scene.speed, &scene.solver),
             };
             rows.results.push(result);
         }
     }
+}
+
+fn contact(scene: &Scene) -> Result<Contact, Failure> {
+    scene.contact().map_err(Failure::from)
 }
 
 /// Whether any row has gravity or damping: such rows are integrated one by one, not in lock step.
@@ -226,8 +224,8 @@ fn has_forces(plan: &Plan) -> bool {
     !plan.scene.forces.is_none()
 }
 
-fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
-    let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
+fn evaluate(contact: &Result<Contact, Failure>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
+    let contact = contact.as_ref().map_err(|error| *error)?;
     if !contact.forces().is_none() {
         Ok(contact.essentials_by(speed, solver)?)
     } else if method_is_stepped(solver.method) {
@@ -239,14 +237,14 @@ fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Sol
 
 /// The same for many impacts by rk8 in lock step.
 fn integrate_together(
-    impacts: &[(&Result<Contact, OutOfFloatRange>, f64)],
+    impacts: &[(&Result<Contact, Failure>, f64)],
     tolerance: f64,
     results: &mut Vec<Result<Essentials, Failure>>,
 ) {
     let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
     let mut rows = batch::essentials(&known, tolerance).into_iter();
     results.extend(impacts.iter().map(|(contact, _)| match contact {
-        Err(error) => Err(Failure::from(*error)),
+        Err(error) => Err(*error),
         Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),
     }));
 }
