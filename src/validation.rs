@@ -6,6 +6,7 @@
 
 pub mod cases;
 pub mod check;
+mod closed_restitution;
 mod dents;
 pub mod dynamic;
 mod hertz;
@@ -84,13 +85,14 @@ pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
 pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
 
 /// Where rows come from, in the order of the table.
-pub const SOURCES: [Source; 7] = [
+pub const SOURCES: [Source; 8] = [
     loading::checks,
     unloading::checks,
     dents::checks,
     restitution::checks,
     dynamic::checks,
     hertz::checks,
+    closed_restitution::checks,
     oracle::checks,
 ];
 
