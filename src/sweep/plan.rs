@@ -112,6 +112,13 @@ impl Rows {
             results: Vec::with_capacity(count),
         }
     }
+
+    /// Forgets all rows but keeps their memory.
+    pub fn clear(&mut self) {
+        self.cases.clear();
+        self.swept.clear();
+        self.results.clear();
+    }
 }
 
 impl Plan {
