@@ -112,13 +112,6 @@ impl Rows {
             results: Vec::with_capacity(count),
         }
     }
-
-    /// Forgets all rows but keeps their memory.
-    pub fn clear(&mut self) {
-        self.cases.clear();
-        self.swept.clear();
-        self.results.clear();
-    }
 }
 
 impl Plan {

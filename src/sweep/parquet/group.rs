@@ -77,7 +77,7 @@ impl<'a> Encoder<'a> {
         let (mut tally, mut restitutions) = (Tally::default(), Vec::new());
         let (mut rows, mut batch) = (Rows::default(), Batch::default());
         for start in cases.clone().step_by(BATCH) {
-            rows.clear();
+            forget(&mut rows);
             self.evaluator.rows(start..cases.end.min(start + BATCH as u64), &mut rows);
             for (column, filling) in self.columns.iter().zip(&mut fillings) {
                 match filling {
@@ -201,6 +201,13 @@ impl<'a> Encoder<'a> {
         }
         Ok(chunk)
     }
+}
+
+/// Forgets all rows but keeps their memory.
+fn forget(rows: &mut Rows) {
+    rows.cases.clear();
+    rows.swept.clear();
+    rows.results.clear();
 }
 
 fn push<'a>(word: &'a str, runs: &mut Runs<'a>) {
