@@ -2,7 +2,8 @@
 //!
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it and without friction. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back:
+//! (2024) on the way back; [`law::catalogue`] has the other published laws. Gravity, damping, elastic waves, series of impacts
+//! and slow indentation are there for scenes that name them:
 //!
 //! ```text
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
@@ -30,6 +31,8 @@
 //! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
+//! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
+//! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!
 //! # Example
@@ -60,8 +63,9 @@
 //!
 //! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`repeat`]
 //! → [`impact`] → [`integrate`], [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
-//! beside [`impact`]. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every
-//! border; inside an impact everything is dimensionless.
+//! beside [`impact`]; [`validation`] and [`fit`] compare with finite elements, whose tables are in [`mod@reference`], and fit
+//! to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border;
+//! inside an impact everything is dimensionless.
 
 pub mod bench;
 pub mod compare;

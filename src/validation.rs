@@ -4,14 +4,15 @@
 //! integrator under test. Tolerances are those that the law's documentation and the references state, plus a small margin
 //! that is named with them.
 
+pub mod cases;
 pub mod check;
+mod closed_restitution;
 mod dents;
 pub mod dynamic;
 mod hertz;
 mod loading;
 mod oracle;
 mod pictures;
-pub mod reference;
 pub mod report;
 mod restitution;
 mod unloading;
@@ -23,6 +24,7 @@ use crate::impact::ImpactError;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::OutOfFloatRange;
 use crate::plot::PlotError;
+use crate::reference::ReferenceError;
 use crate::scenario::ScenarioError;
 pub use check::{Check, Known, Tolerance, Verdict};
 pub use pictures::pictures;
@@ -42,13 +44,8 @@ pub enum ValidationError {
         problem: String,
     },
     /// A reference table that is compiled in is damaged.
-    #[error("reference table {table}: {problem}")]
-    Reference {
-        /// Its name.
-        table: &'static str,
-        /// What is wrong with it.
-        problem: String,
-    },
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     /// A reference curve that is compiled in is damaged.
     #[error("reference curve {0}")]
     Curve(#[from] CurveError),
@@ -88,13 +85,14 @@ pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
 pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
 
 /// Where rows come from, in the order of the table.
-pub const SOURCES: [Source; 7] = [
+pub const SOURCES: [Source; 8] = [
     loading::checks,
     unloading::checks,
     dents::checks,
     restitution::checks,
     dynamic::checks,
     hertz::checks,
+    closed_restitution::checks,
     oracle::checks,
 ];
 

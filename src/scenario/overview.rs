@@ -7,6 +7,7 @@ use super::indentation::IndentationScene;
 use super::{KEYS, Scene};
 use crate::impact::{Contact, Method};
 use crate::indentation::{StaticContact, Target};
+use crate::material::Pair;
 use crate::units::{Dimension, describe, human, number};
 
 /// A few aligned lines.
@@ -53,17 +54,27 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         if let Some(strength) = half_space.yield_strength {
             row("yield_strength", pressure(strength, specimen.strength_uncertainty));
         }
-        row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-        row("share of the sphere kappa", number(pair.sphere_compliance));
-        match pair.yield_point {
-            Some(point) => {
-                row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-                row("yield force F_Y", describe(point.force, Dimension::Force));
-            }
-            None => row("yield point", ELASTIC.to_owned()),
+        for (name, value) in paired(pair) {
+            row(&name, value);
         }
     }
     aligned(&rows)
+}
+
+/// What follows from the pair alone.
+fn paired(pair: &Pair) -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
+    row("share of the sphere kappa", number(pair.sphere_compliance));
+    match pair.yield_point {
+        Some(point) => {
+            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
+            row("yield force F_Y", describe(point.force, Dimension::Force));
+        }
+        None => row("yield point", ELASTIC.to_owned()),
+    }
+    rows
 }
 
 const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
@@ -113,22 +124,12 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
 
 fn derived(contact: &Contact) -> Vec<(String, String)> {
     let pair = contact.pair();
-    let mut rows = Vec::new();
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    row("sphere mass", describe(contact.mass(), Dimension::Mass));
-    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-    row("share of the sphere kappa", number(pair.sphere_compliance));
-    match pair.yield_point {
-        Some(point) => {
-            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-            row("yield force F_Y", describe(point.force, Dimension::Force));
-            row("yield contact radius a_Y", describe(point.contact_radius, Dimension::Length));
-            row(
-                "yield speed v_Y",
-                contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed)),
-            );
-        }
-        None => row("yield point", ELASTIC.to_owned()),
+    let mut rows = vec![("sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass))];
+    rows.extend(paired(pair));
+    if let Some(point) = pair.yield_point {
+        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
+        rows.push(("yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)));
+        rows.push(("yield speed v_Y".to_owned(), speed));
     }
     rows
 }

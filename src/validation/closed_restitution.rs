@@ -1,0 +1,66 @@
+//! Published laws whose restitution has a closed form, integrated by rk8: Thornton (1997) and Johnson (1985).
+
+use super::ValidationError;
+use super::check::{Check, Tolerance};
+use crate::impact::{Contact, Method, Solver};
+use crate::law::johnson::{self, Johnson};
+use crate::law::thornton::{self, Thornton};
+use crate::law::{ContactLaw, PlmCoefficients};
+use crate::material::{HalfSpace, Material, Sphere};
+
+const STRENGTH: f64 = 345e6;
+const TOLERANCE: Tolerance = Tolerance { limit: 1e-9, source: "10 x the solver's tolerance" };
+
+/// Case 3 of Xie et al. (2024), Table 1, with the density of steel.
+fn contact(law: &dyn ContactLaw) -> Result<Contact, ValidationError> {
+    let sphere = Sphere {
+        radius: 35e-3,
+        material: Material { youngs_modulus: 208e9, poissons_ratio: 0.3 },
+        density: 7850.0,
+        yield_strength: None,
+    };
+    let half_space = HalfSpace {
+        material: Material { youngs_modulus: 210e9, poissons_ratio: 0.3 },
+        yield_strength: Some(STRENGTH),
+        density: None,
+    };
+    Ok(Contact::with_law(sphere, half_space, law)?)
+}
+
+pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+    let solver = Solver { method: Method::Rk8, ..Solver::default() };
+    let mut checks = Vec::new();
+    let mut compare = |contact: &Contact, speed: f64, case: String, law: &str, reference, expected: f64| {
+        let got = contact.impact(speed, &solver, None)?.restitution;
+        let name = format!("restitution of {law}'s law");
+        checks.push(Check::numbers(&name, case, reference, "", [expected, got], TOLERANCE));
+        Ok::<_, ValidationError>(())
+    };
+    // 1.6 σ_Y, so that the yield point is not taken from the program
+    let pressure = 1.6 * STRENGTH;
+    let contact_of_thornton = contact(&Thornton { yield_pressure: Some(pressure) })?;
+    let radius = contact_of_thornton.sphere().radius;
+    let modulus = contact_of_thornton.pair().effective_modulus;
+    let mass = contact_of_thornton.mass();
+    let yield_speed = thornton::yield_speed(modulus, radius, mass, pressure);
+    for ratio in [1.0, 1.5, 3.0, 10.0, 100.0, 1e4] {
+        let case = format!("case 3, {ratio} x the yield speed");
+        let expected = thornton::restitution(1.0 / ratio);
+        compare(
+            &contact_of_thornton,
+            ratio * yield_speed,
+            case,
+            "Thornton",
+            "Thornton 1997, e(v) in closed form",
+            expected,
+        )?;
+    }
+    let pressure = 3.0 * STRENGTH;
+    let contact_of_johnson = contact(&Johnson { dynamic_pressure: Some(pressure) })?;
+    for speed in [1.0, 3.0, 10.0, 30.0] {
+        let case = format!("case 3, {speed} m/s");
+        let expected = johnson::restitution(modulus, pressure, mass, radius, speed);
+        compare(&contact_of_johnson, speed, case, "Johnson", "Johnson 1985, e(v) in closed form", expected)?;
+    }
+    Ok(checks)
+}
