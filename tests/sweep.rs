@@ -350,3 +350,26 @@ fn a_parquet_table_holds_what_the_csv_table_holds() {
     }
     assert_eq!(count, 6);
 }
+
+/// Rows with damping share lanes where their contacts are known beforehand; with a solver that is swept they do not.
+#[test]
+fn damped_rows_in_lock_step_are_those_by_themselves() {
+    let damped = format!("{STEEL}\n[damping]\nviscous = 0.1\n");
+    let grid = r#"[sweep]
+"damping.viscous" = [0, 0.05, 1.2]
+"impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = 101 }
+"#;
+    for gravity in ["", "[gravity]\nacceleration = \"9.81 m/s^2\"\n"] {
+        let together = rows(&format!("{damped}{gravity}{grid}")).results;
+        let alone = rows(&format!("{damped}{gravity}{grid}\"solver.tolerance\" = [1e-10]\n")).results;
+        assert_eq!(together.len(), 303);
+        assert_eq!(together, alone);
+    }
+    let samples = "[monte_carlo]\nsamples = 100\nseed = 7\n\"impact.speed\" = { uniform = [\"1 mm/s\", \"5 m/s\"] }\n";
+    let plan = Scenario::from_text("test", &format!("{damped}{samples}"), &[]).unwrap().plan().unwrap().unwrap();
+    let contact = plan.scene.contact().unwrap();
+    let rows = rows(&format!("{damped}{samples}"));
+    for (speed, row) in rows.swept.iter().zip(&rows.results) {
+        assert_eq!(row.unwrap(), contact.essentials_by(*speed, &plan.scene.solver).unwrap());
+    }
+}
