@@ -12,6 +12,7 @@ pub mod forced;
 pub mod forced_trace;
 pub mod forced_verlet;
 pub mod forces;
+pub mod method;
 pub mod outcome;
 pub mod scales;
 pub mod spot;
@@ -23,10 +24,7 @@ use std::sync::LazyLock;
 
 use thiserror::Error;
 
-use crate::integrate::exact::Exact;
-use crate::integrate::ode_solvers::{self, OdeSolvers};
-use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Work};
+use crate::integrate::{IntegrationError, Work};
 use crate::law::{Bodies, ContactLaw, ElasticApproach, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use course::Recorder;
@@ -34,70 +32,13 @@ pub use course::{Event, Point};
 pub use essentials::Essentials;
 pub use forced::Fate;
 pub use forces::{Damping, Forces, drop_speed};
+pub use method::{Method, Solver, run};
 pub use outcome::{Accuracy, Branch, Energy, Impact, Outcome, TraceRow};
 pub use scales::Scales;
 pub use spot::Spot;
 pub use validity::Warning;
 use waves::Waves;
 pub use with_forces::UnderForces;
-
-/// How an impact is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// The cheapest that is exact for the scene: closed form for results, rk8 for a trace.
-    Auto,
-    /// Our adaptive Runge-Kutta-Nyström of order 8.
-    Rk8,
-    /// `ode_solvers` Dormand-Prince 5(4).
-    Dopri5,
-    /// `ode_solvers` Dormand-Prince 8(5,3).
-    Dop853,
-    /// Velocity Verlet with a fixed step, as DEM codes do.
-    Verlet,
-    /// Energy balance and exact times, no stepping.
-    ClosedForm,
-}
-
-impl Method {
-    /// Every method, with its name in scenarios and reports.
-    pub const ALL: [(&'static str, Self); 6] = [
-        ("auto", Self::Auto),
-        ("rk8", Self::Rk8),
-        ("dopri5", Self::Dopri5),
-        ("dop853", Self::Dop853),
-        ("verlet", Self::Verlet),
-        ("closed_form", Self::ClosedForm),
-    ];
-
-    /// The method of this name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
-    }
-
-    /// Its name in scenarios and reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
-    }
-}
-
-/// Method and what controls its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Solver {
-    /// Which integrator.
-    pub method: Method,
-    /// Relative, on the dimensionless state; the fixed-step method does not use it.
-    pub tolerance: f64,
-    /// Steps of the fixed-step method over the exact contact time, ≥ 1; the others do not use it.
-    pub steps_per_contact: u32,
-}
-
-impl Default for Solver {
-    fn default() -> Self {
-        Self { method: Method::Rk8, tolerance: 1e-10, steps_per_contact: 50 }
-    }
-}
 
 /// Why an impact has no result.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -156,20 +97,21 @@ impl Contact {
         Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
     }
 
-    /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength). A law that lacks loading
-    /// or unloading is taken for Hertz: see [`crate::law::LawChoice::has_loading`].
+    /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength).
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
-    pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, OutOfFloatRange> {
+    /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
+    /// loading or no unloading (see [`Combined`](crate::law::combined::Combined)).
+    pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
         let yielding = Bodies::new(&pair, &half_space).map(|bodies| {
             let point = bodies.yield_point;
-            let law = law.law(&bodies).unwrap_or_else(Law::hertz);
-            Ok((Scales::of_yield(&point, point.speed(mass)?), law))
+            let name = law.about().name;
+            let law = law.law(&bodies).ok_or(OutsideLaw::Incomplete { name })?;
+            Ok::<_, ImpactError>((Scales::of_yield(&point, point.speed(mass)?), law))
         });
-        Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
+        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?)?)
     }
 
     fn new(
@@ -370,42 +312,4 @@ impl Contact {
 fn hertz() -> &'static Law {
     static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
     &HERTZ
-}
-
-/// One impact at q = v/V by any method, with its cost; `exact` is its closed form.
-///
-/// # Errors
-/// [`IntegrationError`] of the method.
-pub fn run(
-    law: &Law,
-    q: f64,
-    exact: &Outcome,
-    solver: &Solver,
-    recorder: Option<&mut Recorder>,
-) -> Result<(Outcome, Work), IntegrationError> {
-    fn with<I: Integrator>(
-        mut integrator: I,
-        law: &Law,
-        q: f64,
-        recorder: Option<&mut Recorder>,
-    ) -> Result<(Outcome, Work), IntegrationError> {
-        let outcome = course::integrate(law, q, &mut integrator, recorder)?;
-        Ok((outcome, integrator.work()))
-    }
-    let tolerance = solver.tolerance;
-    match solver.method {
-        Method::ClosedForm | Method::Auto if recorder.is_none() => Ok((*exact, Work::default())),
-        Method::ClosedForm => with(Exact, law, q, recorder),
-        Method::Rk8 | Method::Auto => with(Rk8::new(tolerance), law, q, recorder),
-        Method::Dopri5 => with(OdeSolvers::new(ode_solvers::Method::Dopri5, tolerance), law, q, recorder),
-        Method::Dop853 => with(OdeSolvers::new(ode_solvers::Method::Dop853, tolerance), law, q, recorder),
-        Method::Verlet => {
-            let mut work = Work::default();
-            let step = exact.contact_time / f64::from(solver.steps_per_contact.max(1));
-            // no contact lasts longer than a few times the exact one, however coarse the step
-            let most = 10 * u64::from(solver.steps_per_contact.max(1)) + 10;
-            let outcome = course::march_verlet(law, q, step, most, &mut work, recorder)?;
-            Ok((outcome, work))
-        }
-    }
 }

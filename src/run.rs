@@ -31,7 +31,7 @@ pub struct Run {
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
-    let contact = scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
     // what the closed form cannot hold no integration can
     contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
     Ok((scene, contact))

@@ -34,8 +34,10 @@ pub mod law;
 pub mod overview;
 mod place;
 pub mod quantity;
+mod reader;
 pub mod repeat;
 pub mod sweep;
+pub mod values;
 mod words;
 
 use std::path::{Path, PathBuf};
@@ -43,9 +45,9 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::impact::{Contact, Forces, Solver, Warning};
+use crate::impact::{Contact, Forces, ImpactError, Solver, Warning};
 use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+use crate::material::{HalfSpace, Material, Sphere};
 pub use document::{Document, read_text};
 use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
@@ -127,12 +129,12 @@ impl Scene {
     /// The bodies paired under the law.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
-    pub fn contact(&self) -> Result<Contact, OutOfFloatRange> {
+    /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
+    pub fn contact(&self) -> Result<Contact, ImpactError> {
         let contact = match &self.law {
-            LawChoice::Plm(_) => Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent),
-            law => Contact::with_law(self.sphere, self.half_space, law.get()),
-        }?;
+            LawChoice::Plm(_) => Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)?,
+            law => Contact::with_law(self.sphere, self.half_space, law.get())?,
+        };
         Ok(contact.with_forces(self.forces))
     }
 }

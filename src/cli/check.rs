@@ -34,7 +34,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
-    let contact = plan.scene.contact().map_err(|range| Error::impact(scenario, range.into()))?;
+    let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
     for warning in &plan.scene.warnings {
         eprintln!("warning: {warning}");
     }

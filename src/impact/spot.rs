@@ -1,7 +1,6 @@
 //! A place on the half-space and what it remembers, so that it can be hit again.
 
-use super::closed_form;
-use super::{Contact, Essentials, Impact, ImpactError, Method, Scales, Solver};
+use super::{Contact, Impact, ImpactError, Method, Scales, Solver};
 use crate::law::{ElasticApproach, Law, Peak};
 use crate::material::{OutOfFloatRange, normal};
 
@@ -65,20 +64,6 @@ impl Contact {
     /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
     pub fn closed_form_on(&self, spot: &mut Spot, speed: f64) -> Result<Impact, ImpactError> {
         self.impact_on(spot, speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
-    }
-
-    /// What a table holds of an impact by the law alone, on a spot, which then remembers the impact.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
-    pub fn essentials_on(&self, spot: &mut Spot, speed: f64) -> Result<Essentials, ImpactError> {
-        let (scales, law, q) = self.scaled_on(spot, speed)?;
-        let outcome = closed_form::solve(law, q);
-        law.accept(&outcome.unloading.peak)?;
-        let essentials = Essentials::new(self, speed, &scales, law, &outcome)?;
-        let after = after(law, &outcome.unloading.peak);
-        spot.remember(after);
-        Ok(essentials)
     }
 
     /// As [`Contact::impact`], on a spot, which then remembers the impact.

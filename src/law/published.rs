@@ -125,7 +125,7 @@ impl fmt::Debug for Loading {
     }
 }
 
-/// A peak that the law says nothing of.
+/// A peak, or a whole impact, that the law says nothing of.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
@@ -137,6 +137,14 @@ pub enum OutsideLaw {
         indentation: f64,
         /// What is wrong there.
         problem: &'static str,
+    },
+    /// Only one half of a law.
+    #[error(
+        "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
+    )]
+    Incomplete {
+        /// Of the law, or of the loading of a combination.
+        name: &'static str,
     },
 }
 

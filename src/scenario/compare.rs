@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::file::PlmTable;
 use super::law::LawTable;
-use super::quantity::{DepthRatio, Energy, Force, Length};
+use super::values::{DepthRatio, Energy, Force, Length};
 use super::{Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
 use crate::law::published::Loaded;

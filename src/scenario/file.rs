@@ -8,12 +8,12 @@ use super::compare::CompareTable;
 use super::forces::{DampingTable, GravityTable};
 use super::indentation::IndentationTable;
 use super::law::LawTable;
-use super::quantity::{
+use super::repeat::RepeatTable;
+use super::sweep::{MonteCarloTable, SweepTable};
+use super::values::{
     Density, DropHeight, Exponent, Length, MethodName, Modulus, PoissonsRatio, Samples, Speed, SphereModulus, Steps,
     Strength, Tolerance,
 };
-use super::repeat::RepeatTable;
-use super::sweep::{MonteCarloTable, SweepTable};
 use crate::material::{HalfSpace, Material};
 
 /// The whole file.

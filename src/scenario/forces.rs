@@ -2,7 +2,8 @@
 
 use serde::Deserialize;
 
-use super::quantity::{Acceleration, Bound, HuntCrossley, Quantity, ViscousFraction, positive};
+use super::quantity::{Bound, Quantity, positive};
+use super::values::{Acceleration, HuntCrossley, ViscousFraction};
 use super::{Scenario, ScenarioError, Scene};
 use crate::impact::{Damping, Forces, drop_speed};
 use crate::material::HalfSpace;

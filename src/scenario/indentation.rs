@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::file::{HalfSpaceTable, PlmTable, ScenarioFile};
 use super::law::LawTable;
-use super::quantity::{Depth, Load, Modulus, PoissonsRatio, Strength};
+use super::values::{Depth, Load, Modulus, PoissonsRatio, Strength};
 use super::{DEFAULT_SAMPLES, Scenario, ScenarioError, unused};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};

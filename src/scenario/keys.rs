@@ -4,9 +4,10 @@
 use super::Scene;
 use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
 use super::quantity::{
-    AREA_FACTOR, DENSITY, EXPONENT, Exponent, FACTOR, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SHARE, SPEED,
-    SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
+    AREA_FACTOR, DENSITY, EXPONENT, FACTOR, LENGTH, MODULUS, POISSONS_RATIO, Quantity, SHARE, SPEED, SPHERE_MODULUS,
+    STRENGTH, TOLERANCE, TRANSITION_RATIO,
 };
+use super::values::Exponent;
 use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};
 

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::file::PlmTable;
-use super::quantity::{AreaFactor, Factor, Share, Strength, TransitionRatio};
+use super::values::{AreaFactor, Factor, Share, Strength, TransitionRatio};
 use super::{Scenario, ScenarioError};
 use crate::law::brake::Brake;
 use crate::law::combined::Combined;

@@ -1,15 +1,7 @@
-//! The quantities of a scenario: dimension and allowed range, checked while the file is read, so that a bad value is shown
-//! where it stands.
+//! The quantities of a scenario: dimension, allowed range, and the way out of a value beyond it.
 
-use std::fmt;
-
-use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, Visitor};
 use thiserror::Error;
 
-use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
-use crate::impact::Method;
-use crate::law::UnloadingExponent;
-use crate::nearest::nearest;
 use crate::units::{self, Dimension};
 
 /// An end of a range.
@@ -52,6 +44,14 @@ pub(super) const fn positive(name: &'static str, dimension: Dimension, example: 
     }
 }
 
+const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+    Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
+}
+
+const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
+    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
+}
+
 /// A radius or diameter.
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
 /// An elastic modulus.
@@ -67,10 +67,6 @@ pub const STRENGTH: Quantity = Quantity {
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
-const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
-    Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
-}
-
 /// A load that an indentation goes to.
 pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"");
 /// An indentation that it goes to.
@@ -95,10 +91,6 @@ pub const EXPONENT: Quantity = Quantity {
     hint: "",
     is_hint_low: false,
 };
-const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
-    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
-}
-
 /// A factor of a published law, such as a pressure over the yield strength.
 pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
 /// True contact area over that of the cut of sphere and surface: from sink-in to pile-up.
@@ -214,222 +206,5 @@ impl Quantity {
         let (low, high) = self.range();
         let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
         if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
-    }
-}
-
-/// Reads a number in SI or a text with a unit.
-pub(super) struct Reader<'a>(pub(super) &'a Quantity);
-
-impl<'de> DeserializeSeed<'de> for Reader<'_> {
-    type Value = f64;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f64, D::Error> {
-        deserializer.deserialize_any(self)
-    }
-}
-
-impl Visitor<'_> for Reader<'_> {
-    type Value = f64;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} such as {}", self.0.name, self.0.example)
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<f64, E> {
-        self.0.check(value).map_err(E::custom)
-    }
-
-    #[allow(clippy::cast_precision_loss)] // as if it had been written with a decimal point
-    fn visit_i64<E: Error>(self, value: i64) -> Result<f64, E> {
-        self.visit_f64(value as f64)
-    }
-
-    #[allow(clippy::cast_precision_loss)]
-    fn visit_u64<E: Error>(self, value: u64) -> Result<f64, E> {
-        self.visit_f64(value as f64)
-    }
-
-    #[allow(clippy::cast_precision_loss)]
-    fn visit_i128<E: Error>(self, value: i128) -> Result<f64, E> {
-        self.visit_f64(value as f64)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<f64, E> {
-        self.0.parse(text).map_err(E::custom)
-    }
-}
-
-/// A number, or one of a few words.
-struct OrWord<'a> {
-    quantity: &'a Quantity,
-    words: &'static [(&'static str, f64)],
-}
-
-impl Visitor<'_> for OrWord<'_> {
-    type Value = f64;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Reader(self.quantity).expecting(f)?;
-        self.words.iter().try_for_each(|(word, _)| write!(f, ", or \"{word}\""))
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<f64, E> {
-        Reader(self.quantity).visit_f64(value)
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<f64, E> {
-        Reader(self.quantity).visit_i64(value)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<f64, E> {
-        if let Some((_, value)) = self.words.iter().find(|(word, _)| *word == text.trim()) {
-            return Ok(*value);
-        }
-        self.quantity.parse(text).map_err(|message| {
-            let words: Vec<_> = self.words.iter().map(|(word, _)| format!("\"{word}\"")).collect();
-            E::custom(format!("{message}; or write {}", words.join(", ")))
-        })
-    }
-}
-
-macro_rules! checked {
-    ($($(#[$doc:meta])* $name:ident: $quantity:expr;)*) => {$(
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct $name(
-            /// In SI.
-            pub f64,
-        );
-
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                deserializer.deserialize_any(Reader(&$quantity)).map(Self)
-            }
-        }
-    )*};
-}
-
-checked! {
-    /// A radius or diameter.
-    Length: LENGTH;
-    /// A Young's modulus.
-    Modulus: MODULUS;
-    /// A yield strength.
-    Strength: STRENGTH;
-    /// A density.
-    Density: DENSITY;
-    /// A speed.
-    Speed: SPEED;
-    /// Gravity.
-    Acceleration: ACCELERATION;
-    /// A drop height.
-    DropHeight: DROP_HEIGHT;
-    /// χ of Hunt and Crossley.
-    HuntCrossley: HUNT_CROSSLEY;
-    /// Fraction of critical damping.
-    ViscousFraction: VISCOUS;
-    /// A load.
-    Load: LOAD;
-    /// An indentation.
-    Depth: INDENTATION;
-    /// A Poisson's ratio.
-    PoissonsRatio: POISSONS_RATIO;
-    /// A relative tolerance.
-    Tolerance: TOLERANCE;
-    /// A factor of a published law.
-    Factor: FACTOR;
-    /// An area factor.
-    AreaFactor: AREA_FACTOR;
-    /// A transition ratio.
-    TransitionRatio: TRANSITION_RATIO;
-    /// Indentation over that at yield.
-    DepthRatio: DEPTH_RATIO;
-    /// A force.
-    Force: FORCE;
-    /// An energy.
-    Energy: ENERGY;
-    /// A ratio of at most 1.
-    Share: SHARE;
-}
-
-/// The sphere's Young's modulus; infinite if "rigid".
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SphereModulus(
-    /// In Pa.
-    pub f64,
-);
-
-impl<'de> Deserialize<'de> for SphereModulus {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let visitor = OrWord { quantity: &SPHERE_MODULUS, words: &[("rigid", f64::INFINITY)] };
-        deserializer.deserialize_any(visitor).map(Self)
-    }
-}
-
-/// The exponent of the unloading branch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exponent(pub UnloadingExponent);
-
-impl From<f64> for Exponent {
-    fn from(value: f64) -> Self {
-        Self(match value {
-            1.5 => UnloadingExponent::Paper,
-            _ if value.is_infinite() => UnloadingExponent::PressureShape,
-            _ => UnloadingExponent::Fixed(value),
-        })
-    }
-}
-
-impl<'de> Deserialize<'de> for Exponent {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        // infinity, which no number of the range is, stands for the word between reader and type
-        let visitor = OrWord { quantity: &EXPONENT, words: &[("pressure-shape", f64::INFINITY)] };
-        deserializer.deserialize_any(visitor).map(Self::from)
-    }
-}
-
-/// Rows of a trace.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Samples(pub usize);
-
-impl<'de> Deserialize<'de> for Samples {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
-        whole(deserializer, &SAMPLES).map(|samples| Self(samples as usize))
-    }
-}
-
-/// Steps of the fixed-step method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Steps(pub u32);
-
-impl<'de> Deserialize<'de> for Steps {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within STEPS
-        whole(deserializer, &STEPS).map(|steps| Self(steps as u32))
-    }
-}
-
-pub(super) fn whole<'de, D: Deserializer<'de>>(deserializer: D, quantity: &Quantity) -> Result<f64, D::Error> {
-    let value = deserializer.deserialize_any(Reader(quantity))?;
-    if value.fract() == 0.0 {
-        return Ok(value);
-    }
-    Err(D::Error::custom(format!("{value} is not allowed: {} must be a whole number", quantity.name)))
-}
-
-/// A method by its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct MethodName(pub Method);
-
-impl<'de> Deserialize<'de> for MethodName {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Method::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| Self(*method)).ok_or_else(|| {
-            let names = || Method::ALL.iter().map(|(name, _)| *name);
-            let guess = nearest(&name, names()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
-            let known: Vec<_> = names().map(|name| format!("\"{name}\"")).collect();
-            D::Error::custom(format!("unknown method \"{name}\"{guess}; methods are {}", known.join(", ")))
-        })
     }
 }

@@ -2,7 +2,9 @@
 
 use serde::de::{Deserialize, Deserializer, Error};
 
-use super::quantity::{Bound, Quantity, Reader, SPEED, Speed, whole};
+use super::quantity::{Bound, Quantity, SPEED};
+use super::reader::{Reader, whole};
+use super::values::Speed;
 use super::{Scenario, ScenarioError, Scene};
 use crate::nearest::nearest;
 use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};

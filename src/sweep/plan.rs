@@ -1,14 +1,13 @@
-//! Which cases a sweep has, and the rows they come to.
+//! Which cases a sweep has; what they come to is computed by its [`Evaluator`].
 
-use std::ops::Range;
+mod evaluator;
 
-use super::axis::{Axis, Setting, keeps_contact};
-use super::random::{Draws, Variable};
-use crate::impact::{Contact, Essentials, ImpactError, Method, Solver, batch};
-use crate::integrate::IntegrationError;
+use super::axis::{Axis, Setting};
+use super::random::Variable;
+use crate::impact::Method;
 use crate::law::LawChoice;
-use crate::material::OutOfFloatRange;
 use crate::scenario::Scene;
+pub use evaluator::{Evaluator, Failure, Rows};
 
 /// Where the cases come from.
 #[derive(Debug, Clone)]
@@ -35,83 +34,6 @@ pub struct Plan {
     pub cases: Cases,
     /// Names of the results that the table has; `None`: all.
     pub columns: Option<Vec<&'static str>>,
-}
-
-/// Why a row has no numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Failure {
-    /// A quantity outside double precision.
-    OutOfFloatRange,
-    /// The integrator's step underflowed.
-    StepUnderflow,
-    /// The integrator ran out of steps.
-    TooManySteps,
-    /// The state was not finite.
-    NotFinite,
-    /// The law has no answer there.
-    OutsideLaw,
-    /// The method `closed_form` in a scene that has none.
-    NoClosedForm,
-}
-
-impl Failure {
-    /// As in the column `status`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::OutOfFloatRange => "out_of_float_range",
-            Self::StepUnderflow => "step_underflow",
-            Self::TooManySteps => "too_many_steps",
-            Self::NotFinite => "not_finite",
-            Self::OutsideLaw => "outside_law",
-            Self::NoClosedForm => "no_closed_form",
-        }
-    }
-}
-
-impl From<OutOfFloatRange> for Failure {
-    fn from(_: OutOfFloatRange) -> Self {
-        Self::OutOfFloatRange
-    }
-}
-
-impl From<ImpactError> for Failure {
-    fn from(error: ImpactError) -> Self {
-        match error {
-            ImpactError::Range(_) => Self::OutOfFloatRange,
-            ImpactError::Law(_) => Self::OutsideLaw,
-            ImpactError::NoClosedForm => Self::NoClosedForm,
-            ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
-            ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
-                Self::TooManySteps
-            }
-            ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
-        }
-    }
-}
-
-/// The rows of consecutive cases.
-#[derive(Debug, Clone, Default)]
-pub struct Rows {
-    /// Case numbers.
-    pub cases: Vec<u64>,
-    /// Swept values, case after case; on a grid, the place of each value on its axis instead.
-    pub swept: Vec<f64>,
-    /// What each case came to.
-    pub results: Vec<Result<Essentials, Failure>>,
-}
-
-impl Rows {
-    /// No rows yet, with room for `count` of `n_swept` swept values each.
-    #[must_use]
-    pub fn with_capacity(count: u64, n_swept: usize) -> Self {
-        let count = usize::try_from(count).unwrap_or(0);
-        Self {
-            cases: Vec::with_capacity(count),
-            swept: Vec::with_capacity(count * n_swept),
-            results: Vec::with_capacity(count),
-        }
-    }
 }
 
 impl Plan {
@@ -229,146 +151,6 @@ impl Plan {
     }
 }
 
-/// A plan with what its rows share computed once.
-#[derive(Debug)]
-pub struct Evaluator<'a> {
-    plan: &'a Plan,
-    /// The contact of every combination of the axes that change it, where these are few.
-    contacts: Vec<Result<Contact, OutOfFloatRange>>,
-    /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
-    strides: Vec<u64>,
-    /// Tolerance of rk8 in lock step, where every row is integrated by it and the contacts are known.
-    lockstep: Option<f64>,
-}
-
-impl<'a> Evaluator<'a> {
-    /// Pairs the bodies of every combination, if there are at most 10⁴ (about 1 kB each).
-    #[must_use]
-    pub fn new(plan: &'a Plan) -> Self {
-        const MOST_CONTACTS: u64 = 10_000;
-        let (mut strides, mut combinations) = (Vec::new(), Some(1u64));
-        match &plan.cases {
-            Cases::Grid(axes) => {
-                for axis in axes {
-                    let is_fixed = axis.keeps_contact();
-                    strides.push(if is_fixed { 0 } else { combinations.unwrap_or(0) });
-                    let factor = if is_fixed { 1 } else { axis.len() };
-                    combinations = combinations.and_then(|product| product.checked_mul(factor));
-                }
-            }
-            Cases::MonteCarlo { variables, .. } => {
-                if variables.iter().any(|variable| !keeps_contact(variable.key.path)) {
-                    combinations = None;
-                }
-            }
-        }
-        let mut evaluator = Self { plan, contacts: Vec::new(), strides, lockstep: None };
-        if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
-            evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
-            let solver = &plan.scene.solver;
-            let sweeps_solver = matches!(&plan.cases, Cases::Grid(axes) if axes.iter().any(Axis::is_of_solver));
-            if solver.method == Method::Rk8 && !sweeps_solver && !has_forces(plan) {
-                evaluator.lockstep = Some(solver.tolerance);
-            }
-        }
-        evaluator
-    }
-
-    /// How many values a case sweeps.
-    #[must_use]
-    pub fn n_swept(&self) -> usize {
-        match &self.plan.cases {
-            Cases::Grid(axes) => axes.len(),
-            Cases::MonteCarlo { variables, .. } => variables.len(),
-        }
-    }
-
-    /// The contact of one combination.
-    fn combination(&self, index: u64) -> Result<Contact, OutOfFloatRange> {
-        let mut scene = self.plan.scene.clone();
-        if let Cases::Grid(axes) = &self.plan.cases {
-            for (axis, stride) in axes.iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
-                axis.put(index / stride % axis.len(), &mut scene);
-            }
-        }
-        scene.contact()
-    }
-
-    /// Appends the rows of `cases`.
-    pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
-        rows.cases.extend(cases.clone());
-        match &self.plan.cases {
-            Cases::Grid(axes) => self.grid(axes, cases, rows),
-            Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
-        }
-    }
-
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
-    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
-        let mut places = places(axes, cases.start);
-        let mut scene = self.plan.scene.clone();
-        for (axis, place) in axes.iter().zip(&places) {
-            axis.put(*place, &mut scene);
-        }
-        let mut last: Option<Result<Contact, OutOfFloatRange>> = None;
-        let mut pending = Vec::new();
-        for _ in cases {
-            let contact = if self.contacts.is_empty() {
-                last.get_or_insert_with(|| scene.contact())
-            } else {
-                let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
-                let contact = &self.contacts[index as usize];
-                if self.lockstep.is_some() {
-                    pending.push((contact, scene.speed));
-                }
-                contact
-            };
-            if self.lockstep.is_none() {
-                rows.results.push(evaluate(contact, scene.speed, &scene.solver));
-            }
-            rows.swept.extend(places.iter().map(|place| *place as f64));
-            // the next combination: the last axis moves, and each before it where the one behind starts over
-            for (axis, place) in axes.iter().zip(&mut places).rev() {
-                *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
-                axis.put(*place, &mut scene);
-                if !axis.keeps_contact() {
-                    last = None;
-                }
-                if *place > 0 {
-                    break;
-                }
-            }
-        }
-        if let Some(tolerance) = self.lockstep {
-            integrate_together(&pending, tolerance, &mut rows.results);
-        }
-    }
-
-    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
-        let mut draws: Vec<Draws> =
-            (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let mut scene = self.plan.scene.clone();
-        for _ in cases {
-            for draw in &mut draws {
-                let value = draw.next_value();
-                (draw.key().set)(&mut scene, value);
-                rows.swept.push(value);
-            }
-            let result = match self.contacts.first() {
-                Some(contact) => evaluate(contact, scene.speed, &scene.solver),
-                None => evaluate(&scene.contact(), scene.speed, &scene.solver),
-            };
-            rows.results.push(result);
-        }
-    }
-}
-
-/// Whether any row has gravity or damping: such rows are integrated one by one, not in lock step.
-fn has_forces(plan: &Plan) -> bool {
-    // the scene holds a value of every axis
-    !plan.scene.forces.is_none()
-}
-
 /// Whether rows of that method are integrated.
 fn method_is_stepped(method: Method) -> bool {
     !matches!(method, Method::Auto | Method::ClosedForm)
@@ -389,31 +171,6 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
         .collect();
     places.reverse();
     places
-}
-
-fn evaluate(contact: &Result<Contact, OutOfFloatRange>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
-    let contact = contact.as_ref().map_err(|error| Failure::from(*error))?;
-    if !contact.forces().is_none() {
-        Ok(contact.essentials_by(speed, solver)?)
-    } else if method_is_stepped(solver.method) {
-        Ok(Essentials::from(&contact.impact(speed, solver, None)?))
-    } else {
-        Ok(contact.essentials(speed)?)
-    }
-}
-
-/// The same for many impacts by rk8 in lock step.
-fn integrate_together(
-    impacts: &[(&Result<Contact, OutOfFloatRange>, f64)],
-    tolerance: f64,
-    results: &mut Vec<Result<Essentials, Failure>>,
-) {
-    let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
-    let mut rows = batch::essentials(&known, tolerance).into_iter();
-    results.extend(impacts.iter().map(|(contact, _)| match contact {
-        Err(error) => Err(Failure::from(*error)),
-        Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),
-    }));
 }
 
 /// Text of a swept value for pictures and messages.
