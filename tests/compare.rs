@@ -207,6 +207,8 @@ fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
 
 #[test]
 fn mistakes_in_comparisons_are_explained() {
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\nspent_work = \"1 nJ\"");
+    assert!(message.contains("compare.spent_work: 1 nJ is less than any"), "{message}");
     let message = refusal("[compare]\n");
     assert!(message.contains("`peak_indentation_ratio` is missing"), "{message}");
     let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_indentation = \"1 mm\"");

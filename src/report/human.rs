@@ -75,7 +75,12 @@ pub fn number(value: f64) -> String {
 #[must_use]
 pub fn quantity(value: f64, unit: &str) -> String {
     let prefix = Prefix::of(value);
-    let space = if unit.is_empty() && prefix.symbol.is_empty() { "" } else { " " };
+    let space = match (unit, prefix.symbol.as_str()) {
+        ("", "") => "",
+        // a power of ten is no letter that could stand beside a number
+        (_, symbol) if symbol.starts_with("10") => " × ",
+        _ => " ",
+    };
     format!("{}{space}{}{unit}", number(value / prefix.factor), prefix.symbol)
 }
 
