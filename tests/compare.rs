@@ -248,3 +248,23 @@ fn laws_lists_every_law_and_those_that_are_missing() {
     }
     assert_eq!(text.matches("confidence").count(), LawChoice::names().len());
 }
+
+#[test]
+fn check_says_what_is_compared_and_for_which_bodies() {
+    let program = env!("CARGO_BIN_EXE_plm-impact");
+    let output =
+        Command::new(program).arg("check").arg(shipped("figure-10-at-13-yield-indentations.toml")).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    // case 3 of the paper's Table 1: delta_Y of Eq. 17
+    for wanted in [
+        "peak as given",
+        "0.035 m (35 mm)",
+        "(345 MPa)",
+        "kappa",
+        "2.02848 µm",
+        "law.plm.unloading_exponent",
+        "thornton",
+    ] {
+        assert!(text.contains(wanted), "{wanted}: {text}");
+    }
+}

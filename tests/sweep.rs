@@ -407,3 +407,35 @@ fn a_parquet_table_holds_what_the_csv_table_holds() {
     }
     assert_eq!(count, 6);
 }
+
+#[test]
+fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
+    let inside = summary("[sweep]\n\"impact.speed\" = [1, 3]\n\"sphere.diameter\" = [0.01, 0.02]\n");
+    assert_eq!(inside["warnings"].as_array().unwrap().len(), 0);
+    let inputs = inside["inputs"].as_object().unwrap();
+    assert_eq!(inputs["half_space_yield_strength_Pa"], 345e6);
+    assert_eq!(inputs["law"], "plm");
+    assert!(!inputs.contains_key("impact_speed_m_per_s") && !inputs.contains_key("sphere_radius_m"), "{inputs:?}");
+    // a/R = 0.45 is passed at some 20 m/s for the softer half-space; the worst corner is named
+    let axes = "\"impact.speed\" = [1, 40, 2]\n\"half_space.yield_strength\" = [\"200 MPa\", \"2 GPa\"]\n";
+    let beyond = summary(&format!("[sweep]\n{axes}"));
+    let warning = beyond["warnings"][0].as_str().unwrap();
+    for wanted in ["impact.speed = 40 m/s, half_space.yield_strength = 200 MPa", "is beyond 0.45"] {
+        assert!(warning.contains(wanted), "{warning}");
+    }
+    let random = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 100] }\n";
+    assert!(summary(random)["warnings"][0].as_str().unwrap().contains("is beyond 0.45"));
+}
+
+#[test]
+fn strict_makes_a_table_beyond_the_model_an_error() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("scenario.toml");
+    std::fs::write(&file, format!("{BASE}[sweep]\n\"impact.speed\" = [1, 200]\n")).unwrap();
+    let out = directory.path().join("out");
+    let program = env!("CARGO_BIN_EXE_plm-impact");
+    let output = Command::new(program).arg("run").arg(&file).arg("--strict").arg("--out").arg(&out).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("impact.speed = 200 m/s"));
+    assert!(!out.exists());
+}

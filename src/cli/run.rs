@@ -9,6 +9,7 @@ use plm_impact::output::{OutputDirectory, OutputFile};
 use plm_impact::report::compare;
 use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
+use plm_impact::sweep::caution::cautions;
 
 use super::ScenarioArguments;
 
@@ -43,11 +44,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
-    let count = plan.scene.warnings.len();
+    let of_scene = plan.scene.warnings.iter().map(ToString::to_string);
+    let warnings: Vec<String> = of_scene.chain(cautions(&plan)).collect();
+    for warning in &warnings {
+        eprintln!("warning: {warning}");
+    }
+    let count = warnings.len();
     if arguments.strict && count > 0 {
-        for warning in &plan.scene.warnings {
-            eprintln!("warning: {warning}");
-        }
         return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count }.into());
     }
     let directory = OutputDirectory::prepare(&arguments.directory())?;

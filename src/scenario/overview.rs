@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 
 use super::indentation::IndentationScene;
 use super::{KEYS, Scene};
+use crate::compare::Comparison;
 use crate::impact::{Contact, Method};
 use crate::indentation::{StaticContact, Target};
+use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::units::{Dimension, describe, human, number};
 
 /// A few aligned lines.
@@ -39,6 +41,10 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         };
         row(&format!("step {i}"), format!("{what} {value}"));
     }
+    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
+        row("law.plm.unloading_exponent", exponent(scene.exponent));
+        row("law.plm.coefficients", provenance(&scene.coefficients));
+    }
     row("output.samples", scene.samples.to_string());
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let (half_space, pair) = (&specimen.half_space, contact.pair());
@@ -66,6 +72,50 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
     aligned(&rows)
 }
 
+/// The same for a comparison of unloading laws.
+#[must_use]
+pub fn of_comparison(comparison: &Comparison) -> String {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let bodies = &comparison.bodies;
+    let (pair, point) = (&bodies.pair, &bodies.yield_point);
+    let modulus = comparison.sphere_modulus;
+    row("sphere.radius", describe(pair.radius, Dimension::Length));
+    row(
+        "sphere.youngs_modulus",
+        if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { "rigid".to_owned() },
+    );
+    row("half_space.poissons_ratio", number(bodies.poissons_ratio));
+    row("half_space.yield_strength", describe(bodies.yield_strength, Dimension::Pressure));
+    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
+    row("share of the sphere kappa", number(pair.sphere_compliance));
+    row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
+    row("yield force F_Y", describe(point.force, Dimension::Force));
+    row("yield contact radius a_Y", describe(point.contact_radius, Dimension::Length));
+    for law in &comparison.laws {
+        if let LawChoice::Plm(plm) = law {
+            row("law.plm.unloading_exponent", exponent(plm.exponent));
+            row("law.plm.coefficients", provenance(&plm.coefficients));
+        }
+    }
+    let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
+    row("laws", names.join(", "));
+    aligned(&rows)
+}
+
+fn exponent(exponent: UnloadingExponent) -> String {
+    match exponent {
+        UnloadingExponent::Paper => "1.5".to_owned(),
+        UnloadingExponent::Fixed(value) => number(value),
+        UnloadingExponent::PressureShape => "pressure-shape".to_owned(),
+    }
+}
+
+fn provenance(coefficients: &PlmCoefficients) -> String {
+    let provenance = &coefficients.provenance;
+    format!("{} ({})", provenance.name, provenance.source)
+}
+
 const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
 
 fn aligned(rows: &[(String, String)]) -> String {
@@ -89,7 +139,7 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
         })
         .collect();
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    let is_plm = matches!(scene.law, crate::law::LawChoice::Plm(_));
+    let is_plm = matches!(scene.law, LawChoice::Plm(_));
     if can_yield && !is_plm {
         let about = scene.law.about();
         row("law", format!("{} ({})", scene.law.name(), scene.law.source()));
@@ -97,11 +147,10 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
         row("law.confidence", about.confidence.to_owned());
     }
     if can_yield && is_plm {
-        if scene.exponent == crate::law::UnloadingExponent::PressureShape {
-            row("law.plm.unloading_exponent", "pressure-shape".to_owned());
+        if scene.exponent == UnloadingExponent::PressureShape {
+            row("law.plm.unloading_exponent", exponent(scene.exponent));
         }
-        let provenance = &scene.coefficients.provenance;
-        row("law.plm.coefficients", format!("{} ({})", provenance.name, provenance.source));
+        row("law.plm.coefficients", provenance(&scene.coefficients));
     }
     row("solver.method", scene.solver.method.name().to_owned());
     if scene.solver.method == Method::Verlet {
