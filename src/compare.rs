@@ -5,7 +5,7 @@
 
 use crate::law::published::Loaded;
 use crate::law::{Bodies, ContactLaw, LawChoice, OutsideLaw, Peak, Plm, Unloading};
-use crate::reference::{self, Unloaded, UnloadingCurve};
+use crate::reference::quasi_static::{self, Unloaded, UnloadingCurve};
 
 /// Where a peak comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,7 +68,7 @@ impl Comparison {
     pub fn finite_elements(&self) -> Option<&'static Unloaded> {
         let x = self.peak.indentation;
         let off = |row: &Unloaded| (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs();
-        reference::unloadings(self.sphere_modulus, &self.bodies)
+        quasi_static::unloadings(self.sphere_modulus, &self.bodies)
             .into_iter()
             .filter(|row| (row.indentation / x - 1.0).abs() < 0.01)
             .min_by(|a, b| off(a).total_cmp(&off(b)))
@@ -77,7 +77,7 @@ impl Comparison {
     /// The finite-element curve there, if it is at hand.
     #[must_use]
     pub fn curve(&self) -> Option<&'static UnloadingCurve> {
-        reference::unloading_curve(self.sphere_modulus, &self.bodies, self.peak.indentation)
+        quasi_static::unloading_curve(self.sphere_modulus, &self.bodies, self.peak.indentation)
     }
 
     /// Quasi-static e of a branch: √(recovered/spent).

@@ -63,8 +63,9 @@
 //!
 //! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`repeat`]
 //! → [`impact`] → [`integrate`], [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
-//! beside [`impact`]; [`validation`] and [`fit`] compare with finite elements and fit to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every
-//! border; inside an impact everything is dimensionless.
+//! beside [`impact`]; [`validation`] and [`fit`] compare with finite elements, whose tables are in [`mod@reference`], and fit
+//! to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border;
+//! inside an impact everything is dimensionless.
 
 pub mod bench;
 pub mod compare;

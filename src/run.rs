@@ -6,7 +6,7 @@ pub mod repeat;
 use crate::error::Error;
 use crate::impact::{Contact, Impact, Method};
 use crate::law::LawChoice;
-use crate::output::{OutputDirectory, OutputFile};
+use crate::output::OutputFile;
 use crate::plot;
 use crate::report::{self, Provenance};
 use crate::scenario::{Scenario, Scene};
@@ -59,18 +59,15 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
     Ok(Run { scene, impact, table, files })
 }
 
-impl Run {
-    /// Writes the files; with `is_strict`, only if there is no warning.
-    ///
-    /// # Errors
-    /// [`Error::Strict`], [`Error::Unwritable`].
-    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
-        let count = self.impact.warnings.len();
-        if is_strict && count > 0 {
-            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
-        }
-        directory.write(&self.files)
+/// Whether warnings keep a scenario from being done: with `is_strict`, one is enough.
+///
+/// # Errors
+/// [`Error::Strict`].
+pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
+    if is_strict && warnings > 0 {
+        return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count: warnings });
     }
+    Ok(())
 }
 
 fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str) -> Result<Provenance, Error> {

@@ -4,6 +4,7 @@
 //! integrator under test. Tolerances are those that the law's documentation and the references state, plus a small margin
 //! that is named with them.
 
+pub mod cases;
 pub mod check;
 mod closed_restitution;
 mod dents;
@@ -12,7 +13,6 @@ mod hertz;
 mod loading;
 mod oracle;
 mod pictures;
-pub mod reference;
 pub mod report;
 mod restitution;
 mod unloading;
@@ -24,6 +24,7 @@ use crate::impact::ImpactError;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::OutOfFloatRange;
 use crate::plot::PlotError;
+use crate::reference::ReferenceError;
 use crate::scenario::ScenarioError;
 pub use check::{Check, Known, Tolerance, Verdict};
 pub use pictures::pictures;
@@ -43,13 +44,8 @@ pub enum ValidationError {
         problem: String,
     },
     /// A reference table that is compiled in is damaged.
-    #[error("reference table {table}: {problem}")]
-    Reference {
-        /// Its name.
-        table: &'static str,
-        /// What is wrong with it.
-        problem: String,
-    },
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     /// A reference curve that is compiled in is damaged.
     #[error("reference curve {0}")]
     Curve(#[from] CurveError),

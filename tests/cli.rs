@@ -2,50 +2,15 @@
 
 #![allow(clippy::unwrap_used)]
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Output;
+mod common;
 
-use assert_cmd::Command;
-use tempfile::TempDir;
+use std::fs;
+use std::path::Path;
+
+use common::command::{Desk, text};
 
 const STEEL: &str = include_str!("../scenarios/steel-on-steel.toml");
 const FILES: [&str; 4] = ["force_indentation.png", "history.png", "summary.json", "trace.csv"];
-
-/// A directory with a scenario in it.
-struct Desk {
-    directory: TempDir,
-}
-
-impl Desk {
-    fn with(scenario: impl AsRef<[u8]>) -> Self {
-        let desk = Self { directory: TempDir::new().unwrap() };
-        fs::write(desk.path("s.toml"), scenario).unwrap();
-        desk
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.directory.path().join(name)
-    }
-
-    fn call(&self, arguments: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        command.current_dir(self.directory.path()).args(arguments).output().unwrap()
-    }
-
-    fn files(&self, directory: &str) -> Vec<String> {
-        let mut names: Vec<String> = fs::read_dir(self.path(directory))
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    }
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
 
 /// Refused with exit code 2, a message that holds all of `wants`, and nothing but the scenario in the directory.
 fn assert_refused(desk: &Desk, arguments: &[&str], wants: &[&str]) {

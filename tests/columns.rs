@@ -2,8 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod common;
+
+use common::command::{self, Desk};
 
 /// Without `[output]`, so that a test can add one, and without a yield strength.
 const ELASTIC: &str = r#"
@@ -21,23 +22,11 @@ poissons_ratio = 0.3
 const YIELDING: &str = "yield_strength = \"345 MPa\"\n";
 const SWEEP: &str = "[sweep]\n\"impact.speed\" = { logspace = [\"1 mm/s\", \"10 m/s\"], points = 21 }\n";
 
-fn call(directory: &Path, command: &str, text: &str) -> Output {
-    let file = directory.join("scenario.toml");
-    std::fs::write(&file, text).unwrap();
-    let mut process = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    process.arg(command).arg(file);
-    if command == "run" {
-        process.arg("--out").arg(directory.join("out"));
-    }
-    process.output().unwrap()
-}
-
 fn table(text: &str) -> Vec<Vec<String>> {
-    let directory = tempfile::tempdir().unwrap();
-    let output = call(directory.path(), "run", text);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).from_path(directory.path().join("out/table.csv")).unwrap();
+    let desk = Desk::with(text);
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", command::text(&output.stderr));
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_path(desk.path("out/table.csv")).unwrap();
     reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
 }
 
@@ -65,20 +54,19 @@ fn columns_that_cannot_be_are_refused() {
         (YIELDING.to_owned(), "[\"peak_force_N\"]", "this scenario is one impact"),
     ];
     for (tables, columns, want) in table {
-        let directory = tempfile::tempdir().unwrap();
-        let output = call(directory.path(), "run", &format!("{ELASTIC}{tables}[output]\ncolumns = {columns}\n"));
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        let desk = Desk::with(format!("{ELASTIC}{tables}[output]\ncolumns = {columns}\n"));
+        let output = desk.call(&["run", "s.toml", "--out", "out"]);
+        let message = command::text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(message.contains("output.columns: ") && message.contains(want), "{want}: {message}");
-        assert!(!directory.path().join("out").exists());
+        assert!(!desk.path("out").exists());
     }
 }
 
 #[test]
 fn check_says_what_a_sweep_will_be() {
-    let directory = tempfile::tempdir().unwrap();
     let strengths = "\"half_space.yield_strength\" = [\"200 MPa\", \"345 MPa\"]\n";
-    let output = call(directory.path(), "check", &format!("{ELASTIC}{YIELDING}{SWEEP}{strengths}"));
+    let output = Desk::with(format!("{ELASTIC}{YIELDING}{SWEEP}{strengths}")).call(&["check", "s.toml"]);
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     for want in [
@@ -91,7 +79,7 @@ fn check_says_what_a_sweep_will_be() {
         assert!(text.contains(want), "{want}: {text}");
     }
     let random = "[monte_carlo]\nsamples = 10\nseed = 3\n\"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"300 MPa\" } }\n";
-    let output = call(directory.path(), "check", &format!("{ELASTIC}{YIELDING}{random}"));
+    let output = Desk::with(format!("{ELASTIC}{YIELDING}{random}")).call(&["check", "s.toml"]);
     let text = String::from_utf8(output.stdout).unwrap();
     // Φ(345/300) = Φ(1.15) = 0.8749 of the normal distribution is positive
     assert!(text.contains("10 cases, drawn with seed 3") && text.contains("keeps 87.49 %"), "{text}");

@@ -1,10 +1,13 @@
 //! Laws through the command: scenarios, sweeps over laws, the comparison of Figure 10, the list.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::path::Path;
 use std::process::Output;
 
 use assert_cmd::Command;
+use common::command::column;
 use plm_impact::law::LawChoice;
 
 const BODIES: &str = r#"
@@ -38,13 +41,6 @@ fn refusal(text: &str) -> String {
     assert_eq!(output.status.code(), Some(2), "{text}");
     assert!(!out.exists());
     String::from_utf8(output.stderr).unwrap()
-}
-
-/// The columns of a table by name.
-fn column(table: &str, name: &str) -> Vec<String> {
-    let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
-    let place = lines.next().unwrap().iter().position(|column| *column == name).unwrap();
-    lines.map(|fields| fields[place].to_owned()).collect()
 }
 
 fn shipped(name: &str) -> std::path::PathBuf {

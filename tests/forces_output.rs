@@ -1,33 +1,23 @@
 //! What is written about impacts under gravity and damping, and tables of them.
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
+use common::STEEL;
 use plm_impact::impact::{Essentials, Method, Solver};
 use plm_impact::run::run;
 use plm_impact::scenario::{Scenario, ScenarioError};
 use plm_impact::sweep::plan::{Evaluator, Rows};
 use serde_json::Value;
 
-const DROP: &str = r#"[sphere]
-radius = "5 mm"
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-
-[half_space]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-yield_strength = "345 MPa"
-
-[impact]
-drop_height = "0.5 m"
-
-[gravity]
-acceleration = "9.81 m/s^2"
-"#;
+/// The steel sphere falls.
+fn drop() -> String {
+    STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"") + "\n[gravity]\nacceleration = \"9.81 m/s^2\"\n"
+}
 
 fn scenario(more: &str, overrides: &[&str]) -> Scenario {
     let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Scenario::from_text("drop.toml", &format!("{DROP}{more}"), &overrides).unwrap()
+    Scenario::from_text("drop.toml", &(drop() + more), &overrides).unwrap()
 }
 
 /// `summary.json` and the header of `trace.csv`.
@@ -42,8 +32,7 @@ fn output(scenario: &Scenario) -> (Value, String) {
 fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     let keys = ["/outcome", "/energy/gravity_work_J", "/energy/damping_J", "/static_indentation_m"];
     let present = |summary: &Value| keys.map(|key| summary.pointer(key).is_some());
-    let plain = DROP.replace("drop_height = \"0.5 m\"", "speed = \"3 m/s\"");
-    let plain = Scenario::from_text("plain.toml", plain.split("[gravity]").next().unwrap(), &[]).unwrap();
+    let plain = Scenario::from_text("plain.toml", STEEL, &[]).unwrap();
     let (summary, header) = output(&plain);
     assert_eq!(present(&summary), [false; 4]);
     assert!(!header.contains("elastic_force"));

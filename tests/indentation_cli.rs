@@ -1,56 +1,32 @@
 //! `[indentation]` through a real process: outputs, messages, exit codes, and nothing written where the input is wrong.
 #![allow(clippy::unwrap_used)]
 
-use std::fs;
-use std::path::PathBuf;
-use std::process::Output;
+mod common;
 
-use assert_cmd::Command;
-use tempfile::TempDir;
+use std::fs;
+
+use common::command::{Desk, text};
 
 const CYCLES: &str = include_str!("../scenarios/indentation-cycles.toml");
 const ALLOYS: &str = include_str!("../scenarios/indentation-ti-nb.toml");
 
-struct Desk(TempDir);
-
-impl Desk {
-    fn with(scenario: &str) -> Self {
-        let desk = Self(TempDir::new().unwrap());
-        fs::write(desk.path("s.toml"), scenario).unwrap();
-        desk
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn call(&self, arguments: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        command.current_dir(self.0.path()).args(arguments).output().unwrap()
-    }
-
-    /// Runs the scenario; the standard output.
-    fn run(&self) -> String {
-        let output = self.call(&["run", "s.toml", "--out", "out"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        text(&output.stdout)
-    }
-
-    fn summary(&self) -> serde_json::Value {
-        serde_json::from_slice(&fs::read(self.path("out/summary.json")).unwrap()).unwrap()
-    }
+/// Runs the scenario; the standard output.
+fn run(desk: &Desk) -> String {
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    text(&output.stdout)
 }
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
+fn summary(desk: &Desk) -> serde_json::Value {
+    serde_json::from_str(&desk.read("out/summary.json")).unwrap()
 }
 
 #[test]
 fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
     let desk = Desk::with(CYCLES);
-    let table = desk.run();
+    let table = run(&desk);
     assert!(table.starts_with("step  to") && table.lines().count() == 9, "{table}");
-    let summary = desk.summary();
+    let summary = summary(&desk);
     let half_space = &summary["half_spaces"][0];
     let steps = half_space["steps"].as_array().unwrap();
     assert_eq!(steps.len(), 8);
@@ -66,7 +42,7 @@ fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
     assert_eq!(summary["provenance"]["law"], "plm");
     assert!(half_space.get("name").is_none());
 
-    let trace = fs::read_to_string(desk.path("out/trace.csv")).unwrap();
+    let trace = desk.read("out/trace.csv");
     let header = "step,indentation_m,sphere_indentation_m,half_space_indentation_m,force_N,branch";
     assert_eq!(trace.lines().next().unwrap(), header);
     // 400 rows a step, and more where branches meet: at two old peaks, and where the surfaces part and meet again
@@ -78,11 +54,11 @@ fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
 #[test]
 fn several_half_spaces_are_told_apart_by_name() {
     let desk = Desk::with(ALLOYS);
-    let table = desk.run();
+    let table = run(&desk);
     for name in ["Ti-5Nb", "Ti-10Nb", "Ti-40Nb", "Ti-70Nb"] {
         assert!(table.contains(name), "{table}");
     }
-    let summary = desk.summary();
+    let summary = summary(&desk);
     let half_spaces = summary["half_spaces"].as_array().unwrap();
     assert_eq!(half_spaces.len(), 4);
     for half_space in half_spaces {
@@ -91,7 +67,7 @@ fn several_half_spaces_are_told_apart_by_name() {
         let residual = step["residual_indentation_m"].as_f64().unwrap();
         assert!(span[0].as_f64().unwrap() < residual && residual < span[1].as_f64().unwrap());
     }
-    let trace = fs::read_to_string(desk.path("out/trace.csv")).unwrap();
+    let trace = desk.read("out/trace.csv");
     assert!(trace.starts_with("half_space,step,indentation_m,") && trace.contains("\nTi-70Nb,2,"), "{}", &trace[..200]);
     let checked = desk.call(&["check", "s.toml"]);
     let printed = text(&checked.stdout);
@@ -102,11 +78,11 @@ fn several_half_spaces_are_told_apart_by_name() {
 
 #[test]
 fn an_elastic_half_space_has_nothing_plastic() {
-    let desk = Desk::with(&CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", ""));
+    let desk = Desk::with(CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", ""));
     let output = desk.call(&["run", "s.toml", "--out", "out"]);
     // the scenario names an exponent, which then has no effect
     assert!(text(&output.stderr).contains("law.plm.unloading_exponent is not used"), "{}", text(&output.stderr));
-    let summary = desk.summary().to_string();
+    let summary = summary(&desk).to_string();
     assert!(!summary.contains("plastic_work") && !summary.contains("residual"), "{summary}");
     assert!(summary.contains("\"hertz\""));
 }
@@ -114,19 +90,19 @@ fn an_elastic_half_space_has_nothing_plastic() {
 #[test]
 fn densities_are_not_needed_and_do_no_harm() {
     let plain = Desk::with(CYCLES);
-    plain.run();
+    run(&plain);
     let dense = Desk::with(
-        &CYCLES
+        CYCLES
             .replace("poissons_ratio = 0.23", "poissons_ratio = 0.23\ndensity = 15600")
             .replace("poissons_ratio = 0.3\n", "poissons_ratio = 0.3\ndensity = 4500\n"),
     );
-    dense.run();
-    assert_eq!(plain.summary()["half_spaces"], dense.summary()["half_spaces"]);
+    run(&dense);
+    assert_eq!(summary(&plain)["half_spaces"], summary(&dense)["half_spaces"]);
 }
 
 #[test]
 fn strict_makes_a_deep_dent_an_error() {
-    let desk = Desk::with(&CYCLES.replace("\"16 um\"", "\"50 um\""));
+    let desk = Desk::with(CYCLES.replace("\"16 um\"", "\"50 um\""));
     let output = desk.call(&["run", "s.toml", "--out", "out", "--strict"]);
     assert_eq!(output.status.code(), Some(1));
     let message = text(&output.stderr);
@@ -178,7 +154,7 @@ fn wrong_indentations_are_refused_by_both_commands() {
     ];
     for (from, to, wants) in table {
         assert!(ALLOYS.contains(from), "{from}");
-        let desk = Desk::with(&ALLOYS.replacen(from, to, 1));
+        let desk = Desk::with(ALLOYS.replacen(from, to, 1));
         for command in ["run", "check"] {
             let output = desk.call(&[command, "s.toml"]);
             let message = text(&output.stderr);
@@ -186,7 +162,7 @@ fn wrong_indentations_are_refused_by_both_commands() {
             for want in *wants {
                 assert!(message.contains(want), "{command} {to}: {want:?} is not in\n{message}");
             }
-            assert_eq!(fs::read_dir(desk.0.path()).unwrap().count(), 1, "{command} {to}");
+            assert_eq!(desk.files(""), ["s.toml"], "{command} {to}");
         }
     }
     // no half-space at all

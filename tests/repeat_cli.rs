@@ -1,15 +1,12 @@
 //! `[repeat]` as text and through a real process: what is refused, what is written.
 #![allow(clippy::unwrap_used)]
 
-use std::fs;
-use std::path::Path;
-use std::process::Output;
+mod common;
 
-use assert_cmd::Command;
+use common::command::{Desk, column, text};
 use plm_impact::repeat::{Drive, Place};
 use plm_impact::run::repeat::prepare_repeat;
 use plm_impact::scenario::Scenario;
-use tempfile::TempDir;
 
 const BODIES: &str = r#"[sphere]
 radius = "5 mm"
@@ -129,46 +126,9 @@ fn what_is_asked_for_is_understood() {
     assert_eq!(listed.drive, Drive::Shots(vec![1.0, 0.5, 2.0]));
 }
 
-struct Desk(TempDir);
-
-impl Desk {
-    fn with(scenario: &str) -> Self {
-        let desk = Self(TempDir::new().unwrap());
-        fs::write(desk.0.path().join("s.toml"), scenario).unwrap();
-        desk
-    }
-
-    fn call(&self, arguments: &[&str]) -> Output {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        command.current_dir(self.0.path()).args(arguments).output().unwrap()
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.path().join(name)).unwrap()
-    }
-
-    fn files(&self, directory: &str) -> Vec<String> {
-        let entries = fs::read_dir(self.0.path().join(directory)).unwrap();
-        let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect();
-        names.sort();
-        names
-    }
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
-/// A CSV file as columns by name.
-fn column(csv: &str, name: &str) -> Vec<String> {
-    let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let index = reader.headers().unwrap().iter().position(|header| header == name).unwrap_or_else(|| panic!("{name}"));
-    reader.records().map(|record| record.unwrap()[index].to_owned()).collect()
-}
-
 #[test]
 fn a_bouncing_ball_writes_all_its_files() {
-    let desk = Desk::with(&format!("{BODIES}{BOUNCING}"));
+    let desk = Desk::with(format!("{BODIES}{BOUNCING}"));
     let output = desk.call(&["run", "s.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let files = ["force_indentation.png", "height.png", "impacts.csv", "impacts.png", "summary.json", "trace.csv"];
@@ -209,11 +169,11 @@ fn a_bouncing_ball_writes_all_its_files() {
 #[test]
 fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
     let elastic = BODIES.replace("yield_strength = \"276 MPa\"\n", "");
-    let desk = Desk::with(&format!("{elastic}[repeat]\nspot = \"same\"\nspeeds = [1, 2]\n"));
+    let desk = Desk::with(format!("{elastic}[repeat]\nspot = \"same\"\nspeeds = [1, 2]\n"));
     let output = desk.call(&["run", "s.toml", "--quiet", "--out", "o"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
-    assert!(!Path::new(&desk.0.path().join("o/height.png")).exists());
+    assert!(!desk.path("o/height.png").exists());
     let header = desk.read("o/impacts.csv").lines().next().unwrap().to_owned();
     assert_eq!(
         header,
@@ -224,7 +184,7 @@ fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
 
 #[test]
 fn overrides_strict_and_check_work_as_for_one_impact() {
-    let desk = Desk::with(&format!("{BODIES}{BOUNCING}"));
+    let desk = Desk::with(format!("{BODIES}{BOUNCING}"));
     let check = desk.call(&["check", "s.toml", "--set", "repeat.spot=same", "--set", "repeat.impacts=7"]);
     let said = text(&check.stdout);
     assert!(said.contains("all on the same spot") && said.contains("there were 7 impacts"), "{said}");
@@ -236,10 +196,10 @@ fn overrides_strict_and_check_work_as_for_one_impact() {
     assert!(text(&loose.stderr).contains("warning: impact 1: contact radius"), "{}", text(&loose.stderr));
     let strict = desk.call(&[&fast[..], &["--strict", "--out", "strict"]].concat());
     assert_eq!(strict.status.code(), Some(1));
-    assert!(!desk.0.path().join("strict").exists());
+    assert!(!desk.path("strict").exists());
     let bad = desk.call(&["run", "s.toml", "--set", "repeat.spot=both", "--out", "bad"]);
     assert_eq!(bad.status.code(), Some(2));
-    assert!(!desk.0.path().join("bad").exists());
+    assert!(!desk.path("bad").exists());
     let format = desk.call(&["run", "s.toml", "--format", "csv"]);
     assert_eq!(format.status.code(), Some(2));
     assert!(text(&format.stderr).contains("--format is for tables"), "{}", text(&format.stderr));

@@ -2,24 +2,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
+use common::STEEL;
 use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::scenario::{KEYS, Key, Kind, Scenario, ScenarioError, Scene};
-
-const STEEL: &str = r#"[sphere]
-radius = "5 mm"
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-
-[half_space]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-yield_strength = "345 MPa"
-
-[impact]
-speed = "3 m/s"
-"#;
 
 fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, ScenarioError> {
     let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();

@@ -2,29 +2,23 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
+
+use common::STEEL;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 
 /// A scenario of `points` speeds and two strengths, in its own directory.
 fn scenario(directory: &Path, points: u32) -> PathBuf {
     let path = directory.join("scenario.toml");
+    let bodies = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     let text = format!(
-        r#"
-[sphere]
-radius = "5 mm"
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-[half_space]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-[impact]
-speed = "1 m/s"
-[sweep]
+        r#"{bodies}[sweep]
 "impact.speed" = {{ logspace = ["1 mm/s", "100 m/s"], points = {points} }}
 "half_space.yield_strength" = ["345 MPa", "900 MPa"]
 "#

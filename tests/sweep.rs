@@ -2,26 +2,15 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
 use approx::assert_relative_eq;
+use common::STEEL;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::plan::{Evaluator, Rows};
-
-const BASE: &str = r#"
-[sphere]
-radius = "5 mm"
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-density = "7850 kg/m^3"
-[half_space]
-youngs_modulus = "210 GPa"
-poissons_ratio = 0.3
-yield_strength = "345 MPa"
-[impact]
-speed = "1 m/s"
-"#;
 
 fn rows(text: &str) -> Rows {
     let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();
@@ -40,7 +29,7 @@ fn run(text: &str, directory: &Path) -> Output {
 /// The message of a scenario that is refused with exit code 2 and nothing written.
 fn refusal(tables: &str) -> String {
     let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{BASE}{tables}"), directory.path());
+    let output = run(&format!("{STEEL}{tables}"), directory.path());
     let text = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{tables}: {text}");
     assert!(!directory.path().join("out").exists(), "{tables}");
@@ -112,7 +101,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
 "sphere.radius" = { linspace = ["2 mm", "5 mm"], points = 1 }
 "#;
     let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{BASE}{sweep}"), directory.path());
+    let output = run(&format!("{STEEL}{sweep}"), directory.path());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let table = std::fs::read_to_string(directory.path().join("out/table.csv")).unwrap();
     let swept: Vec<String> = table.lines().map(|line| line.split(',').take(4).collect::<Vec<_>>().join(",")).collect();
@@ -132,7 +121,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
         "restitution,contact_time_s,peak_force_N,peak_indentation_m,residual_indentation_m,dent_radius_m,recovered_fraction,plastic_fraction,status"
     ));
     let first: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
-    let scene = Scenario::from_text("one", BASE, &["impact.speed=3".to_owned(), "sphere.radius=0.002".to_owned()]);
+    let scene = Scenario::from_text("one", STEEL, &["impact.speed=3".to_owned(), "sphere.radius=0.002".to_owned()]);
     let scene = scene.unwrap().resolve().unwrap();
     let impact = scene.contact().unwrap().closed_form(3.0).unwrap();
     let number = |i: usize| first[i].parse::<f64>().unwrap();
@@ -146,7 +135,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
 
 #[test]
 fn an_elastic_half_space_has_no_plastic_columns() {
-    let elastic = BASE.replace("yield_strength = \"345 MPa\"\n", "");
+    let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     let directory = tempfile::tempdir().unwrap();
     let output = run(&format!("{elastic}[sweep]\n\"impact.speed\" = [1, 2]\n"), directory.path());
     assert_eq!(output.status.code(), Some(0));
@@ -161,7 +150,7 @@ fn an_elastic_half_space_has_no_plastic_columns() {
 #[test]
 fn stepped_methods_can_be_swept() {
     let rows = rows(&format!(
-        "{BASE}[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\", \"dop853\"]\n\"solver.tolerance\" = [1e-12]\n"
+        "{STEEL}[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\", \"dop853\"]\n\"solver.tolerance\" = [1e-12]\n"
     ));
     let e: Vec<f64> = rows.results.iter().map(|row| row.unwrap().restitution).collect();
     assert_eq!(e.len(), 3);
@@ -174,7 +163,7 @@ fn stepped_methods_can_be_swept() {
 
 #[test]
 fn the_unloading_exponent_can_be_swept() {
-    let rows = rows(&format!("{BASE}[sweep]\n\"law.plm.unloading_exponent\" = [1.4, 1.5, 2]\n"));
+    let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [1.4, 1.5, 2]\n"));
     let e: Vec<f64> = rows.results.iter().map(|row| row.unwrap().restitution).collect();
     // e² = f ε/((n + 1) w): only n differs
     assert_relative_eq!(e[2] / e[1], (2.5f64 / 3.0).sqrt(), max_relative = 1e-14);
@@ -184,7 +173,7 @@ fn the_unloading_exponent_can_be_swept() {
 #[test]
 fn a_case_without_a_result_is_a_row_with_a_status() {
     let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{BASE}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"), directory.path());
+    let output = run(&format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"), directory.path());
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stderr).unwrap();
     assert!(text.contains("2 of 3 cases have no result"), "{text}");
@@ -216,14 +205,14 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     says(&speed("{ logspace = [1], points = 3 }"), &["two ends"]);
     says(&speed("[1, \"-3 m/s\"]"), &["impact.speed", "-3 m/s", "> 0"]);
     says(&speed("[\"3 kg\"]"), &["impact.speed", "kg"]);
-    // line 14 holds the key: shown where it stands, not at its table
-    says("[sweep]\n\"impact.sped\" = [1]\n", &["toml:14:1: sweep.impact.sped", "did you mean \"impact.speed\""]);
-    says("[sweep]\nlaw = [\"plm\", \"plmm\"]\n", &["toml:14:7: sweep.law", "did you mean \"plm\""]);
+    // line 15 holds the key: shown where it stands, not at its table
+    says("[sweep]\n\"impact.sped\" = [1]\n", &["toml:15:1: sweep.impact.sped", "did you mean \"impact.speed\""]);
+    says("[sweep]\nlaw = [\"plm\", \"plmm\"]\n", &["toml:15:7: sweep.law", "did you mean \"plm\""]);
     says(
         "[sweep]\n\"law.thornton.yield_pressure\" = [1e9]\n",
-        &["toml:14:33: sweep.law.thornton", "no case is under that law"],
+        &["toml:15:33: sweep.law.thornton", "no case is under that law"],
     );
-    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:14:", "says the same as impact.speed"]);
+    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:15:", "says the same as impact.speed"]);
     says("[sweep]\n\"law.plm.unloading_exponent\" = [\"steep\"]\n", &["an unloading exponent such as 1.5"]);
     says("[sweep]\nimpact.speed = [1]\n", &["in quotes", "\"impact.speed\""]);
     says("[sweep]\n\"law.plm.coefficients\" = [1]\n", &["no numeric key"]);
@@ -255,14 +244,14 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
 #[test]
 fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     let same = |without: &str, tables: &str| {
-        assert!(BASE.contains(without), "{without}");
-        let gap = BASE.replacen(without, "", 1);
+        assert!(STEEL.contains(without), "{without}");
+        let gap = STEEL.replacen(without, "", 1);
         // by hand: the key in its table and on the axis
-        let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{BASE}{tables}")));
+        let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
         assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
     };
-    same("[impact]\nspeed = \"1 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
-    same("speed = \"1 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");
+    same("[impact]\nspeed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
+    same("speed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");
     same("radius = \"5 mm\"\n", "[sweep]\n\"sphere.diameter\" = { linspace = [0.01, 0.02], points = 3 }\n");
     same("density = \"7850 kg/m^3\"\n", "[monte_carlo]\nsamples = 5\n\"sphere.density\" = { uniform = [7e3, 8e3] }\n");
     let modulus =
@@ -271,7 +260,7 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
     same("yield_strength = \"345 MPa\"\n", strength);
     // a drop height brings its gravity, from an axis or not
-    let fall = BASE.replace("[impact]\nspeed = \"1 m/s\"\n", "");
+    let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
     assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));
     // and what is on no axis is still missed
@@ -284,7 +273,7 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
 
 fn summary(tables: &str) -> serde_json::Value {
     let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{BASE}{tables}"), directory.path());
+    let output = run(&format!("{STEEL}{tables}"), directory.path());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&std::fs::read(directory.path().join("out/summary.json")).unwrap()).unwrap()
 }
@@ -292,7 +281,7 @@ fn summary(tables: &str) -> serde_json::Value {
 #[test]
 fn random_values_follow_their_distribution() {
     let plan = |variable: &str| {
-        rows(&format!("{BASE}[monte_carlo]\nsamples = 200000\nseed = 3\n\"sphere.density\" = {variable}\n"))
+        rows(&format!("{STEEL}[monte_carlo]\nsamples = 200000\nseed = 3\n\"sphere.density\" = {variable}\n"))
     };
     let moments = |values: &[f64]| {
         let n = f64::from(u32::try_from(values.len()).unwrap());
@@ -324,7 +313,7 @@ fn random_values_follow_their_distribution() {
 #[test]
 fn a_sample_depends_on_seed_key_and_number_alone() {
     let text = format!(
-        "{BASE}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
+        "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
     );
     let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
     let evaluator = Evaluator::new(&plan);
@@ -346,7 +335,7 @@ fn quantiles_of_a_known_distribution() {
         "[monte_carlo]\nsamples = 50000\nseed = 1\n\"law.plm.unloading_exponent\" = { uniform = [1.2, 1.8] }\n",
     );
     let e_of = |n: f64| {
-        let rows = rows(&format!("{BASE}[sweep]\n\"law.plm.unloading_exponent\" = [{n}]\n"));
+        let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [{n}]\n"));
         rows.results[0].unwrap().restitution
     };
     let got = &summary["restitution"];
@@ -363,14 +352,14 @@ fn quantiles_of_a_known_distribution() {
 fn long_axes_get_a_map_and_random_values_a_histogram() {
     let directory = tempfile::tempdir().unwrap();
     let axes = "\"impact.speed\" = { logspace = [1e-3, 10], points = 20 }\n\"sphere.radius\" = { linspace = [1e-3, 1e-2], points = 9 }\n";
-    assert_eq!(run(&format!("{BASE}[sweep]\n{axes}"), directory.path()).status.code(), Some(0));
+    assert_eq!(run(&format!("{STEEL}[sweep]\n{axes}"), directory.path()).status.code(), Some(0));
     for name in ["restitution.png", "restitution_map.png"] {
         let bytes = std::fs::read(directory.path().join("out").join(name)).unwrap();
         let info = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap().info().size();
         assert_eq!(info, plm_impact::plot::SIZE, "{name}");
     }
     let random = "[monte_carlo]\nsamples = 50\n\"impact.speed\" = { uniform = [1, 2] }\n";
-    assert_eq!(run(&format!("{BASE}{random}"), directory.path()).status.code(), Some(0));
+    assert_eq!(run(&format!("{STEEL}{random}"), directory.path()).status.code(), Some(0));
     assert!(directory.path().join("out/restitution_histogram.png").exists());
 }
 
@@ -380,7 +369,7 @@ fn a_parquet_table_holds_what_the_csv_table_holds() {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     let directory = tempfile::tempdir().unwrap();
     let sweep = "[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\"]\n\"impact.speed\" = [1e-3, 1, 1e200]\n";
-    assert_eq!(run(&format!("{BASE}{sweep}"), directory.path()).status.code(), Some(1));
+    assert_eq!(run(&format!("{STEEL}{sweep}"), directory.path()).status.code(), Some(1));
     let (file, out) = (directory.path().join("scenario.toml"), directory.path().join("out"));
     let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
     assert_eq!(
@@ -431,7 +420,7 @@ fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
 fn strict_makes_a_table_beyond_the_model_an_error() {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("scenario.toml");
-    std::fs::write(&file, format!("{BASE}[sweep]\n\"impact.speed\" = [1, 200]\n")).unwrap();
+    std::fs::write(&file, format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 200]\n")).unwrap();
     let out = directory.path().join("out");
     let program = env!("CARGO_BIN_EXE_plm-impact");
     let output = Command::new(program).arg("run").arg(&file).arg("--strict").arg("--out").arg(&out).output().unwrap();

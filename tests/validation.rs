@@ -3,28 +3,19 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
-use std::process::Output;
 
 use approx::assert_relative_eq;
-use assert_cmd::Command;
+use common::command::{call, text};
 use plm_impact::law::PlmCoefficients;
 use plm_impact::validation::check::{Check, Known, Tolerance, Verdict};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;
 
 const BUILT_IN: &str = include_str!("../src/law/plm_coefficients.toml");
-
-fn call(directory: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    command.current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
 
 /// A row of a table, by column.
 type Row = BTreeMap<String, String>;

@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::command::{Desk, text};
 use common::off;
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
 use plm_impact::impact::{Contact, Impact, Method, Solver, Warning};
@@ -280,13 +281,10 @@ const SCENARIO: &str = include_str!("../scenarios/alumina-on-aluminium-with-wave
 
 /// Runs the command on a scenario; what it prints, and the files it writes by name.
 fn run(scenario: &str) -> (String, impl Fn(&str) -> String) {
-    let directory = tempfile::TempDir::new().unwrap();
-    std::fs::write(directory.path().join("s.toml"), scenario).unwrap();
-    let mut command = assert_cmd::Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    let output = command.current_dir(directory.path()).args(["run", "s.toml", "--out", "out"]).output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let read = move |name: &str| std::fs::read_to_string(directory.path().join("out").join(name)).unwrap();
-    (String::from_utf8(output.stdout).unwrap(), read)
+    let desk = Desk::with(scenario);
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    (text(&output.stdout), move |name: &str| desk.read(&format!("out/{name}")))
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! `plm-impact run`
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -7,6 +8,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::{OutputDirectory, OutputFile};
 use plm_impact::report::compare;
+use plm_impact::run::heed;
 use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
 use plm_impact::sweep::caution::cautions;
@@ -46,13 +48,8 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
     let of_scene = plan.scene.warnings.iter().map(ToString::to_string);
     let warnings: Vec<String> = of_scene.chain(cautions(&plan)).collect();
-    for warning in &warnings {
-        eprintln!("warning: {warning}");
-    }
-    let count = warnings.len();
-    if arguments.strict && count > 0 {
-        return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count }.into());
-    }
+    warn(&warnings);
+    heed(scenario, warnings.len(), arguments.strict)?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     super::sweep::run(&arguments.sweep, scenario, &plan, directory, &command_line(), arguments.quiet)
 }
@@ -60,67 +57,57 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("one impact")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
-    let out = directory.path().to_owned();
     let run = plm_impact::run::run(scenario, &command_line())?;
-    for warning in &run.impact.warnings {
-        eprintln!("warning: {warning}");
-    }
-    run.write(scenario, directory, arguments.strict)?;
-    if !arguments.quiet {
-        report(&run.table, &run.files, &out)?;
-    }
-    Ok(())
+    finish(arguments, scenario, directory, &run.impact.warnings, &run.table, &run.files)
 }
 
 fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("impacts one after the other")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
-    let out = directory.path().to_owned();
     let run = run_repeat(scenario, &command_line())?;
-    for warning in &run.warnings {
-        eprintln!("warning: {warning}");
-    }
-    run.write(scenario, directory, arguments.strict)?;
-    if !arguments.quiet {
-        report(&run.table, &run.files, &out)?;
-    }
-    Ok(())
+    finish(arguments, scenario, directory, &run.warnings, &run.table, &run.files)
 }
 
 fn indentation(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("an indentation")?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
-    let out = directory.path().to_owned();
     let run = plm_impact::run::indentation::run(scenario, &command_line())?;
-    for warning in &run.warnings {
-        eprintln!("warning: {warning}");
-    }
-    run.write(scenario, directory, arguments.strict)?;
-    if !arguments.quiet {
-        report(&run.table, &run.files, &out)?;
-    }
-    Ok(())
+    finish(arguments, scenario, directory, &run.warnings, &run.table, &run.files)
 }
 
 fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("a comparison of laws")?;
     let comparison = scenario.comparison().map_err(Error::from)?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
-    let out = directory.path().to_owned();
     let files = compare::files(&comparison, scenario, &command_line())?;
-    directory.write(&files)?;
+    finish(arguments, scenario, directory, &[] as &[String], &compare::table(&comparison), &files)
+}
+
+/// Warnings and where the files are to standard error, the files to the directory, the table to standard output.
+fn finish(
+    arguments: &Arguments,
+    scenario: &Scenario,
+    directory: OutputDirectory,
+    warnings: &[impl Display],
+    table: &str,
+    files: &[OutputFile],
+) -> anyhow::Result<()> {
+    warn(warnings);
+    heed(scenario, warnings.len(), arguments.strict)?;
+    let out = directory.path().to_owned();
+    directory.write(files)?;
     if !arguments.quiet {
-        report(&compare::table(&comparison), &files, &out)?;
+        super::print(table).context("standard output")?;
+        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+        eprintln!("wrote {} to {}", names.join(", "), out.display());
     }
     Ok(())
 }
 
-/// The table to standard output, and where the rest is to standard error.
-fn report(table: &str, files: &[OutputFile], out: &Path) -> anyhow::Result<()> {
-    super::print(table).context("standard output")?;
-    let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-    eprintln!("wrote {} to {}", names.join(", "), out.display());
-    Ok(())
+fn warn(warnings: &[impl Display]) {
+    for warning in warnings {
+        eprintln!("warning: {warning}");
+    }
 }
 
 impl Arguments {

@@ -143,7 +143,7 @@ pub enum OutsideLaw {
         "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
     )]
     Incomplete {
-        /// Of the law, or of the loading of a combination.
+        /// Of the law.
         name: &'static str,
     },
 }

@@ -67,8 +67,9 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
     let reference = comparison.finite_elements();
     let row = |law: String, share: f64, recovered: f64, e: f64| {
         // shares of the peak, as the peaks differ by up to 1 %
-        let deviation =
-            |got: f64, want: fn(&crate::reference::Unloaded) -> f64| reference.map(|row| got / want(row) - 1.0);
+        let deviation = |got: f64, want: fn(&crate::reference::quasi_static::Unloaded) -> f64| {
+            reference.map(|row| got / want(row) - 1.0)
+        };
         Row {
             law,
             residual_indentation_m: Some(share * comparison.peak.indentation * point.indentation),

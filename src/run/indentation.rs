@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
-use crate::output::{OutputDirectory, OutputFile};
+use crate::output::OutputFile;
 use crate::plot;
 use crate::report::indentation::{self, Provenance};
 use crate::scenario::Scenario;
@@ -65,20 +65,6 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
     ];
     let table = indentation::table(&tested);
     Ok(Run { tested, warnings, table, files })
-}
-
-impl Run {
-    /// Writes the files; with `is_strict`, only if there is no warning.
-    ///
-    /// # Errors
-    /// [`Error::Strict`], [`Error::Unwritable`].
-    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
-        let count = self.warnings.len();
-        if is_strict && count > 0 {
-            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
-        }
-        directory.write(&self.files)
-    }
 }
 
 /// No result for this scenario; a bad step is pointed at.

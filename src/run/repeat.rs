@@ -3,7 +3,7 @@
 use super::{prepare, provenance};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
-use crate::output::{OutputDirectory, OutputFile};
+use crate::output::OutputFile;
 use crate::plot;
 use crate::repeat::{Repeat, Sequence};
 use crate::report;
@@ -60,18 +60,4 @@ pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error
     let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
     let table = report::repeat::table(&repeat, &sequence);
     Ok(RepeatRun { sequence, warnings, table, files })
-}
-
-impl RepeatRun {
-    /// Writes the files; with `is_strict`, only if there is no warning.
-    ///
-    /// # Errors
-    /// [`Error::Strict`], [`Error::Unwritable`].
-    pub fn write(&self, scenario: &Scenario, directory: OutputDirectory, is_strict: bool) -> Result<(), Error> {
-        let count = self.warnings.len();
-        if is_strict && count > 0 {
-            return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count });
-        }
-        directory.write(&self.files)
-    }
 }

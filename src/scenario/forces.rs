@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::quantity::{Bound, Quantity, positive};
+use super::quantity::{Quantity, not_negative, positive};
 use super::values::{Acceleration, HuntCrossley, ViscousFraction};
 use super::{Scenario, ScenarioError, Scene};
 use crate::impact::{Damping, Forces, drop_speed};
@@ -16,16 +16,11 @@ pub const ACCELERATION: Quantity = Quantity {
     ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
 };
 /// A height that the sphere falls from.
-pub const DROP_HEIGHT: Quantity =
-    Quantity { low: Bound::Closed(0.0), ..positive("a drop height", Dimension::Length, "\"0.5 m\"") };
+pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Length, "\"0.5 m\"");
 /// χ of Hunt and Crossley.
-pub const HUNT_CROSSLEY: Quantity = Quantity {
-    low: Bound::Closed(0.0),
-    ..positive("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"")
-};
+pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
 /// Fraction of critical damping.
-pub const VISCOUS: Quantity =
-    Quantity { low: Bound::Closed(0.0), ..positive("a fraction of critical damping", Dimension::Ratio, "0.05") };
+pub const VISCOUS: Quantity = not_negative("a fraction of critical damping", Dimension::Ratio, "0.05");
 
 /// `[gravity]`
 #[derive(Debug, Clone, PartialEq, Deserialize)]

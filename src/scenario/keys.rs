@@ -38,6 +38,26 @@ impl Key {
     }
 }
 
+/// A key that is a field of every scene.
+macro_rules! of_scene {
+    ($path:literal, $quantity:expr, optional $($field:ident).+) => {
+        Key {
+            path: $path,
+            quantity: $quantity,
+            get: |scene| scene.$($field).+,
+            set: |scene, value| scene.$($field).+ = Some(value),
+        }
+    };
+    ($path:literal, $quantity:expr, $($field:ident).+) => {
+        Key {
+            path: $path,
+            quantity: $quantity,
+            get: |scene| Some(scene.$($field).+),
+            set: |scene, value| scene.$($field).+ = value,
+        }
+    };
+}
+
 /// A key of a published law: there only in a scene under that law.
 macro_rules! of_law {
     ($path:literal, $quantity:expr, $law:ident, $field:ident) => {
@@ -65,66 +85,21 @@ macro_rules! of_law {
 
 /// All numeric keys, in the order of the file.
 pub const KEYS: &[Key] = &[
-    Key {
-        path: "sphere.radius",
-        quantity: &LENGTH,
-        get: |scene| Some(scene.sphere.radius),
-        set: |scene, value| scene.sphere.radius = value,
-    },
+    of_scene!("sphere.radius", &LENGTH, sphere.radius),
     Key {
         path: "sphere.diameter",
         quantity: &LENGTH,
         get: |scene| Some(2.0 * scene.sphere.radius),
         set: |scene, value| scene.sphere.radius = 0.5 * value,
     },
-    Key {
-        path: "sphere.youngs_modulus",
-        quantity: &SPHERE_MODULUS,
-        get: |scene| Some(scene.sphere.material.youngs_modulus),
-        set: |scene, value| scene.sphere.material.youngs_modulus = value,
-    },
-    Key {
-        path: "sphere.poissons_ratio",
-        quantity: &POISSONS_RATIO,
-        get: |scene| Some(scene.sphere.material.poissons_ratio),
-        set: |scene, value| scene.sphere.material.poissons_ratio = value,
-    },
-    Key {
-        path: "sphere.density",
-        quantity: &DENSITY,
-        get: |scene| Some(scene.sphere.density),
-        set: |scene, value| scene.sphere.density = value,
-    },
-    Key {
-        path: "sphere.yield_strength",
-        quantity: &STRENGTH,
-        get: |scene| scene.sphere.yield_strength,
-        set: |scene, value| scene.sphere.yield_strength = Some(value),
-    },
-    Key {
-        path: "half_space.youngs_modulus",
-        quantity: &MODULUS,
-        get: |scene| Some(scene.half_space.material.youngs_modulus),
-        set: |scene, value| scene.half_space.material.youngs_modulus = value,
-    },
-    Key {
-        path: "half_space.poissons_ratio",
-        quantity: &POISSONS_RATIO,
-        get: |scene| Some(scene.half_space.material.poissons_ratio),
-        set: |scene, value| scene.half_space.material.poissons_ratio = value,
-    },
-    Key {
-        path: "half_space.yield_strength",
-        quantity: &STRENGTH,
-        get: |scene| scene.half_space.yield_strength,
-        set: |scene, value| scene.half_space.yield_strength = Some(value),
-    },
-    Key {
-        path: "half_space.density",
-        quantity: &DENSITY,
-        get: |scene| scene.half_space.density,
-        set: |scene, value| scene.half_space.density = Some(value),
-    },
+    of_scene!("sphere.youngs_modulus", &SPHERE_MODULUS, sphere.material.youngs_modulus),
+    of_scene!("sphere.poissons_ratio", &POISSONS_RATIO, sphere.material.poissons_ratio),
+    of_scene!("sphere.density", &DENSITY, sphere.density),
+    of_scene!("sphere.yield_strength", &STRENGTH, optional sphere.yield_strength),
+    of_scene!("half_space.youngs_modulus", &MODULUS, half_space.material.youngs_modulus),
+    of_scene!("half_space.poissons_ratio", &POISSONS_RATIO, half_space.material.poissons_ratio),
+    of_scene!("half_space.yield_strength", &STRENGTH, optional half_space.yield_strength),
+    of_scene!("half_space.density", &DENSITY, optional half_space.density),
     Key { path: "impact.speed", quantity: &SPEED, get: |scene| Some(scene.speed), set: Scene::set_speed },
     Key {
         path: "impact.drop_height",
@@ -178,10 +153,5 @@ pub const KEYS: &[Key] = &[
     of_law!("law.walton_braun.loading_stiffness", &FACTOR, WaltonBraun, loading_stiffness),
     of_law!("law.walton_braun.stiffness_ratio", &SHARE, WaltonBraun, stiffness_ratio),
     of_law!("law.johnson.dynamic_pressure", &STRENGTH, Johnson, optional dynamic_pressure),
-    Key {
-        path: "solver.tolerance",
-        quantity: &TOLERANCE,
-        get: |scene| Some(scene.solver.tolerance),
-        set: |scene, value| scene.solver.tolerance = value,
-    },
+    of_scene!("solver.tolerance", &TOLERANCE, solver.tolerance),
 ];

@@ -9,6 +9,7 @@ use crate::compare::Comparison;
 use crate::impact::{Contact, Method};
 use crate::indentation::{StaticContact, Target};
 use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
+use crate::material::Pair;
 use crate::units::{Dimension, describe, human, number};
 
 /// A few aligned lines.
@@ -59,14 +60,8 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         if let Some(strength) = half_space.yield_strength {
             row("yield_strength", pressure(strength, specimen.strength_uncertainty));
         }
-        row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-        row("share of the sphere kappa", number(pair.sphere_compliance));
-        match pair.yield_point {
-            Some(point) => {
-                row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-                row("yield force F_Y", describe(point.force, Dimension::Force));
-            }
-            None => row("yield point", ELASTIC.to_owned()),
+        for (name, value) in paired(pair) {
+            row(&name, value);
         }
     }
     aligned(&rows)
@@ -78,20 +73,14 @@ pub fn of_comparison(comparison: &Comparison) -> String {
     let mut rows = Vec::new();
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
     let bodies = &comparison.bodies;
-    let (pair, point) = (&bodies.pair, &bodies.yield_point);
     let modulus = comparison.sphere_modulus;
-    row("sphere.radius", describe(pair.radius, Dimension::Length));
+    row("sphere.radius", describe(bodies.pair.radius, Dimension::Length));
     row(
         "sphere.youngs_modulus",
         if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { "rigid".to_owned() },
     );
     row("half_space.poissons_ratio", number(bodies.poissons_ratio));
     row("half_space.yield_strength", describe(bodies.yield_strength, Dimension::Pressure));
-    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-    row("share of the sphere kappa", number(pair.sphere_compliance));
-    row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-    row("yield force F_Y", describe(point.force, Dimension::Force));
-    row("yield contact radius a_Y", describe(point.contact_radius, Dimension::Length));
     for law in &comparison.laws {
         if let LawChoice::Plm(plm) = law {
             row("law.plm.unloading_exponent", exponent(plm.exponent));
@@ -100,6 +89,8 @@ pub fn of_comparison(comparison: &Comparison) -> String {
     }
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
     row("laws", names.join(", "));
+    rows.push((String::new(), String::new()));
+    rows.extend(paired(&bodies.pair));
     aligned(&rows)
 }
 
@@ -114,6 +105,22 @@ fn exponent(exponent: UnloadingExponent) -> String {
 fn provenance(coefficients: &PlmCoefficients) -> String {
     let provenance = &coefficients.provenance;
     format!("{} ({})", provenance.name, provenance.source)
+}
+
+/// What follows from the pair alone.
+fn paired(pair: &Pair) -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
+    row("share of the sphere kappa", number(pair.sphere_compliance));
+    match pair.yield_point {
+        Some(point) => {
+            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
+            row("yield force F_Y", describe(point.force, Dimension::Force));
+        }
+        None => row("yield point", ELASTIC.to_owned()),
+    }
+    rows
 }
 
 const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
@@ -162,22 +169,12 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
 
 fn derived(contact: &Contact) -> Vec<(String, String)> {
     let pair = contact.pair();
-    let mut rows = Vec::new();
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    row("sphere mass", describe(contact.mass(), Dimension::Mass));
-    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-    row("share of the sphere kappa", number(pair.sphere_compliance));
-    match pair.yield_point {
-        Some(point) => {
-            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-            row("yield force F_Y", describe(point.force, Dimension::Force));
-            row("yield contact radius a_Y", describe(point.contact_radius, Dimension::Length));
-            row(
-                "yield speed v_Y",
-                contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed)),
-            );
-        }
-        None => row("yield point", ELASTIC.to_owned()),
+    let mut rows = vec![("sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass))];
+    rows.extend(paired(pair));
+    if let Some(point) = pair.yield_point {
+        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
+        rows.push(("yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)));
+        rows.push(("yield speed v_Y".to_owned(), speed));
     }
     rows
 }

@@ -44,11 +44,11 @@ pub(super) const fn positive(name: &'static str, dimension: Dimension, example: 
     }
 }
 
-const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+pub(super) const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
     Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
 }
 
-const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
+pub(super) const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
     Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
 }
 
@@ -73,24 +73,11 @@ pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"")
 pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
-    name: "a Poisson's ratio",
-    dimension: Dimension::Ratio,
-    low: Bound::Open(-1.0),
-    high: Bound::Open(0.5),
-    example: "0.3",
     hint: "for an incompressible material write 0.4999",
-    is_hint_low: false,
+    ..number("a Poisson's ratio", Bound::Open(-1.0), Bound::Open(0.5), "0.3")
 };
 /// The exponent n of the unloading branch.
-pub const EXPONENT: Quantity = Quantity {
-    name: "an unloading exponent",
-    dimension: Dimension::Ratio,
-    low: Bound::Open(1.0),
-    high: Bound::Closed(2.0),
-    example: "1.5",
-    hint: "",
-    is_hint_low: false,
-};
+pub const EXPONENT: Quantity = number("an unloading exponent", Bound::Open(1.0), Bound::Closed(2.0), "1.5");
 /// A factor of a published law, such as a pressure over the yield strength.
 pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
 /// True contact area over that of the cut of sphere and surface: from sink-in to pile-up.
@@ -107,35 +94,11 @@ pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"
 pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
 
 /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps carry no meaning.
-pub const TOLERANCE: Quantity = Quantity {
-    name: "a tolerance",
-    dimension: Dimension::Ratio,
-    low: Bound::Closed(1e-14),
-    high: Bound::Closed(1e-2),
-    example: "1e-10",
-    hint: "",
-    is_hint_low: false,
-};
+pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
 /// Rows of a trace: two ends, and no more than a file of about a gigabyte.
-pub const SAMPLES: Quantity = Quantity {
-    name: "a number of samples",
-    dimension: Dimension::Ratio,
-    low: Bound::Closed(2.0),
-    high: Bound::Closed(1e7),
-    example: "400",
-    hint: "",
-    is_hint_low: false,
-};
+pub const SAMPLES: Quantity = number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e7), "400");
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
-pub const STEPS: Quantity = Quantity {
-    name: "a number of steps",
-    dimension: Dimension::Ratio,
-    low: Bound::Closed(1.0),
-    high: Bound::Closed(1e8),
-    example: "50",
-    hint: "",
-    is_hint_low: false,
-};
+pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
 
 /// A value outside its range.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -2,13 +2,11 @@
 
 use serde::de::{Deserialize, Deserializer, Error};
 
-use super::quantity::{Bound, Quantity, SPEED};
-use super::reader::{Reader, whole};
-use super::values::Speed;
+use super::quantity::{Bound, Quantity, SPEED, number};
+use super::values::{Impacts, ShotSpeed, Speed};
 use super::{Scenario, ScenarioError, Scene};
 use crate::nearest::nearest;
 use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
-use crate::units::Dimension;
 
 /// `[repeat]`
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
@@ -36,38 +34,7 @@ pub struct UntilTable {
 pub const SHOT_SPEED: Quantity =
     Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
-pub const IMPACTS: Quantity = Quantity {
-    name: "a number of impacts",
-    dimension: Dimension::Ratio,
-    low: Bound::Closed(1.0),
-    high: Bound::Closed(1e6),
-    example: "20",
-    hint: "",
-    is_hint_low: false,
-};
-/// Repeated impacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Impacts(pub u64);
-
-impl<'de> Deserialize<'de> for Impacts {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within IMPACTS
-        whole(deserializer, &IMPACTS).map(|impacts| Self(impacts as u64))
-    }
-}
-
-/// The speed of a shot.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShotSpeed(
-    /// In m/s.
-    pub f64,
-);
-
-impl<'de> Deserialize<'de> for ShotSpeed {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Reader(&SHOT_SPEED)).map(Self)
-    }
-}
+pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
 
 /// "same" or "fresh".
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

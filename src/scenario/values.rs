@@ -8,6 +8,7 @@ use super::quantity::{
     POISSONS_RATIO, SAMPLES, SHARE, SPEED, SPHERE_MODULUS, STEPS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
 };
 use super::reader::{OrWord, Reader, whole};
+use super::repeat::{IMPACTS, SHOT_SPEED};
 use crate::impact::Method;
 use crate::law::UnloadingExponent;
 use crate::nearest::nearest;
@@ -40,6 +41,8 @@ checked! {
     Density: DENSITY;
     /// A speed.
     Speed: SPEED;
+    /// The speed of a shot.
+    ShotSpeed: SHOT_SPEED;
     /// Gravity.
     Acceleration: ACCELERATION;
     /// A drop height.
@@ -108,26 +111,28 @@ impl<'de> Deserialize<'de> for Exponent {
     }
 }
 
-/// Rows of a trace.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Samples(pub usize);
+macro_rules! counted {
+    ($($(#[$doc:meta])* $name:ident($number:ty): $quantity:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub struct $name(pub $number);
 
-impl<'de> Deserialize<'de> for Samples {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within SAMPLES
-        whole(deserializer, &SAMPLES).map(|samples| Self(samples as usize))
-    }
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within the range
+                whole(deserializer, &$quantity).map(|count| Self(count as $number))
+            }
+        }
+    )*};
 }
 
-/// Steps of the fixed-step method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Steps(pub u32);
-
-impl<'de> Deserialize<'de> for Steps {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within STEPS
-        whole(deserializer, &STEPS).map(|steps| Self(steps as u32))
-    }
+counted! {
+    /// Rows of a trace.
+    Samples(usize): SAMPLES;
+    /// Steps of the fixed-step method.
+    Steps(u32): STEPS;
+    /// Repeated impacts.
+    Impacts(u64): IMPACTS;
 }
 
 /// A method by its name.

@@ -5,7 +5,7 @@ use super::plan::{Cases, Evaluator, Plan, Rows, label};
 use super::sidecar::Tally;
 use crate::law::Bodies;
 use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
-use crate::reference;
+use crate::reference::quasi_static;
 
 /// Points of a curve: more than there are pixels.
 const MOST_POINTS: u64 = 2000;
@@ -131,7 +131,7 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
     let speeds = || curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed);
     let (low, high) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
-    let points: Vec<_> = reference::unloadings(scene.sphere.material.youngs_modulus, &bodies)
+    let points: Vec<_> = quasi_static::unloadings(scene.sphere.material.youngs_modulus, &bodies)
         .into_iter()
         .map(|row| ((2.0 * row.spent * energy / contact.mass()).sqrt(), row.restitution))
         .filter(|(speed, _)| (low..=high).contains(speed))

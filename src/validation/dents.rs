@@ -1,9 +1,10 @@
 //! Curvature of the dent: Eq. 25 from the finite elements' own peak against circles fitted to their craters.
 
 use super::ValidationError;
+use super::cases::cases;
 use super::check::{Check, Tolerance};
-use super::reference::{STATIC, cases};
 use crate::law::{Peak, PlmCoefficients};
+use crate::reference::STATIC;
 
 /// Largest error of Table 2 of the paper.
 const TABLE_2: f64 = 0.0139;

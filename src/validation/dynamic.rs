@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use serde::Deserialize;
-
 use super::check::{Check, Tolerance};
-use super::reference::{DYNAMIC, rows};
 use super::{EXPONENTS, ValidationError};
 use crate::impact::Impact;
 use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::reference::impacts::{self, ImpactRow, Sample};
+use crate::reference::{DYNAMIC, ReferenceError};
 use crate::scenario::Scenario;
 
 const TIME: Tolerance = Tolerance { limit: 0.016, source: "documented 1.4 %, margin 0.2 %" };
@@ -29,49 +28,13 @@ const SCENARIOS: [(&str, &str); 3] = [
     ("D5", include_str!("../../scenarios/dynamic-fe-d5.toml")),
 ];
 
-/// What the finite elements say of an impact.
-#[derive(Debug, Clone, Deserialize)]
-pub struct Reference {
-    case: String,
-    /// e.
-    pub restitution: f64,
-    #[serde(rename = "contact_time_s")]
-    contact_time: f64,
-    #[serde(rename = "peak_force_N")]
-    peak_force: f64,
-    #[serde(rename = "residual_indentation_m")]
-    residual_indentation: f64,
-    radiated_share: f64,
-}
-
-/// A sample of the finite elements.
-#[derive(Debug, Clone, Deserialize)]
-pub struct Sample {
-    case: String,
-    /// \[s\]
-    #[serde(rename = "time_s")]
-    pub time: f64,
-    /// \[N\]
-    #[serde(rename = "force_N")]
-    pub force: f64,
-    /// Approach of the centre of mass \[m\].
-    #[serde(rename = "indentation_m")]
-    pub indentation: f64,
-    /// \[m\]
-    #[serde(rename = "sphere_indentation_m")]
-    pub sphere_indentation: f64,
-    /// \[m\]
-    #[serde(rename = "half_space_indentation_m")]
-    pub half_space_indentation: f64,
-}
-
 /// One impact, by finite elements and by the law.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// "D1".
     pub name: &'static str,
     /// Finite elements.
-    pub reference: Reference,
+    pub reference: ImpactRow,
     /// Their samples, by time.
     pub samples: Vec<Sample>,
     /// The law with each of [`EXPONENTS`], integrated, with a trace.
@@ -83,17 +46,14 @@ pub struct Case {
 /// # Errors
 /// [`ValidationError`] if a reference was damaged or an impact has no result.
 pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationError> {
-    let table = "fe_dynamic.csv";
-    let references: Vec<Reference> = rows(table, include_str!("../../tests/reference/fe_dynamic.csv"))?;
-    let samples: Vec<Sample> =
-        rows("fe_dynamic_curves.csv", include_str!("../../tests/reference/fe_dynamic_curves.csv"))?;
+    let (references, samples) = (impacts::impacts()?, impacts::samples()?);
     let coefficients = Arc::new(coefficients.clone());
     SCENARIOS
         .iter()
         .map(|&(name, text)| {
             let reference = references.iter().find(|row| row.case == name).cloned();
-            let reference =
-                reference.ok_or_else(|| ValidationError::Reference { table, problem: format!("has no row {name}") })?;
+            let reference = reference
+                .ok_or_else(|| ReferenceError { table: impacts::TABLE, problem: format!("has no row {name}") })?;
             let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
             let mut scene = scene.map_err(ValidationError::Scenario)?;
             scene.coefficients = Arc::clone(&coefficients);

@@ -1,10 +1,11 @@
 //! Loading: force, sphere and half-space indentation, contact radius along the five finite-element curves.
 
 use super::ValidationError;
+use super::cases::{Case, cases};
 use super::check::{Check, Known, Tolerance, deviation, rms};
-use super::reference::{Case, STATIC, cases};
 use crate::fit::LoadingPoint;
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::reference::STATIC;
 
 const FORCE: Tolerance = Tolerance { limit: 0.015, source: "documented 1.4 %, margin 0.1 %" };
 const LARGEST_FORCE: Tolerance = Tolerance { limit: 0.036, source: "documented 3.5 %, margin 0.1 %" };

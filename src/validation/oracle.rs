@@ -5,10 +5,10 @@ use serde::Deserialize;
 
 use super::ValidationError;
 use super::check::{Check, Tolerance};
-use super::reference::rows;
 use crate::impact::{Contact, Impact, Solver};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
+use crate::reference::rows;
 
 const REFERENCE: &str = "30-digit energy balance and quadrature, tests/reference/oracle.csv";
 const EXACT: Tolerance = Tolerance { limit: 5e-14, source: "rounding; two digits are lost in shallow dents" };

@@ -10,7 +10,7 @@ mod shares;
 use rayon::prelude::*;
 
 use super::ValidationError;
-use super::reference::cases;
+use super::cases::cases;
 use crate::law::{Peak, PlmCoefficients};
 use crate::output::OutputFile;
 use crate::plot::{Axis, Guide, Lines, PlotError, Series};

@@ -1,9 +1,10 @@
 //! Load cycles: dent depth and restitution of the whole law, loading and unloading, at the reference's depth.
 
+use super::cases::cases;
 use super::check::{Check, Known, Tolerance, mean, rms};
-use super::reference::{STATIC, cases};
 use super::{EXPONENTS, ValidationError};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::reference::STATIC;
 
 const DENT: Tolerance = Tolerance { limit: 0.022, source: "documented 2 % of the dent's depth, margin 0.2 %" };
 

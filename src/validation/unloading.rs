@@ -1,9 +1,10 @@
 //! Unloading: the dent's depth that follows from the finite elements' own peak, and the force on the way back.
 
+use super::cases::{Case, Cycle, cases};
 use super::check::{Check, Tolerance};
-use super::reference::{Case, Cycle, STATIC, cases};
 use super::{EXPONENTS, ValidationError};
 use crate::law::{Peak, PlmCoefficients, Unloading, UnloadingExponent};
+use crate::reference::STATIC;
 
 const SHALLOW: Tolerance = Tolerance { limit: 0.03, source: "Xie et al. 2024, Fig. 6: 3 % from 3 delta_Y on" };
 const DEEP: Tolerance = Tolerance { limit: 0.02, source: "Xie et al. 2024, Fig. 6: 2 % from 6 delta_Y on" };

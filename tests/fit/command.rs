@@ -1,25 +1,14 @@
 //! `fit-plm` as a command: the file it writes, files and requests that it refuses.
 
 use std::fs;
-use std::path::Path;
-use std::process::Output;
 
 use approx::assert_relative_eq;
-use assert_cmd::Command;
 use plm_impact::fit;
 use plm_impact::law::PlmCoefficients;
 use tempfile::TempDir;
 
+use super::common::command::{call, text};
 use super::{finite_elements, plan, reference};
-
-fn call(directory: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    command.current_dir(directory).args(arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
 
 #[test]
 fn the_command_writes_a_file_that_a_scenario_takes() {

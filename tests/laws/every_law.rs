@@ -191,8 +191,8 @@ fn half_a_law_is_refused_and_not_taken_for_hertz() {
     let (sphere, half_space) = parts(&Scene::case_3());
     let loading = Box::new(LawChoice::from_name("brake").unwrap());
     let unloading = Box::new(LawChoice::from_name("plm").unwrap());
-    for law in [&Brake as &dyn ContactLaw, &Combined { loading, unloading }] {
-        let name = "brake";
+    let combined = Combined { loading, unloading };
+    for (law, name) in [(&Brake as &dyn ContactLaw, "brake"), (&combined, "combined")] {
         let error = Contact::with_law(sphere, half_space, law).unwrap_err();
         assert_eq!(error, ImpactError::Law(OutsideLaw::Incomplete { name }));
         assert!(error.to_string().contains(name), "{error}");

@@ -2,7 +2,7 @@
 //! (Fig. 11).
 
 use super::super::EXPONENTS;
-use super::super::reference::{Case, Cycle};
+use super::super::cases::{Case, Cycle};
 use super::shares::thinned;
 use super::{Picture, SISTER, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, Unloading, UnloadingExponent};

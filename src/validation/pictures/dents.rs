@@ -1,7 +1,7 @@
 //! The crater after unloading, and the circle of Eq. 25 (Fig. 7).
 
+use super::super::cases::Case;
 use super::super::dents::residual_radius;
-use super::super::reference::Case;
 use super::{Picture, sampled, slug};
 use crate::plot::{Axis, Guide, Series};
 use crate::report::human::number;

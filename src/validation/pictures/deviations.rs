@@ -2,9 +2,9 @@
 //! unloading, of restitution; and restitution itself.
 
 use super::super::EXPONENTS;
+use super::super::cases::Case;
 use super::super::check::deviation;
 use super::super::loading::{QUANTITIES, along};
-use super::super::reference::Case;
 use super::super::restitution::restitution;
 use super::super::unloading::{branch, farthest};
 use super::{Picture, log_sampled, slug};

@@ -1,10 +1,11 @@
 //! Whole impacts: force against indentations and against time (Fig. 12).
 
 use super::super::EXPONENTS;
-use super::super::dynamic::{Case, Sample};
+use super::super::dynamic::Case;
 use super::{Picture, SISTER, slug};
 use crate::impact::TraceRow;
 use crate::plot::{Axis, Series};
+use crate::reference::impacts::Sample;
 
 /// An indentation: name, of the reference, of the law.
 type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);

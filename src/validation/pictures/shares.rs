@@ -1,7 +1,7 @@
 //! One unloading at a time: its shape (Fig. 5), and force against approach, sphere and half-space indentation (Fig. 8).
 
 use super::super::EXPONENTS;
-use super::super::reference::{Case, Cycle};
+use super::super::cases::{Case, Cycle};
 use super::super::unloading::branch;
 use super::{Picture, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};

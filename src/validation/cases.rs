@@ -1,24 +1,9 @@
-//! The reference tables, compiled in. Each tells in its head where it comes from, how it was obtained and its error.
-
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
+//! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
 
 use super::ValidationError;
 use crate::fit::{LoadingCurve, LoadingPoint};
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
-
-/// Who is compared with: the quasi-static campaign.
-pub const STATIC: &str = "finite elements, CalculiX 2.20, tests/reference/fe_*.csv";
-/// The whole impacts.
-pub const DYNAMIC: &str = "explicit finite elements, tests/reference/fe_dynamic.csv";
-
-const LOADING: [(&str, &str); 5] = [
-    ("case 1", include_str!("../../tests/reference/fe_loading_case1.csv")),
-    ("case 2", include_str!("../../tests/reference/fe_loading_case2.csv")),
-    ("case 3", include_str!("../../tests/reference/fe_loading_case3.csv")),
-    ("case 4", include_str!("../../tests/reference/fe_loading_case4.csv")),
-    ("case 5", include_str!("../../tests/reference/fe_loading_case5.csv")),
-];
+use crate::reference::{LOADING, unloading};
 
 /// Fewest elements in contact at which a dent has a shape.
 const RESOLVED: f64 = 10.0;
@@ -103,60 +88,12 @@ impl Case {
     }
 }
 
-#[derive(Deserialize)]
-struct CycleRow {
-    case: String,
-    run: String,
-    cycle: u32,
-    elements_in_contact: f64,
-    x: f64,
-    f: f64,
-    sphere_share: f64,
-    #[serde(rename = "contact_radius_over_R")]
-    contact_radius: f64,
-    residual_share: f64,
-    restitution: Option<f64>,
-    #[serde(rename = "residual_radius_over_R")]
-    residual_radius: f64,
-    #[serde(rename = "inner_residual_radius_over_R")]
-    inner_residual_radius: f64,
-}
-
-#[derive(Deserialize)]
-struct CurveRow {
-    run: String,
-    cycle: u32,
-    x: f64,
-    f: f64,
-    sphere_x: f64,
-}
-
-#[derive(Deserialize)]
-struct DentRow {
-    run: String,
-    cycle: u32,
-    #[serde(rename = "r_over_R")]
-    r: f64,
-    #[serde(rename = "z_over_R")]
-    z: f64,
-}
-
-/// Rows of a table.
-pub(super) fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, ValidationError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let rows = reader.deserialize().collect::<Result<Vec<T>, csv::Error>>();
-    rows.map_err(|error| ValidationError::Reference { table, problem: error.to_string() })
-}
-
 /// The five cases.
 ///
 /// # Errors
 /// [`ValidationError::Reference`], [`ValidationError::Curve`] if a table was damaged.
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let cycles: Vec<CycleRow> = rows("fe_unloading.csv", include_str!("../../tests/reference/fe_unloading.csv"))?;
-    let curves: Vec<CurveRow> =
-        rows("fe_unloading_curves.csv", include_str!("../../tests/reference/fe_unloading_curves.csv"))?;
-    let dents: Vec<DentRow> = rows("fe_dents.csv", include_str!("../../tests/reference/fe_dents.csv"))?;
+    let (cycles, curves, dents) = (unloading::unloadings()?, unloading::points()?, unloading::dents()?);
     LOADING
         .iter()
         .map(|&(name, text)| {
@@ -171,7 +108,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
                     Cycle {
                         run: row.run.clone(),
                         number: row.cycle,
-                        elements: row.elements_in_contact,
+                        elements: row.elements,
                         peak,
                         contact_radius: row.contact_radius,
                         residual: row.residual_share * row.x,

@@ -1,0 +1,66 @@
+//! Whole impacts by explicit finite elements.
+
+use serde::Deserialize;
+
+use super::{ReferenceError, rows};
+
+/// What the finite elements say of an impact.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct ImpactRow {
+    /// "D1".
+    pub case: String,
+    /// e.
+    pub restitution: f64,
+    /// \[s\]
+    #[serde(rename = "contact_time_s")]
+    pub contact_time: f64,
+    /// \[N\]
+    #[serde(rename = "peak_force_N")]
+    pub peak_force: f64,
+    /// \[m\]
+    #[serde(rename = "residual_indentation_m")]
+    pub residual_indentation: f64,
+    /// Radiated as elastic waves, of the kinetic energy.
+    pub radiated_share: f64,
+}
+
+/// A sample on the way.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Sample {
+    /// "D1".
+    pub case: String,
+    /// \[s\]
+    #[serde(rename = "time_s")]
+    pub time: f64,
+    /// \[N\]
+    #[serde(rename = "force_N")]
+    pub force: f64,
+    /// Approach of the centre of mass \[m\].
+    #[serde(rename = "indentation_m")]
+    pub indentation: f64,
+    /// \[m\]
+    #[serde(rename = "sphere_indentation_m")]
+    pub sphere_indentation: f64,
+    /// \[m\]
+    #[serde(rename = "half_space_indentation_m")]
+    pub half_space_indentation: f64,
+}
+
+/// The table of the impacts.
+pub const TABLE: &str = "fe_dynamic.csv";
+
+/// The impacts.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn impacts() -> Result<Vec<ImpactRow>, ReferenceError> {
+    rows(TABLE, include_str!("../../tests/reference/fe_dynamic.csv"))
+}
+
+/// Their samples, by time.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn samples() -> Result<Vec<Sample>, ReferenceError> {
+    rows("fe_dynamic_curves.csv", include_str!("../../tests/reference/fe_dynamic_curves.csv"))
+}

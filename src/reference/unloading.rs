@@ -1,0 +1,92 @@
+//! The full unloadings of the quasi-static runs: what is left of each, the way there, and the dent.
+
+use serde::Deserialize;
+
+use super::{ReferenceError, rows};
+
+/// A full unloading. Lengths are in units of the yield indentation, forces of the yield force.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct UnloadingRow {
+    /// "case3".
+    pub case: String,
+    /// The run.
+    pub run: String,
+    /// Number of the unloading in it, from 1.
+    pub cycle: u32,
+    /// Elements over the contact radius at the peak.
+    #[serde(rename = "elements_in_contact")]
+    pub elements: f64,
+    /// x_m.
+    pub x: f64,
+    /// f_m.
+    pub f: f64,
+    /// δ_s/δ at the peak.
+    pub sphere_share: f64,
+    /// a_m/R.
+    #[serde(rename = "contact_radius_over_R")]
+    pub contact_radius: f64,
+    /// δ_r/δ_m.
+    pub residual_share: f64,
+    /// √(recovered/spent work), where the loading curve reaches back to first yield.
+    pub restitution: Option<f64>,
+    /// R_res/R fitted within the contact radius.
+    #[serde(rename = "residual_radius_over_R")]
+    pub residual_radius: f64,
+    /// The same within 0.7 of it.
+    #[serde(rename = "inner_residual_radius_over_R")]
+    pub inner_residual_radius: f64,
+}
+
+/// An increment in contact on the way back, behind the peak.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct UnloadingPoint {
+    /// The run.
+    pub run: String,
+    /// Number of the unloading in it.
+    pub cycle: u32,
+    /// x.
+    pub x: f64,
+    /// f.
+    pub f: f64,
+    /// δ_s/δ_Y.
+    pub sphere_x: f64,
+}
+
+/// A point of the surface after unloading.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct DentPoint {
+    /// The run.
+    pub run: String,
+    /// Number of the unloading in it.
+    pub cycle: u32,
+    /// r/R.
+    #[serde(rename = "r_over_R")]
+    pub r: f64,
+    /// z/R.
+    #[serde(rename = "z_over_R")]
+    pub z: f64,
+}
+
+/// All unloadings.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn unloadings() -> Result<Vec<UnloadingRow>, ReferenceError> {
+    rows("fe_unloading.csv", include_str!("../../tests/reference/fe_unloading.csv"))
+}
+
+/// Points of all of them.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn points() -> Result<Vec<UnloadingPoint>, ReferenceError> {
+    rows("fe_unloading_curves.csv", include_str!("../../tests/reference/fe_unloading_curves.csv"))
+}
+
+/// Points of the dents; few unloadings have them.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn dents() -> Result<Vec<DentPoint>, ReferenceError> {
+    rows("fe_dents.csv", include_str!("../../tests/reference/fe_dents.csv"))
+}

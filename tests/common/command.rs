@@ -1,0 +1,57 @@
+//! The command as a process: a directory to call it in, and what it says and writes.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+/// A directory with a scenario in it, `s.toml`.
+pub struct Desk(TempDir);
+
+impl Desk {
+    pub fn with(scenario: impl AsRef<[u8]>) -> Self {
+        let desk = Self(TempDir::new().unwrap());
+        fs::write(desk.path("s.toml"), scenario).unwrap();
+        desk
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub fn call(&self, arguments: &[&str]) -> Output {
+        call(self.0.path(), arguments)
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// Names of what is in a directory.
+    pub fn files(&self, directory: &str) -> Vec<String> {
+        let entries = fs::read_dir(self.path(directory)).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+/// The command in a directory.
+pub fn call(directory: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+    command.current_dir(directory).args(arguments).output().unwrap()
+}
+
+pub fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A column of a CSV file by its name.
+pub fn column(csv: &str, name: &str) -> Vec<String> {
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let index = reader.headers().unwrap().iter().position(|header| header == name).unwrap_or_else(|| panic!("{name}"));
+    reader.records().map(|record| record.unwrap()[index].to_owned()).collect()
+}
