@@ -147,6 +147,14 @@ fn wrong_scenarios_are_refused_by_both_commands() {
 }
 
 #[test]
+fn no_number_is_called_extreme_where_none_stands_out() {
+    // the speed that underflows is one of a list
+    let shots = "[repeat]\nspot = \"same\"\nspeeds = [\"1 m/s\", \"1e-200 m/s\"]\n";
+    let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", shots));
+    assert_refused(&desk, &["run", "s.toml"], &["s.toml: kinetic energy", "choose a less extreme radius"]);
+}
+
+#[test]
 fn what_is_no_scenario_is_refused() {
     assert_refused(&Desk::with(""), &["run", "s.toml"], &["s.toml: the table [sphere] is missing; give its radius"]);
     let binary: Vec<u8> = (0..=255).cycle().take(4096).collect();
