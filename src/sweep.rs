@@ -10,6 +10,8 @@ pub mod count;
 pub mod driver;
 pub mod merge;
 #[cfg(feature = "parquet")]
+mod ordered;
+#[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod pictures;
 pub mod plan;

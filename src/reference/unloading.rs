@@ -27,7 +27,9 @@ pub struct UnloadingRow {
     pub contact_radius: f64,
     /// δ_r/δ_m.
     pub residual_share: f64,
-    /// √(recovered/spent work), where the loading curve reaches back to first yield.
+    /// W/(F_Y δ_Y) of loading, where the loading curve reaches back to first yield.
+    pub spent: Option<f64>,
+    /// √(recovered/spent work), where it does.
     pub restitution: Option<f64>,
     /// R_res/R fitted within the contact radius.
     #[serde(rename = "residual_radius_over_R")]

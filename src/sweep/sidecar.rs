@@ -131,6 +131,14 @@ impl Tally {
             Count::Restitution(_) => {}
         }
     }
+
+    /// Counts the rows of another tally; e is left out.
+    #[cfg(feature = "parquet")]
+    pub(super) fn add(&mut self, other: &Self) {
+        self.rows += other.rows;
+        self.failures += other.failures;
+        self.outside_law += other.outside_law;
+    }
 }
 
 /// Reads the complete rows of a table, and where they end in bytes; a torn last line is left out. Without a complete
