@@ -54,7 +54,7 @@ pub enum Error {
     Sweep(#[from] SweepError),
     /// A shard that does not exist.
     #[error("--shard: {0}")]
-    Shard(#[from] ShardError),
+    Shard(ShardError),
     /// An option that this scenario has no use for.
     #[error("{0}")]
     Option(String),
@@ -94,10 +94,22 @@ pub enum Error {
     },
 }
 
+impl From<ShardError> for Error {
+    // no source: the text says it already
+    fn from(error: ShardError) -> Self {
+        Self::Shard(error)
+    }
+}
+
 impl Error {
     /// No result for this scenario.
     #[must_use]
     pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
+        if let ImpactError::Range(range) = &reason
+            && let Some(refusal) = scenario.too_extreme(range)
+        {
+            return refusal.into();
+        }
         Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }
 

@@ -3,6 +3,8 @@
 
 use thiserror::Error;
 
+use crate::units::number;
+
 /// An isotropic elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
@@ -78,7 +80,8 @@ impl YieldPoint {
 /// A quantity of the pair that double precision cannot hold.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "{quantity} = {value:e} cannot be held in double precision; choose a less extreme radius, modulus, density, strength or speed"
+    "{quantity} = {} cannot be held in double precision; choose a less extreme radius, modulus, density, strength or speed",
+    number(*.value)
 )]
 pub struct OutOfFloatRange {
     /// Which quantity.

@@ -25,6 +25,7 @@ mod columns;
 pub mod compare;
 mod document;
 mod explain;
+mod extreme;
 pub mod file;
 pub mod forces;
 pub mod indentation;
@@ -37,6 +38,7 @@ pub mod quantity;
 mod reader;
 pub mod repeat;
 pub mod sweep;
+mod swept;
 pub mod values;
 mod words;
 

@@ -5,6 +5,7 @@
 //! their number.
 
 pub mod axis;
+pub mod caution;
 pub mod count;
 pub mod driver;
 pub mod merge;

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::Scene;
+use common::{STEEL, Scene};
 use plm_impact::bench::problems::kinked_law;
 use plm_impact::impact::forced::{self, Fate, ForcedOutcome, Load};
 use plm_impact::impact::{Contact, Damping, Forces, Method, Outcome, Solver, batch, course, forced_batch};
@@ -13,6 +13,8 @@ use plm_impact::integrate::pulled::Pulled;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 use plm_impact::material::Material;
+use plm_impact::scenario::Scenario;
+use plm_impact::sweep::plan::{Evaluator, Rows};
 use proptest::prelude::*;
 
 /// None, one, one less and one more than the lanes of an instruction set with 32 of them, many.
@@ -227,5 +229,35 @@ fn rows_with_damping_are_those_of_one_impact_at_a_time() {
         for ((contact, speed), row) in impacts.iter().zip(rows) {
             assert_eq!(row, contact.essentials_by(*speed, &solver), "{:?} at {speed} by {method:?}", contact.forces());
         }
+    }
+}
+
+fn rows(text: &str) -> Rows {
+    let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();
+    let mut rows = Rows::default();
+    Evaluator::new(&plan).rows(0..plan.count().unwrap(), &mut rows);
+    rows
+}
+
+/// Rows with damping share lanes where their contacts are known beforehand; with a solver that is swept they do not.
+#[test]
+fn damped_rows_in_lock_step_are_those_by_themselves() {
+    let damped = format!("{STEEL}\n[damping]\nviscous = 0.1\n");
+    let grid = r#"[sweep]
+"damping.viscous" = [0, 0.05, 1.2]
+"impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = 101 }
+"#;
+    for gravity in ["", "[gravity]\nacceleration = \"9.81 m/s^2\"\n"] {
+        let together = rows(&format!("{damped}{gravity}{grid}")).results;
+        let alone = rows(&format!("{damped}{gravity}{grid}\"solver.tolerance\" = [1e-10]\n")).results;
+        assert_eq!(together.len(), 303);
+        assert_eq!(together, alone);
+    }
+    let samples = "[monte_carlo]\nsamples = 100\nseed = 7\n\"impact.speed\" = { uniform = [\"1 mm/s\", \"5 m/s\"] }\n";
+    let plan = Scenario::from_text("test", &format!("{damped}{samples}"), &[]).unwrap().plan().unwrap().unwrap();
+    let contact = plan.scene.contact().unwrap();
+    let rows = rows(&format!("{damped}{samples}"));
+    for (speed, row) in rows.swept.iter().zip(&rows.results) {
+        assert_eq!(row.unwrap(), contact.essentials_by(*speed, &plan.scene.solver).unwrap());
     }
 }

@@ -117,7 +117,7 @@ fn strict_makes_warnings_errors_and_writes_nothing() {
 fn wrong_scenarios_are_refused_by_both_commands() {
     // what is changed, into what, what the message holds
     let table: &[(&str, &str, &[&str])] = &[
-        ("[impact]\nspeed = \"3 m/s\"", "", &["s.toml: the table [impact] is missing"]),
+        ("[impact]\nspeed = \"3 m/s\"", "", &["s.toml: the table [impact] is missing", "speed = \"3 m/s\""]),
         ("\"5 mm\"", "\"5 MPa\"", &["s.toml:7:10: sphere.radius: \"5 MPa\" is a pressure", "such as \"5 mm\""]),
         ("\"5 mm\"", "\"-5 mm\"", &["s.toml:7:10: sphere.radius: \"-5 mm\" = -0.005 m", "> 0 m", "^^^^^^^"]),
         ("poissons_ratio = 0.3", "poissons_ratio = 0.5", &["s.toml:9:18", "> -1 and < 0.5", "0.4999"]),
@@ -126,9 +126,13 @@ fn wrong_scenarios_are_refused_by_both_commands() {
         ("\"3 m/s\"", "-3", &["s.toml:18:9: impact.speed: -3 m/s"]),
         ("\"3 m/s\"", "inf", &["s.toml:18:9: impact.speed: inf m/s"]),
         ("\"3 m/s\"", "nan", &["s.toml:18:9: impact.speed: NaN m/s"]),
-        ("\"3 m/s\"", "1e-300", &["s.toml: peak", "cannot be held in double precision", "less extreme"]),
-        ("\"3 m/s\"", "1e308", &["s.toml: ", "cannot be held in double precision", "less extreme"]),
-        ("\"5 mm\"", "1e308", &["s.toml: sphere mass (kg) = inf", "less extreme"]),
+        (
+            "\"3 m/s\"",
+            "1e-300",
+            &["s.toml:18:9: impact.speed: 1e-300 m/s", "peak force (N) = 0 cannot be held", "less extreme"],
+        ),
+        ("\"3 m/s\"", "1e308", &["s.toml:18:9: impact.speed: 1e308 m/s", "cannot be held in double precision"]),
+        ("\"5 mm\"", "1e308", &["s.toml:7:10: sphere.radius: 1e308 m", "sphere mass (kg) = inf", "such as \"5 mm\""]),
         ("radius =", "raduis =", &["s.toml:7:1: sphere.raduis: unknown key `raduis`, did you mean `radius`?"]),
         ("[solver]", "[law.thornton]\n[solver]", &["exactly one law, found plm and thornton"]),
         ("[solver]", "[solver", &["s.toml:23:"]),
@@ -143,8 +147,16 @@ fn wrong_scenarios_are_refused_by_both_commands() {
 }
 
 #[test]
+fn no_number_is_called_extreme_where_none_stands_out() {
+    // the speed that underflows is one of a list
+    let shots = "[repeat]\nspot = \"same\"\nspeeds = [\"1 m/s\", \"1e-200 m/s\"]\n";
+    let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", shots));
+    assert_refused(&desk, &["run", "s.toml"], &["s.toml: kinetic energy", "choose a less extreme radius"]);
+}
+
+#[test]
 fn what_is_no_scenario_is_refused() {
-    assert_refused(&Desk::with(""), &["run", "s.toml"], &["s.toml: the table [sphere] is missing"]);
+    assert_refused(&Desk::with(""), &["run", "s.toml"], &["s.toml: the table [sphere] is missing; give its radius"]);
     let binary: Vec<u8> = (0..=255).cycle().take(4096).collect();
     assert_refused(&Desk::with(binary), &["run", "s.toml"], &["s.toml:2: is not a text file"]);
     assert_refused(&Desk::with([0; 100]), &["run", "s.toml"], &["s.toml:1:101: key with no value"]);
@@ -163,6 +175,15 @@ fn ten_megabytes_are_read_or_refused_in_few_words() {
     assert_refused(&Desk::with(&long_line), &["check", "s.toml"], &["s.toml:1:"]);
     let many_lines = "sped = 3\n".repeat(SIZE / 9);
     assert_refused(&Desk::with(many_lines), &["check", "s.toml"], &["s.toml:2:1", "duplicate"]);
+    // a value or a key that long is shown by its ends
+    let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
+    assert_refused(
+        &Desk::with(digits),
+        &["check", "s.toml"],
+        &["s.toml:18:9: impact.speed: \"333", "> 0 m/s and finite"],
+    );
+    let key = format!("{long_line} = 1\n{STEEL}");
+    assert_refused(&Desk::with(key), &["check", "s.toml"], &["s.toml:1:1: xxx", "unknown table", "tables are sphere"]);
     let long_comment = format!("{STEEL}\n# {long_line}");
     assert_eq!(Desk::with(long_comment).call(&["check", "s.toml"]).status.code(), Some(0));
 }

@@ -203,6 +203,8 @@ fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
 
 #[test]
 fn mistakes_in_comparisons_are_explained() {
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\nspent_work = \"1 nJ\"");
+    assert!(message.contains("compare.spent_work: 1 nJ is less than any"), "{message}");
     let message = refusal("[compare]\n");
     assert!(message.contains("`peak_indentation_ratio` is missing"), "{message}");
     let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_indentation = \"1 mm\"");
@@ -241,4 +243,24 @@ fn laws_lists_every_law_and_those_that_are_missing() {
         assert!(text.contains(missing), "{missing}");
     }
     assert_eq!(text.matches("confidence").count(), LawChoice::names().len());
+}
+
+#[test]
+fn check_says_what_is_compared_and_for_which_bodies() {
+    let program = env!("CARGO_BIN_EXE_plm-impact");
+    let output =
+        Command::new(program).arg("check").arg(shipped("figure-10-at-13-yield-indentations.toml")).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    // case 3 of the paper's Table 1: delta_Y of Eq. 17
+    for wanted in [
+        "peak as given",
+        "0.035 m (35 mm)",
+        "(345 MPa)",
+        "kappa",
+        "2.02848 µm",
+        "law.plm.unloading_exponent",
+        "thornton",
+    ] {
+        assert!(text.contains(wanted), "{wanted}: {text}");
+    }
 }

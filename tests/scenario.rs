@@ -224,7 +224,11 @@ fn bad_values_are_shown_with_line_value_range_and_way_out() {
             "",
             &["steel.toml:12:1: impact: the key `speed` is missing: a speed such as speed = \"3 m/s\""],
         ),
-        ("[impact]\nspeed = \"3 m/s\"", "", &["steel.toml: the table [impact] is missing"]),
+        (
+            "[impact]\nspeed = \"3 m/s\"",
+            "",
+            &["steel.toml: the table [impact] is missing; give it with a speed such as speed = \"3 m/s\""],
+        ),
         (
             "[impact]",
             "[impakt]",
@@ -357,7 +361,7 @@ fn the_tables_tell_what_kind_of_scene_a_file_is() {
 fn an_impact_needs_a_speed_and_a_mass() {
     let without = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let message = refusal(&without, &[]);
-    assert_eq!(message, "steel.toml: the table [impact] is missing");
+    assert_eq!(message, "steel.toml: the table [impact] is missing; give it with a speed such as speed = \"3 m/s\"");
     let message = refusal(&STEEL.replace("density = \"7850 kg/m^3\"\n", ""), &[]);
     let want = "steel.toml:1:1: sphere: the key `density` is missing: a density such as density = \"7850 kg/m^3\"";
     assert!(message.starts_with(want), "{message}");
@@ -381,5 +385,19 @@ fn waves_and_forces_are_refused_where_they_cannot_be_computed() {
         let text = format!("{slow}[indentation]\nsteps = [{{ load = 1 }}]\n{table}");
         let error = Scenario::from_text("slow", &text, &[]).unwrap().kind().unwrap_err().to_string();
         assert!(error.contains("there is no motion"), "{error}");
+    }
+}
+
+#[test]
+fn words_are_told_from_laws_and_keys_of_no_table_from_others() {
+    for (tables, wanted) in [
+        ("[law.jackson_green]\njumps = \"no\"\n", "unknown word `no`; words here are printed, crossed"),
+        ("[law.kogut_etsion]\njumps = 3\n", "write a word in quotes"),
+        ("[law.hertz]\nx = 1\n", "unknown key `x`; this table takes none"),
+        ("[law.combined]\nloading = \"plm\"\n", "such as unloading = \"thornton\""),
+        ("[solver]\nmethod = 8\n", "integer `8`, expected a text in quotes"),
+    ] {
+        let message = refusal(&format!("{STEEL}{tables}"), &[]);
+        assert!(message.contains(wanted), "{tables}: {message}");
     }
 }

@@ -224,6 +224,9 @@ fn shards_that_do_not_exist_are_refused() {
     };
     refused(&["--shard", "7/7"], "the last of 7 is 6");
     refused(&["--shard", "seven"], "write i/n");
-    refused(&["--shard", "0/0"], "shards are counted from 0");
+    refused(&["--shard", "0/0"], "there are no shards of 0");
+    // said once
+    let output = run(&file, &directory.path().join("out"), &["--shard", "7/7"]).output().unwrap();
+    assert_eq!(stderr(&output).matches("the last of 7 is 6").count(), 1, "{}", stderr(&output));
     refused(&["--shard-env", "PLM_NO_SUCH_VARIABLE/3"], "PLM_NO_SUCH_VARIABLE is not set");
 }

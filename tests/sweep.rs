@@ -195,6 +195,8 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     let speed = |axis: &str| format!("[sweep]\n\"impact.speed\" = {axis}\n");
     says(&speed("{ linspace = [1, 2], points = 0 }"), &["points = 0", "at least one"]);
     says(&speed("[]"), &["at least one"]);
+    says(&speed("{ linspace = [1, 2], points = -3 }"), &["`-3`, expected a whole number, 0 or more"]);
+    says(&speed("{ linspace = [1, 2], points = \"ten\" }"), &["\"ten\", expected a whole number"]);
     says(&speed("{ logspace = [0, 1], points = 3 }"), &["impact.speed", "> 0"]);
     says(
         "[sweep]\n\"half_space.poissons_ratio\" = { logspace = [-0.1, 0.3], points = 3 }\n",
@@ -203,7 +205,15 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     says(&speed("{ logspace = [1], points = 3 }"), &["two ends"]);
     says(&speed("[1, \"-3 m/s\"]"), &["impact.speed", "-3 m/s", "> 0"]);
     says(&speed("[\"3 kg\"]"), &["impact.speed", "kg"]);
-    says("[sweep]\n\"impact.sped\" = [1]\n", &["impact.sped", "did you mean \"impact.speed\""]);
+    // line 15 holds the key: shown where it stands, not at its table
+    says("[sweep]\n\"impact.sped\" = [1]\n", &["toml:15:1: sweep.impact.sped", "did you mean \"impact.speed\""]);
+    says("[sweep]\nlaw = [\"plm\", \"plmm\"]\n", &["toml:15:7: sweep.law", "did you mean \"plm\""]);
+    says(
+        "[sweep]\n\"law.thornton.yield_pressure\" = [1e9]\n",
+        &["toml:15:33: sweep.law.thornton", "no case is under that law"],
+    );
+    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:15:", "says the same as impact.speed"]);
+    says("[sweep]\n\"law.plm.unloading_exponent\" = [\"steep\"]\n", &["an unloading exponent such as 1.5"]);
     says("[sweep]\nimpact.speed = [1]\n", &["in quotes", "\"impact.speed\""]);
     says("[sweep]\n\"law.plm.coefficients\" = [1]\n", &["no numeric key"]);
     says("[sweep]\n\"solver.method\" = [\"dop835\"]\n", &["dop835", "did you mean \"dop853\""]);
@@ -220,9 +230,45 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     );
     says("[monte_carlo]\n\"impact.speed\" = { uniform = [1, 2] }\n", &["samples"]);
     says("[monte_carlo]\nsamples = 3\n", &["no random key"]);
+    let many = "[monte_carlo]\nsamples = 9999999999999999999\n\"impact.speed\" = { uniform = [1, 2] }\n";
+    says(many, &["more than 2^63 cases"]);
+    says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = {}\n", &["has no distribution"]);
     says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { gauss = 1 }\n", &["gauss", "normal, lognormal, uniform"]);
-    says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { normal = { mean = 1, sd = 0 } }\n", &["sd = 0"]);
+    says(
+        "[monte_carlo]\nsamples = 3\n\"impact.speed\" = { normal = { mean = 1, sd = 0 } }\n",
+        &["sd = 0 m/s is not allowed", "> 0 m/s and finite"],
+    );
     says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { uniform = [2, 1] }\n", &["lower first"]);
+}
+
+#[test]
+fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
+    let same = |without: &str, tables: &str| {
+        assert!(STEEL.contains(without), "{without}");
+        let gap = STEEL.replacen(without, "", 1);
+        // by hand: the key in its table and on the axis
+        let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
+        assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
+    };
+    same("[impact]\nspeed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
+    same("speed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");
+    same("radius = \"5 mm\"\n", "[sweep]\n\"sphere.diameter\" = { linspace = [0.01, 0.02], points = 3 }\n");
+    same("density = \"7850 kg/m^3\"\n", "[monte_carlo]\nsamples = 5\n\"sphere.density\" = { uniform = [7e3, 8e3] }\n");
+    let modulus =
+        "[monte_carlo]\nsamples = 5\n\"sphere.youngs_modulus\" = { normal = { mean = \"200 GPa\", sd = 1e9 } }\n";
+    same("youngs_modulus = \"210 GPa\"\n", modulus);
+    let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
+    same("yield_strength = \"345 MPa\"\n", strength);
+    // a drop height brings its gravity, from an axis or not
+    let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
+    assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));
+    // and what is on no axis is still missed
+    let text = Scenario::from_text("test", &format!("{fall}{strength}"), &[]).unwrap().plan().unwrap_err().to_string();
+    assert!(text.contains("[impact] is missing"), "{text}");
+    let bad = format!("{fall}[sweep]\n\"impact.speed\" = [\"3 kg\"]\n");
+    let text = Scenario::from_text("test", &bad, &[]).unwrap_err().to_string();
+    assert!(text.contains("sweep.impact.speed: \"3 kg\" is a mass"), "{text}");
 }
 
 fn summary(tables: &str) -> serde_json::Value {
@@ -351,25 +397,34 @@ fn a_parquet_table_holds_what_the_csv_table_holds() {
     assert_eq!(count, 6);
 }
 
-/// Rows with damping share lanes where their contacts are known beforehand; with a solver that is swept they do not.
 #[test]
-fn damped_rows_in_lock_step_are_those_by_themselves() {
-    let damped = format!("{STEEL}\n[damping]\nviscous = 0.1\n");
-    let grid = r#"[sweep]
-"damping.viscous" = [0, 0.05, 1.2]
-"impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = 101 }
-"#;
-    for gravity in ["", "[gravity]\nacceleration = \"9.81 m/s^2\"\n"] {
-        let together = rows(&format!("{damped}{gravity}{grid}")).results;
-        let alone = rows(&format!("{damped}{gravity}{grid}\"solver.tolerance\" = [1e-10]\n")).results;
-        assert_eq!(together.len(), 303);
-        assert_eq!(together, alone);
+fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
+    let inside = summary("[sweep]\n\"impact.speed\" = [1, 3]\n\"sphere.diameter\" = [0.01, 0.02]\n");
+    assert_eq!(inside["warnings"].as_array().unwrap().len(), 0);
+    let inputs = inside["inputs"].as_object().unwrap();
+    assert_eq!(inputs["half_space_yield_strength_Pa"], 345e6);
+    assert_eq!(inputs["law"], "plm");
+    assert!(!inputs.contains_key("impact_speed_m_per_s") && !inputs.contains_key("sphere_radius_m"), "{inputs:?}");
+    // a/R = 0.45 is passed at some 20 m/s for the softer half-space; the worst corner is named
+    let axes = "\"impact.speed\" = [1, 40, 2]\n\"half_space.yield_strength\" = [\"200 MPa\", \"2 GPa\"]\n";
+    let beyond = summary(&format!("[sweep]\n{axes}"));
+    let warning = beyond["warnings"][0].as_str().unwrap();
+    for wanted in ["impact.speed = 40 m/s, half_space.yield_strength = 200 MPa", "is beyond 0.45"] {
+        assert!(warning.contains(wanted), "{warning}");
     }
-    let samples = "[monte_carlo]\nsamples = 100\nseed = 7\n\"impact.speed\" = { uniform = [\"1 mm/s\", \"5 m/s\"] }\n";
-    let plan = Scenario::from_text("test", &format!("{damped}{samples}"), &[]).unwrap().plan().unwrap().unwrap();
-    let contact = plan.scene.contact().unwrap();
-    let rows = rows(&format!("{damped}{samples}"));
-    for (speed, row) in rows.swept.iter().zip(&rows.results) {
-        assert_eq!(row.unwrap(), contact.essentials_by(*speed, &plan.scene.solver).unwrap());
-    }
+    let random = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 100] }\n";
+    assert!(summary(random)["warnings"][0].as_str().unwrap().contains("is beyond 0.45"));
+}
+
+#[test]
+fn strict_makes_a_table_beyond_the_model_an_error() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("scenario.toml");
+    std::fs::write(&file, format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 200]\n")).unwrap();
+    let out = directory.path().join("out");
+    let program = env!("CARGO_BIN_EXE_plm-impact");
+    let output = Command::new(program).arg("run").arg(&file).arg("--strict").arg("--out").arg(&out).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("impact.speed = 200 m/s"));
+    assert!(!out.exists());
 }

@@ -6,7 +6,7 @@ use plm_impact::error::Error;
 use plm_impact::report::plan::plan_lines;
 use plm_impact::report::repeat::repeat_lines;
 use plm_impact::run::repeat::prepare_repeat;
-use plm_impact::scenario::overview::{of_indentation, overview};
+use plm_impact::scenario::overview::{of_comparison, of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -26,7 +26,8 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Repeat => repeat(&scenario),
         Kind::Compare => {
             let comparison = scenario.comparison().map_err(Error::from)?;
-            super::print(&plm_impact::report::compare::state(&comparison)).context("standard output")
+            let text = plm_impact::report::compare::state(&comparison) + "\n" + &of_comparison(&comparison);
+            super::print(&text).context("standard output")
         }
         Kind::Indentation => indentation(&scenario),
     }

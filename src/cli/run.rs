@@ -11,6 +11,7 @@ use plm_impact::report::compare;
 use plm_impact::run::heed;
 use plm_impact::run::repeat::run_repeat;
 use plm_impact::scenario::{Kind, Scenario};
+use plm_impact::sweep::caution::cautions;
 
 use super::ScenarioArguments;
 
@@ -45,10 +46,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
-    let warnings = &plan.scene.warnings;
-    if arguments.strict {
-        warn(warnings);
-    }
+    let of_scene = plan.scene.warnings.iter().map(ToString::to_string);
+    let warnings: Vec<String> = of_scene.chain(cautions(&plan)).collect();
+    warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
     super::sweep::run(&arguments.sweep, scenario, &plan, directory, &command_line(), arguments.quiet)

@@ -96,6 +96,9 @@ impl Speeds {
         if wanted <= 0.0 {
             return elastic;
         }
+        if sign < 0.0 && wanted > FAR {
+            return (1.0 - far_out(wanted)) / self.chi;
+        }
         let mut v = sign * elastic * self.chi;
         // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
         v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (-elastic * self.chi - wanted).exp_m1() };
@@ -111,6 +114,15 @@ impl Speeds {
         }
         v.abs() / self.chi
     }
+}
+
+/// χ² G from which on the way out is solved in 1 + v.
+const FAR: f64 = 2.0;
+
+/// y = 1 + v where v − ln(1 + v) = `wanted`, far out: v is near −1, where doubles cannot tell it from −1.
+fn far_out(wanted: f64) -> f64 {
+    // y = exp(y − 1 − wanted), a contraction by y < 0.06
+    (0..16).fold(0.0, |y: f64, _| (y - 1.0 - wanted).exp())
 }
 
 /// v − ln(1 + v), without cancellation for small v.
@@ -154,8 +166,11 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let is_elastic = (residual <= 0.0 || law.branch_at(unloading.peak.indentation).is_some()) && chi == 0.0;
     let stored = unloading.capacity();
     // where the dent does not grow and nothing is lost the rebound is the impact
-    let rebound = if is_elastic { q } else { speeds.speed(ACCELERATION * (stored - weight * elastic_approach), -1.0) };
-    let end = if is_captured { back.to_rest(load) } else { back.to_separation(rebound) };
+    let recovered = ACCELERATION * (stored - weight * elastic_approach);
+    let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
+    // under strong damping the speed no longer tells the energy
+    let at_end = if chi == 0.0 { speeds.energy(-rebound) } else { recovered };
+    let end = if is_captured { back.to_rest(load) } else { back.to_separation(rebound, at_end) };
     let loss = if chi == 0.0 {
         0.0
     } else {
@@ -238,9 +253,8 @@ struct Back<'a> {
 
 impl Back<'_> {
     /// To separation at the residual indentation.
-    fn to_separation(&self, rebound: f64) -> State {
+    fn to_separation(&self, rebound: f64, at_end: f64) -> State {
         let length = self.unloading.peak.elastic_approach;
-        let at_end = self.speeds.energy(-rebound);
         let time = self.at_peak + self.time(0.0, length, at_end);
         State { time, distance: self.residual, speed: -rebound }
     }

@@ -117,11 +117,7 @@ fn entries(impact: &Impact) -> Vec<Entry> {
         entries.push(Entry::line("force of the law", ELASTIC).and("without damping, against δ".to_owned()));
     }
     let at_peak = format!("δₘ = {}", length(impact.peak_indentation));
-    entries.push(
-        Entry::mark("Peak", Mark::Square, MARK, INK)
-            .and(format!("Fₘ = {}", quantity(impact.peak_force, "N")))
-            .and(at_peak),
-    );
+    entries.push(Entry::mark(peak_name(impact), Mark::Square, MARK, INK).and(force_at_peak(impact)).and(at_peak));
     if impact.has_dent() {
         let residual = format!("δᵣ = {}", length(impact.residual_indentation));
         entries.push(Entry::mark("Residual indentation", Mark::Inverted, MARK, INK).and(residual));
@@ -139,8 +135,19 @@ fn entries(impact: &Impact) -> Vec<Entry> {
 /// The force of the law alone, where the curves hold damping too.
 const ELASTIC: Stroke = Stroke { color: INK, width: 2.0, dash: DOTTED };
 
-fn is_damped(impact: &Impact) -> bool {
+pub(super) fn is_damped(impact: &Impact) -> bool {
     impact.under_forces.is_some_and(|under| under.damping_loss.is_some())
+}
+
+/// What the turning point is called; damping makes the force largest before it.
+pub(super) fn peak_name(impact: &Impact) -> &'static str {
+    if is_damped(impact) { "Deepest point" } else { "Peak" }
+}
+
+/// The force there, which is F_m only without damping.
+pub(super) fn force_at_peak(impact: &Impact) -> String {
+    let force = quantity(impact.peak_force, "N");
+    if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 
 /// The largest force of the pictures: with viscous damping it comes before the peak indentation.

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::force_indentation::{largest_force, title};
+use super::force_indentation::{force_at_peak, is_damped, largest_force, peak_name, title};
 use super::frame::{Bounds, Frame};
 use super::key::{self, Entry};
 use super::style::{DASHED, GREY, INK, SOLID, Stroke, series};
@@ -110,16 +110,20 @@ fn entries(impact: &Impact, peak: Stroke, separation: Stroke) -> Vec<Entry> {
             Entry::line("Captured", separation).and(quantity(under.end_time, "s")).and(format!("rest at δ = {rest}"))
         }
     };
+    let mut at_peak = Entry::line(peak_name(impact), peak).and(quantity(impact.loading_time, "s"));
+    if is_damped(impact) {
+        at_peak = at_peak.and(force_at_peak(impact));
+    }
     if impact.has_dent() {
         left = left.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, "m")));
     }
     vec![
-        curve("Force F", 3).and(format!("Fₘ = {}", quantity(impact.peak_force, "N"))),
+        if is_damped(impact) { curve("Force F", 3) } else { curve("Force F", 3).and(force_at_peak(impact)) },
         curve("Approach δ", 0).and(format!("δₘ = {}", quantity(impact.peak_indentation, "m"))),
         curve("Sphere δₛ", 1),
         curve("Half-space δₕ", 2),
         curve("Speed δ′", 4).and(format!("impact at {}", quantity(impact.speed, "m/s"))),
-        Entry::line("Peak", peak).and(quantity(impact.loading_time, "s")),
+        at_peak,
         left,
     ]
 }

@@ -75,7 +75,12 @@ pub fn number(value: f64) -> String {
 #[must_use]
 pub fn quantity(value: f64, unit: &str) -> String {
     let prefix = Prefix::of(value);
-    let space = if unit.is_empty() && prefix.symbol.is_empty() { "" } else { " " };
+    let space = match (unit, prefix.symbol.as_str()) {
+        ("", "") => "",
+        // a power of ten is no letter that could stand beside a number
+        (_, symbol) if symbol.starts_with("10") => " × ",
+        _ => " ",
+    };
     format!("{}{space}{}{unit}", number(value / prefix.factor), prefix.symbol)
 }
 
@@ -99,7 +104,7 @@ mod tests {
             (999.96, "N", "1 kN"),
             (0.012, "m/s", "12 mm/s"),
             (-2.5, "m/s", "−2.5 m/s"),
-            (1.234e-300, "m", "1.234 10⁻³⁰⁰ m"),
+            (1.234e-300, "m", "1.234 × 10⁻³⁰⁰ m"),
             (f64::INFINITY, "Pa", "inf Pa"),
         ];
         for (value, unit, text) in table {

@@ -11,6 +11,7 @@ use crate::law::published::Loaded;
 use crate::law::{Bodies, LawChoice, Plm};
 use crate::material::{Material, Pair};
 use crate::nearest::nearest;
+use crate::units::{Dimension, human};
 
 /// `[compare]`
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -118,7 +119,16 @@ impl Scenario {
             }
         }
         if let Some(work) = table.spent_work {
-            comparison.spent = work.0 / (point.force * point.indentation);
+            let unit = point.force * point.indentation;
+            let of_plm = human(comparison.spent * unit, Dimension::Energy);
+            comparison.spent = work.0 / unit;
+            if comparison.compared().iter().all(|law| law.unloading.is_err()) {
+                let message = format!(
+                    "{} is less than any of these laws gives back from the peak; the PLM spends {of_plm}",
+                    human(work.0, Dimension::Energy)
+                );
+                return Err(refuse("compare.spent_work", &message));
+            }
         }
         Ok(comparison)
     }

@@ -13,6 +13,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 use super::ScenarioError;
 use super::explain::{explain, key_at, missing, span_of};
 use super::place::{Place, Refusal};
+use super::swept::fill;
 
 /// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -127,7 +128,9 @@ impl Document {
     /// [`ScenarioError::Refused`], pointing at file and line or at the override.
     pub fn read<T: DeserializeOwned>(&self) -> Result<T, ScenarioError> {
         let root = self.root()?;
-        let spanned = toml::Spanned::new(0..self.text.len(), root.clone());
+        let mut filled = root.clone();
+        fill(&mut filled);
+        let spanned = toml::Spanned::new(0..self.text.len(), filled);
         T::deserialize(Deserializer::from(spanned)).map_err(|error| {
             // an error about the whole file has no place in it
             let span = error.span().filter(|span| *span != (0..self.text.len()));
@@ -142,6 +145,12 @@ impl Document {
     pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
         let span = self.root().ok().and_then(|root| span_of(&root, key));
         self.refusal(span, key.to_owned(), message)
+    }
+
+    /// Whether the scenario, or the command line, gives the key itself.
+    #[must_use]
+    pub fn has(&self, key: &str) -> bool {
+        self.root().is_ok_and(|root| span_of(&root, key).is_some())
     }
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).

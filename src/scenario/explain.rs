@@ -21,8 +21,11 @@ pub(super) fn key_at(table: &DeTable<'_>, span: &Range<usize>) -> Option<String>
     })
 }
 
-/// Where the value of a dotted key is.
+/// Where the value of a dotted key is; the last part may be a key in quotes with dots of its own.
 pub(super) fn span_of(table: &DeTable<'_>, path: &str) -> Option<Range<usize>> {
+    if let Some(value) = table.get(path) {
+        return Some(value.span());
+    }
     let (name, rest) = path.split_once('.').map_or((path, None), |(name, rest)| (name, Some(rest)));
     let value = table.get(name)?;
     match (rest, value.get_ref()) {
@@ -45,11 +48,15 @@ pub(super) fn explain(message: &str, key: &mut String, root: &DeTable<'_>) -> St
     if message.starts_with("unknown field") || message.starts_with("unknown variant") {
         let guess =
             nearest(first, known.iter().copied()).map_or_else(String::new, |near| format!(", did you mean `{near}`?"));
-        let (thing, things) = match (message.starts_with("unknown variant"), key.contains('.')) {
-            (true, _) => ("law", "laws"),
-            (false, true) => ("key", "keys here"),
-            (false, false) => ("table", "tables"),
+        let (thing, things) = match (message.starts_with("unknown variant"), key.matches('.').count()) {
+            (true, ..=1) => ("law", "laws"),
+            (true, _) => ("word", "words here"),
+            (false, 0) => ("table", "tables"),
+            (false, _) => ("key", "keys here"),
         };
+        if known.is_empty() {
+            return format!("unknown {thing} `{first}`; this table takes none");
+        }
         return format!("unknown {thing} `{first}`{guess}; {things} are {}", known.join(", "));
     }
     if message.starts_with("wanted exactly 1 element") {
@@ -65,13 +72,45 @@ pub(super) fn explain(message: &str, key: &mut String, root: &DeTable<'_>) -> St
     if key == "law" {
         return format!("not a table; {ONE_LAW}");
     }
-    message.trim_end().to_owned()
+    in_words(message.trim_end())
+}
+
+/// What serde and toml call the kinds of values, and what a person does.
+const KINDS: [(&str, &str); 8] = [
+    ("wanted string or table", "not a text: write a word in quotes"),
+    ("expected a string", "expected a text in quotes"),
+    ("expected a sequence", "expected a list in [ ]"),
+    ("expected u64", "expected a whole number, 0 or more"),
+    ("type: sequence", "type: list"),
+    ("type: map", "type: table or date"),
+    ("floating point", "number"),
+    ("` as i128", "`"),
+];
+
+fn in_words(message: &str) -> String {
+    KINDS.iter().fold(message.to_owned(), |message, (kind, word)| message.replace(kind, word))
 }
 
 /// What is said where `name` is missing in `table` (empty: the table of that name).
 pub(super) fn missing(name: &str, table: &str) -> String {
     if table.is_empty() {
-        return format!("the table [{name}] is missing");
+        let way_out = match name {
+            "sphere" => "; give its radius, youngs_modulus, poissons_ratio and density",
+            "half_space" => "; give its youngs_modulus, poissons_ratio and, unless it is elastic, yield_strength",
+            "impact" => "; give it with a speed such as speed = \"3 m/s\"",
+            _ => "",
+        };
+        return format!("the table [{name}] is missing{way_out}");
+    }
+    let example = match (table, name) {
+        ("law.combined", "loading") => Some("the law that loads, such as loading = \"plm\""),
+        ("law.combined", "unloading") => Some("the law that unloads, such as unloading = \"thornton\""),
+        ("indentation", "steps") => Some("a list such as steps = [{ load = \"200 N\" }, { load = \"0 N\" }]"),
+        ("indentation.half_space", "name") => Some("what the material is called, such as name = \"Ti-10Nb\""),
+        _ => None,
+    };
+    if let Some(example) = example {
+        return format!("the key `{name}` is missing: {example}");
     }
     match Key::find(&format!("{table}.{name}")) {
         Some(key) => {

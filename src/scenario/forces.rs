@@ -126,8 +126,16 @@ impl Scenario {
 
 /// A key, one that says the same in another way, and what to do about the pair.
 const EITHER: [(&str, &str, &str); 4] = [
-    ("impact.speed", "impact.drop_height", "is given by impact.drop_height; write impact.speed instead"),
-    ("impact.drop_height", "impact.speed", "is given by impact.speed; write impact.drop_height instead"),
+    (
+        "impact.speed",
+        "impact.drop_height",
+        "says the same as impact.drop_height, which the scenario gives: leave one of the two out",
+    ),
+    (
+        "impact.drop_height",
+        "impact.speed",
+        "says the same as impact.speed, which the scenario gives: leave one of the two out",
+    ),
     ("damping.hunt_crossley", "damping.viscous", "is a second damping beside damping.viscous; keep one of the two"),
     (
         "damping.viscous",

@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 
 use super::indentation::IndentationScene;
 use super::{KEYS, Scene};
+use crate::compare::Comparison;
 use crate::impact::{Contact, Method};
 use crate::indentation::{StaticContact, Target};
+use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::material::Pair;
 use crate::units::{Dimension, describe, human, number};
 
@@ -40,6 +42,10 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         };
         row(&format!("step {i}"), format!("{what} {value}"));
     }
+    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
+        row("law.plm.unloading_exponent", exponent(scene.exponent));
+        row("law.plm.coefficients", provenance(&scene.coefficients));
+    }
     row("output.samples", scene.samples.to_string());
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let (half_space, pair) = (&specimen.half_space, contact.pair());
@@ -59,6 +65,46 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         }
     }
     aligned(&rows)
+}
+
+/// The same for a comparison of unloading laws.
+#[must_use]
+pub fn of_comparison(comparison: &Comparison) -> String {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let bodies = &comparison.bodies;
+    let modulus = comparison.sphere_modulus;
+    row("sphere.radius", describe(bodies.pair.radius, Dimension::Length));
+    row(
+        "sphere.youngs_modulus",
+        if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { "rigid".to_owned() },
+    );
+    row("half_space.poissons_ratio", number(bodies.poissons_ratio));
+    row("half_space.yield_strength", describe(bodies.yield_strength, Dimension::Pressure));
+    for law in &comparison.laws {
+        if let LawChoice::Plm(plm) = law {
+            row("law.plm.unloading_exponent", exponent(plm.exponent));
+            row("law.plm.coefficients", provenance(&plm.coefficients));
+        }
+    }
+    let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
+    row("laws", names.join(", "));
+    rows.push((String::new(), String::new()));
+    rows.extend(paired(&bodies.pair));
+    aligned(&rows)
+}
+
+fn exponent(exponent: UnloadingExponent) -> String {
+    match exponent {
+        UnloadingExponent::Paper => "1.5".to_owned(),
+        UnloadingExponent::Fixed(value) => number(value),
+        UnloadingExponent::PressureShape => "pressure-shape".to_owned(),
+    }
+}
+
+fn provenance(coefficients: &PlmCoefficients) -> String {
+    let provenance = &coefficients.provenance;
+    format!("{} ({})", provenance.name, provenance.source)
 }
 
 /// What follows from the pair alone.
@@ -100,7 +146,7 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
         })
         .collect();
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    let is_plm = matches!(scene.law, crate::law::LawChoice::Plm(_));
+    let is_plm = matches!(scene.law, LawChoice::Plm(_));
     if can_yield && !is_plm {
         let about = scene.law.about();
         row("law", format!("{} ({})", scene.law.name(), scene.law.source()));
@@ -108,11 +154,10 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
         row("law.confidence", about.confidence.to_owned());
     }
     if can_yield && is_plm {
-        if scene.exponent == crate::law::UnloadingExponent::PressureShape {
-            row("law.plm.unloading_exponent", "pressure-shape".to_owned());
+        if scene.exponent == UnloadingExponent::PressureShape {
+            row("law.plm.unloading_exponent", exponent(scene.exponent));
         }
-        let provenance = &scene.coefficients.provenance;
-        row("law.plm.coefficients", format!("{} ({})", provenance.name, provenance.source));
+        row("law.plm.coefficients", provenance(&scene.coefficients));
     }
     row("solver.method", scene.solver.method.name().to_owned());
     if scene.solver.method == Method::Verlet {

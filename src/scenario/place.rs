@@ -1,10 +1,26 @@
 //! Where a refused value stands, shown with its line and a mark under it.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
 
 /// Characters of a long line that are shown.
 const WIDTH: usize = 120;
+
+/// Longer keys and messages quote a value that nobody wrote by hand; the middle of it is left out.
+const LONGEST_KEY: usize = 200;
+const LONGEST_MESSAGE: usize = 1800;
+
+/// At most about `longest` characters of a text: its beginning and its end, where the way out stands.
+fn shortened(text: &str, longest: usize) -> Cow<'_, str> {
+    let count = text.chars().count();
+    if count <= longest {
+        return Cow::Borrowed(text);
+    }
+    let head: String = text.chars().take(longest / 10).collect();
+    let tail: String = text.chars().skip(count - longest / 2).collect();
+    Cow::Owned(format!("{head} [...] {tail}"))
+}
 
 /// Where something is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -85,9 +101,9 @@ impl fmt::Display for Refusal {
             Place::Override { text } => write!(f, "--set {text}: ")?,
         }
         if !self.key.is_empty() {
-            write!(f, "{}: ", self.key)?;
+            write!(f, "{}: ", shortened(&self.key, LONGEST_KEY))?;
         }
-        f.write_str(&self.message)?;
+        f.write_str(&shortened(&self.message, LONGEST_MESSAGE))?;
         if let Place::Text { line, excerpt, indent, width, .. } = &self.place {
             let gutter = line.to_string().len();
             write!(f, "\n{:gutter$} |\n{line} | {excerpt}\n{:gutter$} | {:indent$}{}", "", "", "", "^".repeat(*width))?;

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::units::{self, Dimension};
+use crate::units::{self, Dimension, UnitError};
 
 /// An end of a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +135,12 @@ impl Quantity {
     /// # Errors
     /// The message of a [`units::UnitError`] or [`RangeError`].
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let value = units::parse(text, self.dimension).map_err(|error| error.to_string())?;
+        let value = units::parse(text, self.dimension).map_err(|error| match error {
+            UnitError::NoNumber { text, .. } => {
+                format!("\"{text}\" does not begin with a number; write {} such as {}", self.name, self.example)
+            }
+            error => error.to_string(),
+        })?;
         self.check(value).map_err(|error| {
             let written = format!("\"{text}\" = {}", units::si(value, self.dimension));
             RangeError { written, ..error }.to_string()

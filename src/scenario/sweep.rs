@@ -3,7 +3,7 @@
 mod axes;
 mod distributions;
 
-use serde::de::Error;
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error};
 
 use super::keys::{KEYS, Key};
 use super::quantity::Quantity;
@@ -93,17 +93,17 @@ impl Scenario {
         let mut plan = Plan { scene, cases, columns: None };
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
-            return refuse(table, format!("\"{path}\" {problem}"));
+            return refuse(&format!("{table}.{path}"), problem.to_owned());
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases
             && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)
         {
-            let (path, allowed) = (variable.key.path, variable.key.quantity.allowed());
-            let message = format!("\"{path}\": almost nothing of its distribution is in the allowed range, {allowed}");
-            return refuse(table, message);
+            let allowed = variable.key.quantity.allowed();
+            let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");
+            return refuse(&format!("{table}.{}", variable.key.path), message);
         }
         if plan.count().is_none() {
-            return refuse(table, "has more than 2^63 cases; take fewer points".to_owned());
+            return refuse(table, "has more than 2^63 cases; take fewer".to_owned());
         }
         Ok(Some(plan))
     }
@@ -111,6 +111,19 @@ impl Scenario {
 
 /// A distribution of which less lies in the allowed range is a slip.
 const LEAST_KEPT: f64 = 1e-3;
+
+/// Reads a key that may vary, so that an unknown one is shown where it stands.
+struct PathSeed {
+    has_words: bool,
+}
+
+impl<'de> DeserializeSeed<'de> for PathSeed {
+    type Value = &'static str;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
+        known(&String::deserialize(deserializer)?, self.has_words)
+    }
+}
 
 /// The known key of that path.
 fn known<E: Error>(path: &str, has_words: bool) -> Result<&'static str, E> {

@@ -1,30 +1,41 @@
-//! Axes of words: methods and laws by name.
+//! Axes of words: methods and laws by name, each shown where it stands if there is no such one.
 
-use serde::de::Error;
+use serde::de::{Deserialize, Deserializer, Error};
 
+use super::law::named;
+use super::values::MethodName;
 use crate::impact::Method;
 use crate::law::LawChoice;
-use crate::nearest::nearest;
 
 /// Laws by name.
-pub(super) fn laws<E: Error>(names: &[String]) -> Result<Vec<LawChoice>, E> {
-    if names.is_empty() {
-        return Err(E::custom("an axis needs at least one value"));
+pub(super) struct Laws(pub(super) Vec<LawChoice>);
+
+impl<'de> Deserialize<'de> for Laws {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let laws: Vec<LawName> = not_empty(deserializer)?;
+        Ok(Self(laws.into_iter().map(|law| law.0).collect()))
     }
-    names.iter().map(|name| super::law::named(name).map_err(E::custom)).collect()
 }
 
 /// Methods by name.
-pub(super) fn methods<E: Error>(names: &[String]) -> Result<Vec<Method>, E> {
-    if names.is_empty() {
-        return Err(E::custom("an axis needs at least one value"));
+pub(super) struct Methods(pub(super) Vec<Method>);
+
+impl<'de> Deserialize<'de> for Methods {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let methods: Vec<MethodName> = not_empty(deserializer)?;
+        Ok(Self(methods.into_iter().map(|method| method.0).collect()))
     }
-    let all = || Method::ALL.iter().map(|(name, _)| *name);
-    let unknown = |name: &String| {
-        let guess = nearest(name, all()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
-        let known: Vec<_> = all().collect();
-        E::custom(format!("unknown method \"{name}\"{guess}; methods are {}", known.join(", ")))
-    };
-    let named = |name: &String| Method::ALL.iter().find(|(known, _)| known == name).map(|(_, method)| *method);
-    names.iter().map(|name| named(name).ok_or_else(|| unknown(name))).collect()
+}
+
+struct LawName(LawChoice);
+
+impl<'de> Deserialize<'de> for LawName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        named(&String::deserialize(deserializer)?).map(Self).map_err(D::Error::custom)
+    }
+}
+
+fn not_empty<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<T>, D::Error> {
+    let list = Vec::deserialize(deserializer)?;
+    if list.is_empty() { Err(D::Error::custom("an axis needs at least one value")) } else { Ok(list) }
 }

@@ -61,8 +61,13 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
     rows.results.first().and_then(|row| row.as_ref().ok()).map_or(f64::NAN, |row| row.restitution)
 }
 
+/// "half-space yield strength".
+fn words(axis: &Axis) -> String {
+    axis.path().replace(['.', '_'], " ").replace("half space", "half-space")
+}
+
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let mut title = axis.path().replace(['.', '_'], " ");
+    let mut title = words(axis);
     if let Some(first) = title.get(..1).map(str::to_uppercase) {
         title.replace_range(..1, &first);
     }
@@ -111,7 +116,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
     };
     let e = ranged(e, &series);
     let title = match axes.get(1) {
-        Some(second) => format!("Restitution, curves by {}", second.path()),
+        Some(second) => format!("Restitution, curves by {}", words(second)),
         None => "Restitution".to_owned(),
     };
     Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.to_png()
@@ -147,7 +152,7 @@ fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
 
 /// Axes beyond the second stay at their first value.
 fn notes(axes: &[Axis]) -> Vec<String> {
-    axes.iter().skip(2).map(|axis| format!("{} = {}", axis.path(), label(axis, 0))).collect()
+    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
 }
 
 /// v_Y at a place of the second axis.

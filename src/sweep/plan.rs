@@ -36,6 +36,9 @@ pub struct Plan {
     pub columns: Option<Vec<&'static str>>,
 }
 
+/// Case numbers of any tool can hold so many.
+const MOST_CASES: u64 = 1 << 63;
+
 impl Plan {
     /// How many cases; `None` if more than 2⁶³.
     #[must_use]
@@ -44,8 +47,8 @@ impl Plan {
             Cases::Grid(axes) => axes
                 .iter()
                 .try_fold(1u64, |product, axis| product.checked_mul(axis.len()))
-                .filter(|count| *count <= 1 << 63),
-            Cases::MonteCarlo { samples, .. } => Some(*samples),
+                .filter(|count| *count <= MOST_CASES),
+            Cases::MonteCarlo { samples, .. } => Some(*samples).filter(|count| *count <= MOST_CASES),
         }
     }
 

@@ -71,7 +71,8 @@ impl Variable {
     }
 
     /// The value at the uniform number `u` in (0, 1).
-    fn value(&self, u: f64) -> f64 {
+    #[must_use]
+    pub fn value(&self, u: f64) -> f64 {
         let (low, high) = self.share;
         let value = self.distribution.quantile(low + u * (high - low));
         // rounding at the very ends of an open range

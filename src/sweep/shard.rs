@@ -19,6 +19,9 @@ pub enum ShardError {
     /// Not of the form.
     #[error("shard \"{0}\": write i/n, two whole numbers, such as 0/16")]
     Form(String),
+    /// None at all.
+    #[error("there are no shards of 0: write i/n with n of 1 or more, such as 0/16")]
+    None,
     /// No such shard.
     #[error("shard {index}/{count}: shards are counted from 0, so the last of {count} is {}; with a one-based array index subtract 1", .count.saturating_sub(1))]
     Range {
@@ -41,9 +44,13 @@ impl Shard {
     /// Shard `index` of `count`.
     ///
     /// # Errors
-    /// [`ShardError::Range`] unless 0 ≤ index < count.
+    /// [`ShardError::None`] for a count of 0, [`ShardError::Range`] unless index < count.
     pub fn new(index: u64, count: u64) -> Result<Self, ShardError> {
-        if index < count { Ok(Self { index, count }) } else { Err(ShardError::Range { index, count }) }
+        match count {
+            0 => Err(ShardError::None),
+            _ if index < count => Ok(Self { index, count }),
+            _ => Err(ShardError::Range { index, count }),
+        }
     }
 
     /// Reads `i/n`.

@@ -53,8 +53,9 @@ fn slug(case: &str) -> String {
 /// Axes of indentation and force in units of the yield point, up to `room` times a peak, and what forces are divided by:
 /// labels of five digits would run into the title.
 fn loop_axes(peak: &Peak, room: f64) -> ([Axis; 2], f64) {
-    let (unit, title) = if peak.force >= 1e4 { (1e3, "Force over 1000 F_Y") } else { (1.0, "Force over F_Y") };
-    let x = Axis::linear("Indentation over δ_Y", "").between(0.0, room * peak.indentation);
+    let (unit, title) =
+        if peak.force >= 1e4 { (1e3, "Force over 1000 × yield force") } else { (1.0, "Force over yield force") };
+    let x = Axis::linear("Indentation over yield indentation", "").between(0.0, room * peak.indentation);
     ([x, Axis::linear(title, "").between(0.0, room * peak.force / unit)], unit)
 }
 

@@ -217,6 +217,20 @@ fn hunt_crossley_on_the_plastic_law_follows_its_phase_curve() {
 }
 
 #[test]
+fn strong_hunt_crossley_damping_leaves_one_over_chi_of_speed() {
+    // outwards 1 + χ δ' > 0 holds the speed below 1/χ, and for χ v ≫ 1 the contact ends there but for exp(−χ² G)
+    for chi in [30.0, 100.0, 1e3, 1e4] {
+        let contact = under(&Scene::steel(), hunt_crossley(chi));
+        let exact = contact.impact(3.0, &solver(Method::ClosedForm, 1e-10), None).unwrap();
+        assert!(off(exact.rebound_speed, 1.0 / chi) < 1e-9, "{chi}: {}", exact.rebound_speed);
+        assert_eq!(fate(&exact), Fate::Separated);
+        let stepped = contact.impact(3.0, &solver(Method::Rk8, 1e-12), None).unwrap();
+        let error = off(stepped.contact_time, exact.contact_time);
+        assert!(error < 1e-7, "{chi}: {} {} {error:e}", stepped.contact_time, exact.contact_time);
+    }
+}
+
+#[test]
 fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
     // the δ^¼ of Tsuji, Tanaka and Ishida (1992), Powder Technol. 71, 239-250, was made for that
     for zeta in [0.01, 0.1, 0.5, 0.9, 1.0, 3.0] {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
-use super::{AxisEntry, LAW, SweepTable, known, quantity};
+use super::{AxisEntry, LAW, PathSeed, SweepTable, quantity};
 use crate::scenario::quantity::Quantity;
 use crate::scenario::reader::Reader;
 use crate::scenario::words;
@@ -28,17 +28,18 @@ impl<'de> Visitor<'de> for AxesVisitor {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SweepTable, A::Error> {
         let mut axes = Vec::new();
-        while let Some(path) = map.next_key::<String>()? {
-            let path = known(&path, true)?;
+        while let Some(path) = map.next_key_seed(PathSeed { has_words: true })? {
             let entry = match quantity(path) {
                 Some(quantity) => AxisEntry::Numbers(map.next_value_seed(AxisSeed(quantity))?),
-                None if path == LAW => AxisEntry::Laws(words::laws(&map.next_value::<Vec<String>>()?)?),
-                None => AxisEntry::Methods(words::methods(&map.next_value::<Vec<String>>()?)?),
+                None if path == LAW => AxisEntry::Laws(map.next_value::<words::Laws>()?.0),
+                None => AxisEntry::Methods(map.next_value::<words::Methods>()?.0),
             };
             axes.push((path, entry));
         }
         if axes.is_empty() {
-            Err(A::Error::custom("has no axis; leave the table out, or give one"))
+            Err(A::Error::custom(
+                "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]",
+            ))
         } else {
             Ok(SweepTable(axes))
         }

@@ -85,6 +85,9 @@ impl<'de> Visitor<'de> for DistributionSeed {
                 }
                 if name == "normal" { Distribution::Normal { mean, sd } } else { Distribution::Lognormal { mean, sd } }
             }
+            "" => {
+                return Err(A::Error::custom("has no distribution; distributions are normal, lognormal, uniform"));
+            }
             other => {
                 let guess = nearest(other, ["normal", "lognormal", "uniform"])
                     .map_or_else(String::new, |near| format!(", did you mean `{near}`?"));
@@ -141,7 +144,13 @@ impl<'de> Visitor<'de> for MomentsSeed {
         }
         match (mean, sd) {
             (Some(mean), Some(sd)) if sd > 0.0 && sd.is_finite() => Ok((mean, sd)),
-            (Some(_), Some(sd)) => Err(A::Error::custom(format!("sd = {sd} must be > 0 and finite"))),
+            (Some(_), Some(sd)) => Err({
+                let written = units::describe(sd, self.0.dimension);
+                let zero = units::si(0.0, self.0.dimension);
+                A::Error::custom(format!(
+                    "sd = {written} is not allowed: a standard deviation must be > {zero} and finite"
+                ))
+            }),
             _ => Err(A::Error::custom("mean and sd, the standard deviation, are both needed")),
         }
     }

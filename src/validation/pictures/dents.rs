@@ -18,11 +18,15 @@ pub(super) fn picture(case: &Case) -> Option<Picture> {
     Some(
         Picture::new(
             format!("dent-{}", slug(case.name)),
-            format!("{}: dent left by δₘ = {} δ_Y", case.name.replace('c', "C"), number(cycle.peak.indentation)),
+            format!(
+                "{}: dent left by {} × the yield indentation",
+                case.name.replace('c', "C"),
+                number(cycle.peak.indentation)
+            ),
             [Axis::linear("Radius r/R", ""), Axis::linear("Height of the surface, 1000 z/R", "")],
             vec![
                 Series::points("finite elements", points),
-                Series::bare(format!("circle of Eqs. 23-25, R_res = {} R", number(radius)), circle).styled(1),
+                Series::bare(format!("circle of Eqs. 23-25, Rᵣₑₛ = {} R", number(radius)), circle).styled(1),
             ],
         )
         .with_guides(vec![

@@ -15,7 +15,7 @@ fn depth(title: &str) -> Axis {
     Axis::log(title, "")
 }
 
-const PEAK: &str = "Peak indentation δₘ/δ_Y";
+const PEAK: &str = "Peak indentation over that at yield";
 
 fn horizontal(levels: &[f64], label: &str) -> Vec<Guide> {
     levels.iter().map(|at| Guide::Horizontal { at: *at, label: label.to_owned() }).collect()
@@ -48,7 +48,7 @@ fn loading(cases: &[Case], coefficients: &PlmCoefficients) -> Vec<Picture> {
         Picture::new(
             format!("error-{}", quantity.name.replace(' ', "-")),
             format!("Loading: deviation of the {}", quantity.name),
-            [depth("Indentation δ/δ_Y"), y],
+            [depth("Indentation over that at yield"), y],
             series.collect(),
         )
         .with_guides(vec![zero()])
@@ -70,8 +70,8 @@ fn residual(cases: &[Case]) -> Picture {
             .map(|cycle| (cycle.peak.indentation, 100.0 * deviation(cycle.residual, cycle.peak.residual())));
         Series::points(case.name, cycles.collect())
     });
-    let mut guides = horizontal(&[3.0, -3.0], "3 %: the paper, from 3 δ_Y on");
-    guides.extend(horizontal(&[2.0, -2.0], "2 %: the paper, from 6 δ_Y on"));
+    let mut guides = horizontal(&[3.0, -3.0], "3 %: the paper, from 3 × yield on");
+    guides.extend(horizontal(&[2.0, -2.0], "2 %: the paper, from 6 × yield on"));
     guides.push(zero());
     Picture::new(
         "error-residual-indentation".to_owned(),

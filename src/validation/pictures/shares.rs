@@ -29,7 +29,7 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         .map(|cycle| {
             let elastic = cycle.peak.indentation - cycle.residual;
             let points = cycle.points.iter().map(|[x, f, _]| ((x - cycle.residual) / elastic, f / cycle.peak.force));
-            Series::points(format!("from δₘ = {} δ_Y", number(cycle.peak.indentation)), points.collect())
+            Series::points(format!("from {} × yield", number(cycle.peak.indentation)), points.collect())
         })
         .collect();
     for (exponent, name) in EXPONENTS {
@@ -85,7 +85,7 @@ fn picture(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients) -> Pictur
     let depth = number(peak.indentation);
     Picture::new(
         format!("unloading-{}-from-{:.0}", slug(case.name), peak.indentation),
-        format!("{}: unloading from δₘ = {depth} δ_Y, exponent 3/2", case.name.replace('c', "C")),
+        format!("{}: unloading from {depth} × the yield indentation, exponent 3/2", case.name.replace('c', "C")),
         axes,
         series,
     )

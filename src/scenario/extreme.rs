@@ -1,0 +1,37 @@
+//! Which number of a scenario is so large or small that a result leaves double precision.
+
+use super::quantity::Quantity;
+use super::{KEYS, Key, Scenario, ScenarioError};
+use crate::material::OutOfFloatRange;
+use crate::units::{number, parse, si};
+
+/// Powers of ten from ordinary numbers that make one stand out.
+const FAR: f64 = 20.0;
+
+impl Scenario {
+    /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no single one stands out.
+    #[must_use]
+    pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<ScenarioError> {
+        let scene = self.resolve().ok()?;
+        let given = KEYS.iter().filter(|key| self.document.has(key.path));
+        let values = given.filter_map(|key| Some((key, (key.get)(&scene)?)));
+        let distances = values.filter_map(|(key, value)| Some((key, value, decades(value, key.quantity)?)));
+        let distances = distances.filter(|(.., decades)| *decades > FAR);
+        let (Key { path, quantity, .. }, value, _) = distances.max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let message = format!(
+            "{} is the most extreme number here: {} = {} cannot be held in double precision; choose a less extreme one, such as {}",
+            si(value, quantity.dimension),
+            range.quantity,
+            number(range.value),
+            quantity.example
+        );
+        Some(self.document.refuse(path, message))
+    }
+}
+
+/// How many powers of ten a value is from the example of its quantity; `None` for 0, which no scale can be told of.
+fn decades(value: f64, quantity: &Quantity) -> Option<f64> {
+    let example = parse(quantity.example.trim_matches('"'), quantity.dimension).ok()?;
+    let decades = (value.abs().log10() - example.log10()).abs();
+    decades.is_finite().then_some(decades)
+}

@@ -1,0 +1,109 @@
+//! Where a table leaves the range of the model: looked for at the corners of the grid, or in the tails of the
+//! distributions, before anything is run. Rows themselves carry no warnings.
+
+use std::mem::discriminant;
+
+use super::axis::{Axis, Setting};
+use super::plan::{Cases, Plan, label};
+use super::random::Variable;
+use crate::impact::{Method, Solver, Warning};
+use crate::scenario::Scene;
+use crate::units::human;
+
+/// Corners that are looked at; more come only from more than a dozen axes.
+const MOST_CORNERS: usize = 1 << 13;
+/// Values of an axis that are looked through for the smallest and the largest.
+const MOST_LISTED: u64 = 1 << 20;
+/// Shares of a distribution below and above which lie its tails.
+const TAILS: [f64; 2] = [0.001, 0.999];
+
+/// One value of a key.
+struct Choice<'a> {
+    text: String,
+    put: Box<dyn Fn(&mut Scene) + 'a>,
+}
+
+/// What is doubtful in this table, the worst of each kind with the case that it was found in.
+#[must_use]
+pub fn cautions(plan: &Plan) -> Vec<String> {
+    let choices: Vec<Vec<Choice>> = match &plan.cases {
+        Cases::Grid(axes) => axes.iter().map(ends).collect(),
+        Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
+    };
+    let corners = choices.iter().fold(1, |product: usize, choices| product.saturating_mul(choices.len()));
+    let mut worst: Vec<(Warning, String)> = Vec::new();
+    for corner in 0..corners.min(MOST_CORNERS) {
+        let mut rest = corner;
+        let chosen = choices.iter().map(|choices| {
+            let choice = &choices[rest % choices.len()];
+            rest /= choices.len();
+            choice
+        });
+        let chosen: Vec<&Choice> = chosen.collect();
+        for warning in warnings(&plan.scene, &chosen) {
+            let place = || chosen.iter().map(|choice| choice.text.as_str()).collect::<Vec<_>>().join(", ");
+            match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
+                None => worst.push((warning, place())),
+                Some(known) if doubt(&warning) > doubt(&known.0) => *known = (warning, place()),
+                Some(_) => {}
+            }
+        }
+    }
+    worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect()
+}
+
+/// The smallest and the largest value of an axis, or all its words.
+fn ends(axis: &Axis) -> Vec<Choice<'_>> {
+    let mut places: Vec<u64> = match &axis.setting {
+        Setting::Number { .. } => {
+            // a list may be in any order; the longest axes are even, and end where they end
+            let all = || (0..axis.len().min(MOST_LISTED)).chain([axis.len() - 1]);
+            let by_value = |a: &u64, b: &u64| axis.number(*a).total_cmp(&axis.number(*b));
+            all().min_by(by_value).into_iter().chain(all().max_by(by_value)).collect()
+        }
+        Setting::Method(_) => vec![0],
+        Setting::Law(laws) => (0..laws.len() as u64).collect(),
+    };
+    places.dedup();
+    let choice = |place| Choice {
+        text: format!("{} = {}", axis.path(), label(axis, place)),
+        put: Box::new(move |scene: &mut Scene| axis.put(place, scene)) as Box<dyn Fn(&mut Scene)>,
+    };
+    places.into_iter().map(choice).collect()
+}
+
+fn tails(variable: &Variable) -> Vec<Choice<'_>> {
+    let choice = |share| {
+        let (key, value) = (variable.key, variable.value(share));
+        Choice {
+            text: format!("{} = {}", key.path, human(value, key.quantity.dimension)),
+            put: Box::new(move |scene: &mut Scene| (key.set)(scene, value)) as Box<dyn Fn(&mut Scene)>,
+        }
+    };
+    TAILS.into_iter().map(choice).collect()
+}
+
+/// The warnings of one impact; a case without a result has its status in the table.
+fn warnings(scene: &Scene, chosen: &[&Choice]) -> Vec<Warning> {
+    let mut scene = scene.clone();
+    for choice in chosen {
+        (choice.put)(&mut scene);
+    }
+    let solver = Solver { method: Method::Auto, ..Solver::default() };
+    let Ok(contact) = scene.contact() else { return Vec::new() };
+    contact.impact(scene.speed, &solver, None).map_or_else(|_| Vec::new(), |impact| impact.warnings)
+}
+
+/// How far beyond its limit a warning is, comparable within its kind.
+fn doubt(warning: &Warning) -> f64 {
+    match *warning {
+        Warning::DeepDent { ratio } => ratio,
+        Warning::SphereYields { pressure, strength } => pressure / strength,
+        Warning::ShortContact { transits } => -transits,
+        Warning::StrongWaves { loss, recovered } => loss / recovered,
+        Warning::EnergyGain { restitution, .. } => restitution,
+        Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
+        Warning::Inaccurate { error, .. } => error,
+        Warning::UnusedKey { .. } => 0.0,
+    }
+}
