@@ -116,7 +116,7 @@ impl Smooth {
     pub fn slope(&self, start: f64, distance: f64) -> f64 {
         match self.formula.variable {
             Variable::Indentation => self.jet(start + distance).slope,
-            Variable::RootOfDistance if distance <= 0.0 => 0.0,
+            Variable::RootOfDistance if distance <= 0.0 => 0.5 * self.jet(0.0).curvature,
             Variable::RootOfDistance => {
                 let y = distance.sqrt();
                 self.jet(y).slope / (2.0 * y)

@@ -43,6 +43,9 @@ impl Loaded {
     }
 }
 
+/// A dent of this share of the indentation is one of rounding: the difference of two numbers that are nearly equal.
+const NO_DENT: f64 = 1e-13;
+
 /// What unloading from a peak gives back, by the law's own formulas.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recovered {
@@ -70,7 +73,8 @@ impl Recovered {
     fn bounded(&self, x: f64, force: f64, spent: f64) -> f64 {
         let raw = self.elastic_approach;
         let bounded = if raw > 0.0 { raw.min(x) } else { x };
-        bounded.min((self.exponent(x, force, bounded) + 1.0) * spent / force)
+        let bounded = bounded.min((self.exponent(x, force, bounded) + 1.0) * spent / force);
+        if bounded < (1.0 - NO_DENT) * x { bounded } else { x }
     }
 
     /// Whether it is near to what is possible.

@@ -45,16 +45,15 @@ static ABOUT: About = About {
     confidence: "low (from memory)",
 };
 
-/// k (x^1.5 − x_r^1.5); parameters k, x_r.
-pub(super) static SHIFTED_HERTZ: Formula =
-    Formula::new("shifted Hertz", shifted::<f64>, shifted::<Jet>, Some(shifted_integral));
+/// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
+pub(super) static SHIFTED_HERTZ: Formula = Formula::of_root("shifted Hertz", shifted::<f64>, shifted::<Jet>);
 
-fn shifted<N: Number>([k, residual, _]: &Parameters, x: N) -> N {
-    (x.powf(1.5) + -residual * residual.sqrt()) * *k
-}
-
-fn shifted_integral([k, residual, _]: &Parameters, x: f64) -> f64 {
-    k * (0.4 * x * x * x.sqrt() - residual * residual.sqrt() * x)
+fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
+    // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
+    let recovered = y * y;
+    let (square, b) = (recovered + *residual, residual.sqrt());
+    let a = square.powf(0.5);
+    recovered * (square + a * b + *residual) / (a + b) * *k
 }
 
 impl YigitChristoforou {
@@ -77,8 +76,16 @@ impl ContactLaw for YigitChristoforou {
         Some(Arc::new(|peak| {
             let x = peak.indentation;
             // where there is no such depth, twice the indentation: more than any law may give back
-            let below = x * x.sqrt() - peak.force;
-            let elastic_approach = if below >= 0.0 { x - below.cbrt() * below.cbrt() } else { 2.0 * x };
+            let hertz = x * x.sqrt();
+            let below = hertz - peak.force;
+            let elastic_approach = if below.abs() <= 8.0 * f64::EPSILON * hertz {
+                // on Hertz's curve but for rounding, whose 2/3 power would be a dent
+                x
+            } else if below > 0.0 {
+                x - below.cbrt() * below.cbrt()
+            } else {
+                2.0 * x
+            };
             Recovered { elastic_approach, exponent: 1.5, shape: UnloadingShape::ShiftedHertz }
         }))
     }

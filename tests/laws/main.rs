@@ -6,6 +6,7 @@ mod closed_forms;
 #[path = "../common/mod.rs"]
 mod common;
 mod every_law;
+mod shallow_dents;
 mod tabulated;
 
 use common::Scene;

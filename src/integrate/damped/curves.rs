@@ -72,7 +72,7 @@ impl<const M: u8> Rooted<M> {
     fn derivatives(&self, root: f64) -> [f64; 3] {
         let jet = self.0.force.jet(root);
         let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| self.0.factor * part);
-        let in_d = if root > 0.0 { [s / (2.0 * root), (k - s / root) / (4.0 * root * root)] } else { [0.0, 0.0] };
+        let in_d = if root > 0.0 { [s / (2.0 * root), (k - s / root) / (4.0 * root * root)] } else { [0.5 * k, 0.0] };
         [f, in_d[0], in_d[1]]
     }
 }
