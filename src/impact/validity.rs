@@ -64,7 +64,8 @@ pub enum Warning {
     },
     /// A published law outside the range that its authors state.
     #[error(
-        "peak indentation = {indentation:.4} x the yield indentation is outside {from:.4} to {to:.4}, the range that the law is stated for: take the result for an extrapolation"
+        "peak indentation = {} x the yield indentation is outside {} to {}, the range that the law is stated for: take the result for an extrapolation",
+        rounded(*.indentation), rounded(*.from), rounded(*.to)
     )]
     OutsideStated {
         /// δ_m/δ_Y.
@@ -84,6 +85,12 @@ pub enum Warning {
         /// What was asked for.
         tolerance: f64,
     },
+}
+
+/// To four significant digits.
+fn rounded(value: f64) -> f64 {
+    let scale = 10f64.powf(3.0 - value.abs().log10().floor());
+    if scale.is_finite() { (value * scale).round() / scale } else { value }
 }
 
 /// Validity of the model for this impact.
