@@ -219,7 +219,8 @@ impl Run {
             return Err(IntegrationError::Creeping { steps: MOST_STEPS });
         }
         let h = self.length;
-        if verdict.error > 1.0 {
+        // not a number where a stage left the range of a formula: a shorter step may not
+        if verdict.error > 1.0 || verdict.error.is_nan() {
             self.work.rejected += 1;
             self.length = h * verdict.pace.max(0.2);
             if self.length < f64::MIN_POSITIVE {
