@@ -4,8 +4,8 @@ use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::scenario::{Key, Scene};
 
-/// Axes of up to this many points are tabulated, and their texts rendered once.
-const TABULATED: u64 = 1 << 20;
+/// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
+const TABULATED: u64 = 1 << 19;
 
 /// The numbers an axis runs through, in SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,23 +50,38 @@ impl Values {
 
     /// Value `i`; the ends are exact.
     #[must_use]
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
     pub fn at(&self, i: u64) -> f64 {
+        self.between(self.decades(), i)
+    }
+
+    /// Logarithms of the ends of a logarithmic axis.
+    fn decades(&self) -> (f64, f64) {
+        match *self {
+            Self::Logarithmic { from, to, .. } => (from.log10(), to.log10()),
+            Self::List(_) | Self::Linear { .. } => (0.0, 0.0),
+        }
+    }
+
+    /// Value `i` between these decades.
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
+    fn between(&self, (low, high): (f64, f64), i: u64) -> f64 {
         match *self {
             Self::List(ref values) => values[i as usize],
             Self::Linear { from, .. } | Self::Logarithmic { from, .. } if i == 0 => from,
             Self::Linear { to, points, .. } | Self::Logarithmic { to, points, .. } if i + 1 >= points => to,
             Self::Linear { from, to, points } => from + (to - from) * (i as f64 / (points - 1) as f64),
-            Self::Logarithmic { from, to, points } => {
-                let (low, high) = (from.log10(), to.log10());
-                10f64.powf(low + (high - low) * (i as f64 / (points - 1) as f64))
-            }
+            Self::Logarithmic { points, .. } => 10f64.powf(low + (high - low) * (i as f64 / (points - 1) as f64)),
         }
     }
 
     /// The same values as a list, where that is short.
     fn tabulated(self) -> Self {
-        if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
+        let decades = self.decades();
+        if self.len() <= TABULATED {
+            Self::List((0..self.len()).map(|i| self.between(decades, i)).collect())
+        } else {
+            self
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::mem::discriminant;
 
-use super::axis::{Axis, Setting};
+use super::axis::{Axis, Setting, Values};
 use super::plan::{Cases, Plan, label};
 use super::random::Variable;
 use crate::impact::{Method, Solver, Warning};
@@ -12,8 +12,6 @@ use crate::units::human;
 
 /// Corners that are looked at; more come only from more than a dozen axes.
 const MOST_CORNERS: usize = 1 << 13;
-/// Values of an axis that are looked through for the smallest and the largest.
-const MOST_LISTED: u64 = 1 << 20;
 /// Shares of a distribution below and above which lie its tails.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
@@ -55,12 +53,14 @@ pub fn cautions(plan: &Plan) -> Vec<String> {
 /// The smallest and the largest value of an axis, or all its words.
 fn ends(axis: &Axis) -> Vec<Choice<'_>> {
     let mut places: Vec<u64> = match &axis.setting {
-        Setting::Number { .. } => {
-            // a list may be in any order; the longest axes are even, and end where they end
-            let all = || (0..axis.len().min(MOST_LISTED)).chain([axis.len() - 1]);
-            let by_value = |a: &u64, b: &u64| axis.number(*a).total_cmp(&axis.number(*b));
-            all().min_by(by_value).into_iter().chain(all().max_by(by_value)).collect()
+        // a list may be in any order
+        Setting::Number { values: Values::List(values), .. } => {
+            let all = || (0..).zip(values);
+            let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
+            let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
+            smallest.into_iter().chain(largest).map(|(place, _)| place).collect()
         }
+        Setting::Number { .. } => vec![0, axis.len() - 1],
         Setting::Method(_) => vec![0],
         Setting::Law(laws) => (0..laws.len() as u64).collect(),
     };

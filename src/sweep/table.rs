@@ -2,7 +2,7 @@
 //!
 //! Digits are written straight into the block's buffer. No field needs a quote: they are numbers and snake_case names.
 
-use super::axis::{Axis, Setting};
+use super::axis::{Axis, Setting, Values};
 use super::count::Count;
 use super::plan::{Cases, Failure, Plan, Rows};
 use crate::impact::Essentials;
@@ -118,6 +118,9 @@ pub struct TextTable {
     swept: Vec<Swept>,
 }
 
+/// Texts of so many values are rendered before the first row: some milliseconds.
+const RENDERED: usize = 1 << 15;
+
 /// How a swept value is written.
 #[derive(Debug)]
 enum Swept {
@@ -125,7 +128,7 @@ enum Swept {
     Number,
     /// By its place on the axis: texts rendered once.
     Rendered(Vec<Vec<u8>>),
-    /// By its place on an axis too long for that.
+    /// By its place on an axis too long for that: rendered where it changes.
     Long(Axis),
 }
 
@@ -171,18 +174,26 @@ impl TextTable {
         let n_swept = self.swept.len();
         let mut integers = itoa::Buffer::new();
         let mut floats = zmij::Buffer::new();
+        // places on long axes and their texts: a slow axis stays where it is for many rows
+        let mut last: Vec<(u64, String)> = vec![(u64::MAX, String::new()); n_swept];
         for (row, (case, result)) in rows.cases.iter().zip(&rows.results).enumerate() {
             let mut before = self.before.iter();
             let mut next = |text: &mut Vec<u8>| text.extend_from_slice(before.next().map_or(&[], Vec::as_slice));
             next(text);
             text.extend_from_slice(integers.format(*case).as_bytes());
-            for (swept, value) in self.swept.iter().zip(&rows.swept[row * n_swept..]) {
+            for ((swept, value), last) in self.swept.iter().zip(&rows.swept[row * n_swept..]).zip(&mut last) {
                 next(text);
                 match swept {
                     Swept::Number => text.extend_from_slice(floats.format(*value).as_bytes()),
                     Swept::Rendered(texts) => text.extend_from_slice(&texts[*value as usize]),
                     Swept::Long(axis) => {
-                        text.extend_from_slice(floats.format(axis.number(*value as u64)).as_bytes());
+                        let place = *value as u64;
+                        if last.0 != place {
+                            last.0 = place;
+                            last.1.clear();
+                            last.1.push_str(floats.format(axis.number(place)));
+                        }
+                        text.extend_from_slice(last.1.as_bytes());
                     }
                 }
             }
@@ -216,7 +227,7 @@ fn swept(axis: &Axis, is_json: bool) -> Swept {
             let words = axis.words().unwrap_or_default();
             Swept::Rendered(words.iter().map(|word| format!("{quote}{word}{quote}").into()).collect())
         }
-        Setting::Number { values: super::axis::Values::List(values), .. } => {
+        Setting::Number { values: Values::List(values), .. } if values.len() <= RENDERED => {
             Swept::Rendered(values.iter().copied().map(render).collect())
         }
         Setting::Number { .. } => Swept::Long(axis.clone()),
