@@ -24,17 +24,17 @@ pub fn work_share(exponent: f64) -> f64 {
 #[inline]
 #[must_use]
 pub fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
-    if exit == 0.0 {
-        return quarter_period(exponent) * distance / entry;
+    if distance == 0.0 {
+        0.0
+    } else if exit == 0.0 {
+        quarter_period(exponent) * distance / entry
+    } else {
+        power_time_to_speed(exponent, distance, entry, exit)
     }
-    power_time_to_speed(exponent, distance, entry, exit)
 }
 
 /// The same before the turning point.
 fn power_time_to_speed(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
-    if distance == 0.0 {
-        return 0.0;
-    }
     let a = work_share(exponent);
     let slowness = exit / entry;
     let remaining = slowness * slowness;
@@ -116,7 +116,7 @@ pub fn quarter_period(exponent: f64) -> f64 {
 }
 
 fn other_quarter_period(exponent: f64) -> f64 {
-    let a = 1.0 / (exponent + 1.0);
+    let a = work_share(exponent);
     // √π Γ(1 + a)/Γ(½ + a)
     1.772_453_850_905_516 * libm::tgamma(1.0 + a) / libm::tgamma(0.5 + a)
 }

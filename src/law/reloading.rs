@@ -170,10 +170,8 @@ impl Law {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if index == 0 => reloaded.state_at(distance),
             ElasticApproach::Reloaded(_) | ElasticApproach::Published(_) => {
-                let piece = &self.loading.pieces()[index];
-                let indentation = piece.start + distance;
-                let force = piece.force_at(indentation);
-                Peak { indentation, force, elastic_approach: self.elastic_approach(indentation, force) }
+                let point = self.plain_state_at(index, distance);
+                Peak { elastic_approach: self.elastic_approach(point.indentation, point.force), ..point }
             }
             _ => self.plain_state_at(index, distance),
         }
