@@ -321,7 +321,7 @@ impl Ledger<'_> {
         let x = point.state.distance;
         let unloading = &self.outcome.unloading;
         let potential = if point.is_unloading {
-            point.force * point.elastic_approach / (unloading.exponent + 1.0) + self.plastic()
+            unloading.stored_after(point.elastic_approach, point.force) + self.plastic()
         } else {
             let ForcedPoint { force, elastic_approach, .. } = *point;
             self.law.work_to(&Peak { indentation: x, force, elastic_approach })

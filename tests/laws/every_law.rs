@@ -1,6 +1,6 @@
 //! What holds for every whole law, and where each of them ends.
 
-use plm_impact::impact::{Contact, ImpactError, Method, closed_form};
+use plm_impact::impact::{Contact, Damping, Forces, ImpactError, Method, closed_form};
 use plm_impact::law::brake::Brake;
 use plm_impact::law::combined::Combined;
 use plm_impact::law::jackson_green::{JacksonGreen, Jumps};
@@ -273,5 +273,17 @@ proptest::proptest! {
                 proptest::prop_assert!(error < factor * 1e-10, "{name} at {x} by {method:?}: {error:e}");
             }
         }
+    }
+}
+
+/// Kinetic, stored, plastic and damped energy of every row of a trace, also on unloading branches that are no powers.
+#[test]
+fn the_ledger_closes_under_damping_for_every_law() {
+    for (name, choice) in whole_laws() {
+        let forces = Forces { damping: Some(Damping::Viscous(0.05)), ..Forces::default() };
+        let contact = contact(&Scene::case_3(), &choice).with_forces(forces);
+        let impact = contact.impact(5.0, &solver(Method::Rk8, 1e-10), Some(50)).unwrap();
+        // ten times the tolerance, as README says
+        assert!(impact.energy.drift < 1e-9, "{name}: {}", impact.energy.drift);
     }
 }
