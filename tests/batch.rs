@@ -67,7 +67,7 @@ fn any_law() -> impl Strategy<Value = Law> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(common::cases(200))]
 
     #[test]
     fn a_batch_gives_the_bits_of_rk8_in_the_order_of_its_cases(
@@ -148,7 +148,7 @@ fn forced_together(cases: &[(&Law, f64, Load)], tolerance: f64) -> Vec<ForcedBit
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(common::cases(100))]
 
     #[test]
     fn a_damped_batch_gives_the_bits_of_the_stepper_in_the_order_of_its_cases(

@@ -38,7 +38,7 @@ fn any_elastic_impact() -> impl Strategy<Value = (Scene, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(common::cases(200))]
 
     #[test]
     fn peak_time_and_energy_are_hertzs((scene, v) in any_elastic_impact()) {

@@ -283,7 +283,7 @@ fn load_cycles_follow_the_finite_elements() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(common::cases(128))]
 
     #[test]
     fn random_steps_keep_the_books(

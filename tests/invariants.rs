@@ -47,7 +47,7 @@ fn allowed_rise(scene: &Scene) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(common::cases(500))]
 
     #[test]
     fn restitution_is_a_ratio_and_energy_closes((scene, q) in any_impact()) {

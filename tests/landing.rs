@@ -183,7 +183,7 @@ fn samples_lie_on_the_exact_motion() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(common::cases(100))]
 
     #[test]
     fn every_row_closes_the_energy_ledger(log_share in -1.0..4.0_f64, log_tolerance in -12.0..-4.0_f64, samples in 2..200_usize) {

@@ -67,7 +67,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(common::cases(200))]
 
     #[test]
     fn force_approach_and_dent_grow_without_a_jump(scene in any_scene(), log_x in -3.0..5.0_f64, log_step in -9.0..0.0_f64) {

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{STEPPING, Scene, off, solver};
-use plm_impact::impact::{Branch, Contact, Essentials, Event, Impact, Method, Spot, closed_form};
+use plm_impact::impact::{Branch, Contact, Essentials, Event, Impact, Method, Spot, Warning, closed_form};
 use plm_impact::law::{Peak, UnloadingExponent};
 use plm_impact::material::Material;
 use plm_impact::power::quarter_period;
@@ -271,7 +271,7 @@ fn any_pair() -> impl Strategy<Value = (Scene, f64, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(common::cases(500))]
 
     #[test]
     fn stepping_agrees_with_the_closed_form_on_any_spot((scene, q, ratio) in any_pair(), log_tolerance in -12.0..-4.0_f64) {
@@ -284,7 +284,17 @@ proptest! {
         let exact = contact.closed_form_on(&mut exact_spot, ratio * speed).unwrap();
         prop_assert!(exact.residual_indentation >= first.residual_indentation);
         prop_assert!(exact.energy.drift < 1e-12, "{:e}", exact.energy.drift);
-        prop_assert_eq!(exact.restitution == 1.0, bits(exact_spot.memory()) == bits(spot.memory()));
+        // behind the knot at 1.7 the straight piece lets the plastic work of a soft sphere (kappa 0.95) fall, as
+        // theory.md section 4 states of e; a reload across it gains that. Largest seen in 10^5 scenes: 2e-5
+        prop_assert!(exact.restitution <= 1.0 + 1e-4);
+        if bits(exact_spot.memory()) == bits(spot.memory()) {
+            prop_assert_eq!(exact.restitution, 1.0);
+        }
+        // beyond first yield, or the old peak, only a soft sphere stays elastic, and a hit that goes deeper by rounding
+        let deeper = exact.peak_indentation > first.peak_indentation * (1.0 + 1e-13);
+        if exact.restitution == 1.0 && exact.residual_indentation > 0.0 {
+            prop_assert!(!deeper, "{exact:?}");
+        }
         for (method, factor) in STEPPING {
             let hit = contact.impact_on(&mut spot.clone(), ratio * speed, &solver(method, tolerance), Some(20)).unwrap();
             let pairs = [
@@ -320,4 +330,21 @@ proptest! {
             prop_assert!(off(second.rebound_speed, single.rebound_speed) < 1e-12);
         }
     }
+}
+
+/// A soft sphere on something twenty times stiffer: the plastic work falls by 2e-5 of the energy behind the knot at
+/// x = 1.7, and the second hit, which goes across it, gains that. The number is the law's, the doubt is said.
+#[test]
+fn energy_gained_at_a_knot_is_said() {
+    let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.0 };
+    let (sphere, half_space) = (material(1.342e9), material(27.858e9));
+    let scene =
+        Scene { radius: 1.0, density: 5000.0, sphere, half_space, yield_strength: Some(7.76e6), ..Scene::case_3() };
+    let (contact, speed) = (scene.contact(), 1.945 * scene.yield_speed());
+    let mut spot = Spot::fresh();
+    let is_gain = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::EnergyGain { .. }));
+    let first = contact.closed_form_on(&mut spot, speed).unwrap();
+    assert!(first.restitution < 1.0 && !is_gain(&first));
+    let second = contact.closed_form_on(&mut spot, speed).unwrap();
+    assert!(second.restitution > 1.0 && is_gain(&second), "{}", second.restitution);
 }

@@ -275,7 +275,7 @@ fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(common::cases(150))]
 
     #[test]
     fn stepping_agrees_with_the_balance_of_energy_on_any_spot_under_gravity((scene, q, ratio, weight) in any_pair()) {

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod common;
+
 use plm_impact::units::{Dimension, describe, human, parse, si};
 use proptest::prelude::*;
 
@@ -105,6 +107,8 @@ fn values_are_shown_in_si_and_in_a_unit_that_fits() {
 }
 
 proptest! {
+    #![proptest_config(common::cases(256))]
+
     #[test]
     fn what_is_shown_in_si_is_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed, Dimension::Ratio] {

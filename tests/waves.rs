@@ -329,7 +329,7 @@ fn the_density_can_be_swept_and_drawn() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(common::cases(64))]
 
     #[test]
     fn the_integral_is_exact_for_any_scene(

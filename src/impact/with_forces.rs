@@ -123,8 +123,10 @@ impl Contact {
         let points = recorder.map_or_else(Vec::new, |recorder| recorder.points);
         let mut impact = self.assemble(speed, method, &scene, &outcome, exact.as_ref(), &points)?;
         impact.work = work;
-        if method != Method::Verlet && exact.is_some() {
-            validity::check_accuracy(&mut impact, solver.tolerance);
+        match (method, &exact) {
+            (Method::Verlet, _) => {}
+            (_, Some(_)) => validity::check_accuracy(&mut impact, solver.tolerance),
+            (_, None) => validity::check_ledger(&mut impact, solver.tolerance),
         }
         Ok((impact, super::spot::after(scene.law, &outcome.unloading.peak)))
     }

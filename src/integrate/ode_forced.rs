@@ -36,6 +36,19 @@ enum Event {
     LiftOff,
 }
 
+impl Event {
+    fn landing(self, at: Node) -> (ForcedLanding, Node) {
+        match self {
+            Self::End => (ForcedLanding::End, at),
+            Self::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
+            Self::LiftOff => (ForcedLanding::LiftOff, at),
+        }
+    }
+}
+
+/// Times nearer to each other than this, in units of size one, are one time.
+const RESOLUTION: f64 = 1e-14;
+
 /// The equations in variables of size one: y = (d, u, loss).
 struct Equations<'a> {
     path: &'a ForcedPath,
@@ -165,11 +178,7 @@ impl OdeForced {
                 break;
             }
         }
-        Ok(first.map(|(event, at)| match event {
-            Event::End => (ForcedLanding::End, at),
-            Event::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
-            Event::LiftOff => (ForcedLanding::LiftOff, at),
-        }))
+        Ok(first.map(|(event, at)| event.landing(at)))
     }
 
     /// The state at an event behind `node`, by Newton's method on the time; `None` if it is not within reach.
@@ -185,7 +194,7 @@ impl OdeForced {
         const FAR: f64 = 1.0;
         let (mut low, mut high) = (0.0, FAR.min(limit));
         let (mut tau, mut at) = (0.0, node);
-        let mut is_passed = false;
+        let (mut is_passed, mut is_met) = (false, false);
         let mut turns = 0;
         for _ in 0..60 {
             let (value, slope) = equations.event(event, at);
@@ -202,8 +211,10 @@ impl OdeForced {
                 (high, is_passed) = (tau, true);
             }
             let newton = tau - value / slope;
-            let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-            if (next - tau).abs() <= 1e-14 * (1.0 + node[0].abs()) || (is_passed && value == 0.0) {
+            let is_inside = newton >= low && newton <= high;
+            let next = if is_inside { newton } else { 0.5 * (low + high) };
+            if (next - tau).abs() <= RESOLUTION * (1.0 + node[0].abs()) || (is_passed && value == 0.0) {
+                is_met = is_inside;
                 break;
             }
             tau = next;
@@ -211,8 +222,36 @@ impl OdeForced {
         }
         // the bracket has closed on it, or it was met from before
         let size = if event == Event::LiftOff { equations.event(event, node).0 } else { 1.0 };
-        let is_there = is_passed || equations.event(event, at).0.abs() <= 1e-9 * size;
+        let is_there = is_passed || is_met || equations.event(event, at).0.abs() <= 1e-9 * size;
         Ok(is_there.then_some(at))
+    }
+
+    /// The state at an event that lies between `node` and a `time` after it, by Newton's method inside a bracket.
+    fn between(
+        &mut self,
+        equations: &Equations,
+        event: Event,
+        node: Node,
+        time: f64,
+    ) -> Result<Node, IntegrationError> {
+        let (mut low, mut high) = (0.0, time);
+        let mut at = node;
+        for _ in 0..100 {
+            let tau = at[0] - node[0];
+            let (value, slope) = equations.event(event, at);
+            if value > 0.0 {
+                low = tau;
+            } else {
+                high = tau;
+            }
+            let newton = tau - value / slope;
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            at = self.after(equations.path, node, next)?;
+            if (next - tau).abs() <= RESOLUTION * (1.0 + node[0].abs()) {
+                break;
+            }
+        }
+        Ok(at)
     }
 }
 
@@ -248,6 +287,13 @@ impl ForcedIntegrator for OdeForced {
                 break;
             }
             let further = self.after(path, last, STRETCH)?;
+            let equations = Equations { path, nodes: None, landing: &resting, evaluations: &evaluations };
+            if let Some(event) = equations.passed(further)
+                && equations.event(event, last).0 > 0.0
+            {
+                landed = Some(event.landing(self.between(&equations, event, last, STRETCH)?));
+                break;
+            }
             nodes.borrow_mut().push(further);
         }
         let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;

@@ -103,7 +103,7 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::StrongWaves { loss, recovered } => loss / recovered,
         Warning::EnergyGain { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
-        Warning::Inaccurate { error, .. } => error,
+        Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
         Warning::UnusedKey { .. } => 0.0,
     }
 }

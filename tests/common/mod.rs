@@ -7,6 +7,7 @@ use plm_impact::impact::{Contact, Impact, Method, Outcome, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use proptest::test_runner::{Config, RngSeed};
 
 /// 5 mm sphere of steel on the same steel, at 3 m/s: a scenario that others add tables to.
 pub const STEEL: &str = r#"[sphere]
@@ -28,6 +29,18 @@ speed = "3 m/s"
 /// holds the error of a step, and the sum over an impact depends on the method. Measured over the hard cases and the
 /// random scenes (tolerances 1e-6 to 1e-13), rounded up.
 pub const STEPPING: [(Method, f64); 3] = [(Method::Rk8, 10.0), (Method::Dopri5, 100.0), (Method::Dop853, 100.0)];
+
+/// How a property is tried: on `count` random cases, the same ones in every run, so that one commit gives one verdict.
+/// `PROPTEST_RNG_SEED` draws others and `PROPTEST_CASES` sets how many, for a wider search.
+pub fn cases(count: u32) -> Config {
+    let from_environment = Config::default();
+    let rng_seed = match from_environment.rng_seed {
+        RngSeed::Random => RngSeed::Fixed(2024),
+        chosen @ RngSeed::Fixed(_) => chosen,
+    };
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { from_environment.cases } else { count };
+    Config { cases, rng_seed, failure_persistence: None, ..from_environment }
+}
 
 /// A solver.
 pub fn solver(method: Method, tolerance: f64) -> Solver {

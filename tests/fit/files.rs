@@ -75,7 +75,7 @@ fn ratios_in_a_comment_do_for_the_keys() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    #![proptest_config(super::common::cases(12))]
 
     #[test]
     fn any_curve_that_can_be_read_gives_a_law_or_an_error(

@@ -49,7 +49,7 @@ fn any_impact() -> impl Strategy<Value = (Scene, f64, Forces)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(super::common::cases(300))]
 
     #[test]
     fn the_ledger_closes_and_methods_agree((scene, speed, forces) in any_impact(), log_tolerance in -11.0..-4.0_f64) {

@@ -241,7 +241,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
 }
 
 proptest::proptest! {
-    #![proptest_config(proptest::test_runner::Config { cases: 48, failure_persistence: None, ..Default::default() })]
+    #![proptest_config(super::common::cases(48))]
 
     /// Random scenes: no energy gained, forces rise, the integration agrees with the quadrature.
     #[test]
