@@ -242,6 +242,21 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
 }
 
 #[test]
+fn forces_on_an_axis_are_refused_beside_waves_as_they_are_in_their_own_tables() {
+    let metal = STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = 7850\n");
+    let refused = |tables: &str| {
+        let scenario = Scenario::from_text("test", &format!("{metal}{tables}"), &[]).unwrap();
+        let text = scenario.plan().unwrap_err().to_string();
+        assert!(text.contains("elastic waves are computed"), "{tables}: {text}");
+    };
+    refused("[damping]\nviscous = 0.1\n[sweep]\n\"impact.speed\" = [1]\n");
+    for key in ["gravity.acceleration", "damping.viscous", "damping.hunt_crossley"] {
+        refused(&format!("[sweep]\n\"{key}\" = [0.1, 0.2]\n"));
+        refused(&format!("[monte_carlo]\nsamples = 2\n\"{key}\" = {{ uniform = [0.1, 0.2] }}\n"));
+    }
+}
+
+#[test]
 fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     let same = |without: &str, tables: &str| {
         assert!(STEEL.contains(without), "{without}");
