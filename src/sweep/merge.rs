@@ -6,16 +6,21 @@ use std::io::{BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::SweepError;
+use super::plan::Plan;
 use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
-use super::table::read_line;
+use super::table::{Format, TextTable, read_line};
+use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A merged table.
 #[derive(Debug, Clone)]
 pub struct Merged {
     /// What the shards say of themselves.
     pub sidecar: Sidecar,
+    /// What was swept.
+    pub plan: Plan,
     /// Rows, failures, distribution of e.
     pub tally: Tally,
 }
@@ -48,15 +53,30 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
     let mut shards: BTreeMap<u64, &PathBuf> = BTreeMap::new();
     for table in tables {
         let name = table.display();
-        let Some(sidecar) = Sidecar::read(table)? else {
-            problems.push(format!("{name}: foreign: it has no sidecar {}", sidecar_path(table).display()));
-            continue;
+        let sidecar = match Sidecar::read(table) {
+            Ok(Some(sidecar)) => sidecar,
+            Ok(None) => {
+                problems.push(format!("{name}: foreign: it has no sidecar {}", sidecar_path(table).display()));
+                continue;
+            }
+            Err(SweepError::Damaged { path, problem }) => {
+                problems.push(format!("{name}: foreign: its sidecar {} {problem}", path.display()));
+                continue;
+            }
+            Err(error) => return Err(error),
         };
+        // what is written beside the table has to come from the version that made the rows
+        if sidecar.version != VERSION {
+            let version = &sidecar.version;
+            problems.push(format!(
+                "{name}: foreign: its version is {version}, and this program's {VERSION}; merge with the version that wrote the shards"
+            ));
+            continue;
+        }
         let (reference, reference_name) = first.get_or_insert_with(|| (sidecar.clone(), table));
         let like = Sidecar { shard: reference.shard, ..sidecar.clone() };
         if like != *reference {
             let which = [
-                (sidecar.version != reference.version, "version"),
                 (sidecar.scenario_sha256 != reference.scenario_sha256, "scenario"),
                 (sidecar.format != reference.format, "format"),
                 (sidecar.shards != reference.shards, "number of shards"),
@@ -90,27 +110,44 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
     }
 }
 
+/// What the shards were run from.
+fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
+    let path = shards.first().map_or_else(PathBuf::new, |table| sidecar_path(table));
+    let name = path.display().to_string();
+    let damaged = |problem: String| SweepError::Damaged { path: path.clone(), problem };
+    let scenario = Scenario::from_source(&name, &sidecar.scenario);
+    let plan = scenario.and_then(|scenario| scenario.plan()).map_err(|error| damaged(error.to_string()))?;
+    plan.ok_or_else(|| damaged("its scenario has no table".to_owned()))
+}
+
 /// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
 ///
 /// # Errors
 /// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard; file errors.
 pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
+    let is_json = sidecar.format == Format::Json.name();
+    let plan = plan(&sidecar, &shards)?;
+    let header = TextTable::new(&plan, if is_json { Format::Json } else { Format::Csv }).header();
+    // 64 MB for all shards together, however many
+    let buffer = ((64 << 20) / shards.len()).clamp(1 << 16, 1 << 20);
     let mut readers = Vec::new();
     for table in &shards {
         let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
-        readers.push((BufReader::with_capacity(1 << 20, file), table));
+        let mut reader = BufReader::with_capacity(buffer, file);
+        let mut first = Vec::new();
+        reader.read_until(b'\n', &mut first).map_err(SweepError::file("cannot be read", table))?;
+        if first != header {
+            let problem = "its first line is not that of this table; delete the shard and run it again".to_owned();
+            return Err(SweepError::Damaged { path: table.clone(), problem });
+        }
+        readers.push((reader, table));
     }
     let part = part_path(out);
     let unwritable = SweepError::file("cannot be written", &part);
     let mut writer = BufWriter::with_capacity(1 << 20, File::create(&part).map_err(&unwritable)?);
-    let (mut line, mut header) = (Vec::new(), Vec::new());
-    for (reader, table) in &mut readers {
-        header.clear();
-        reader.read_until(b'\n', &mut header).map_err(SweepError::file("cannot be read", table))?;
-    }
+    let mut line = Vec::new();
     writer.write_all(&header).map_err(&unwritable)?;
-    let is_json = sidecar.format == "json";
     let mut tally = Tally::default();
     while tally.rows < sidecar.cases {
         let shard = usize::try_from(tally.rows / sidecar.block % sidecar.shards).unwrap_or(usize::MAX);
@@ -134,5 +171,5 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     let file = writer.into_inner().map_err(|error| unwritable(error.into_error()))?;
     file.sync_all().map_err(&unwritable)?;
     fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
-    Ok(Merged { sidecar, tally })
+    Ok(Merged { sidecar, plan, tally })
 }
