@@ -326,6 +326,18 @@ fn random_values_follow_their_distribution() {
 }
 
 #[test]
+fn what_truncation_keeps_is_said_to_all_digits() {
+    // Abramowitz and Stegun 1964, Table 26.1: P(1) and P(2)
+    for (sd, want) in [("5 mm", 0.841_344_746_068_543), ("2.5 mm", 0.977_249_868_051_821)] {
+        let tables = format!(
+            "[monte_carlo]\nsamples = 2\n\"sphere.radius\" = {{ normal = {{ mean = \"5 mm\", sd = \"{sd}\" }} }}\n"
+        );
+        let kept = summary(&tables)["random"][0]["kept"].as_f64().unwrap();
+        assert!((kept - want).abs() < 1e-15, "{sd}: {kept}");
+    }
+}
+
+#[test]
 fn a_sample_depends_on_seed_key_and_number_alone() {
     let text = format!(
         "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
