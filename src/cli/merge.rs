@@ -19,7 +19,7 @@ pub struct Arguments {
     /// The whole table; summary.json and the pictures go beside it
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// Errors only
+    /// Warnings and errors only
     #[arg(long)]
     quiet: bool,
 }

@@ -64,8 +64,7 @@ impl Sidecar {
             if is_its { Ok(sidecar) } else { Err("its scenario has another hash".to_owned()) }
         });
         sidecar.map(Some).map_err(|why| {
-            let problem =
-                format!("is damaged, or of another version ({why}); delete it and its table, and run the shard again");
+            let problem = format!("is damaged, or of another version ({why}); delete it and its table to start over");
             SweepError::Damaged { path, problem }
         })
     }
