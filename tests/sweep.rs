@@ -242,6 +242,40 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
 }
 
 #[test]
+fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
+    // so heavy that it leaves a dent
+    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
+    let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("scenario.toml");
+    std::fs::write(&file, &text).unwrap();
+    let out = directory.path().join("out");
+    let table = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        let output = command.arg("run").arg(&file).arg("--out").arg(&out).args(more).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    table(&["--format", "json"]);
+    let rows: Vec<serde_json::Value> = serde_json::from_slice(&std::fs::read(out.join("table.json")).unwrap()).unwrap();
+    for key in ["restitution", "recovered_fraction", "plastic_fraction"] {
+        assert!(rows[0][key].is_null() && rows[2][key].is_null() && rows[1][key].is_number(), "{key}");
+    }
+    assert!(rows.iter().all(|row| row["status"] == "ok" && row["residual_indentation_m"].as_f64() > Some(1e-3)));
+    table(&[]);
+    let whole = std::fs::read_to_string(out.join("table.csv")).unwrap();
+    assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
+    // such a row is read back when a run goes on: the shard is told as if it had been killed after its first row
+    table(&["--shard", "0/2"]);
+    let (shard, part) = (out.join("table-0-of-2.csv"), out.join("table-0-of-2.csv.part"));
+    let complete = std::fs::read_to_string(&shard).unwrap();
+    let end = complete.match_indices('\n').nth(1).unwrap().0 + 1;
+    std::fs::write(&part, &complete[..end]).unwrap();
+    std::fs::remove_file(&shard).unwrap();
+    table(&["--shard", "0/2"]);
+    assert_eq!(std::fs::read_to_string(&shard).unwrap(), complete);
+}
+
+#[test]
 fn forces_on_an_axis_are_refused_beside_waves_as_they_are_in_their_own_tables() {
     let metal = STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = 7850\n");
     let refused = |tables: &str| {

@@ -77,6 +77,12 @@ impl Essentials {
         self.residual_indentation > 0.0
     }
 
+    /// Whether it came with a speed: let go at first touch there is no restitution, nor a share of its energy.
+    #[must_use]
+    pub fn has_speed(&self) -> bool {
+        self.kinetic_in > 0.0
+    }
+
     /// (e v)²/v² \[1\]: share of the kinetic energy that comes back.
     #[must_use]
     pub fn recovered_fraction(&self) -> f64 {

@@ -138,7 +138,7 @@ impl Tally {
             Count::Failure => self.failures += 1,
             Count::OutsideLaw => self.outside_law += 1,
             Count::Restitution(value) if is_monte_carlo => self.statistics.push(value),
-            Count::Restitution(_) => {}
+            Count::Restitution(_) | Count::AtRest => {}
         }
     }
 
