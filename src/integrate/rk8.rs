@@ -79,9 +79,7 @@ impl Rk8 {
             let mut landing = None;
             if last <= h {
                 let landed = leg.target.land(field, &next);
-                // while a pull still drives it outward it does not turn, however near to rest it is
-                let is_there = landed.kind == AT_END || next.g <= 0.0;
-                if is_there && landed.left_out_squared < leg.left_out_squared {
+                if landed.left_out_squared < leg.left_out_squared {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
                     landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });
