@@ -276,6 +276,16 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
 }
 
 #[test]
+fn shares_beyond_double_precision_are_a_status_and_no_number() {
+    // some 80 J of gravity's work go into the dent, 10^309 times the kinetic energy
+    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.speed\" = [1e-152, 1e-3]\n";
+    let results = rows(&format!("{STEEL}{tables}")).results;
+    assert_eq!(results[0].unwrap_err().name(), "out_of_float_range");
+    let share = results[1].unwrap().plastic_fraction;
+    assert!(share > 1e6 && share.is_finite(), "{share}");
+}
+
+#[test]
 fn forces_on_an_axis_are_refused_beside_waves_as_they_are_in_their_own_tables() {
     let metal = STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = 7850\n");
     let refused = |tables: &str| {

@@ -5,7 +5,7 @@ use super::scales::Scales;
 use super::waves;
 use super::{Contact, ImpactError};
 use crate::law::Law;
-use crate::material::normal;
+use crate::material::{OutOfFloatRange, normal};
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,7 +57,12 @@ impl Essentials {
     ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
         let residual = law.dent(&peak).residual();
-        let lost = law.spent(&outcome.unloading);
+        // under gravity, more than the kinetic energy; without one there is no share
+        let has_share = residual > 0.0 && kinetic_in > 0.0;
+        let share = if has_share { law.spent(&outcome.unloading) * scales.energy() / kinetic_in } else { 0.0 };
+        if share.is_infinite() {
+            return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
+        }
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,
@@ -66,7 +71,7 @@ impl Essentials {
             residual_indentation: residual * scales.length,
             peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),
             kinetic_in,
-            plastic_fraction: if residual > 0.0 { lost * scales.energy() / kinetic_in } else { 0.0 },
+            plastic_fraction: share,
             wave_loss_fraction: None,
         })
     }
