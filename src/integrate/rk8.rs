@@ -79,9 +79,7 @@ impl Rk8 {
             let mut landing = None;
             if last <= h {
                 let landed = leg.target.land(field, &next);
-                // where it still gains speed the turning point of the series is one behind
-                let is_behind = F::IS_PULLED && landed.kind != AT_END && next.g * leg.target.direction > 0.0;
-                if landed.left_out_squared < leg.left_out_squared && !is_behind {
+                if landed.left_out_squared < leg.left_out_squared {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
                     landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });

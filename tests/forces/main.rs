@@ -1,6 +1,7 @@
 //! Gravity and damping: balances of energy, closed forms, and the cases that are hard.
 #![allow(clippy::unwrap_used)]
 
+mod at_rest;
 #[path = "../common/mod.rs"]
 mod common;
 mod properties;
@@ -11,8 +12,7 @@ use plm_impact::impact::{
     Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, Solver, Warning, balance, forced,
 };
 use plm_impact::integrate::damped::Damped;
-use plm_impact::integrate::pulled::Pulled;
-use plm_impact::law::{Law, UnloadingExponent};
+use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
 
 const GRAVITY: f64 = 9.81;
@@ -89,36 +89,6 @@ fn gravity_alone_keeps_the_balance_of_energy() {
         let rk8 = contact.impact(speed, &solver(Method::Rk8, 1e-12), None).unwrap();
         assert!(off(rk8.under_forces.unwrap().end_time, impact.under_forces.unwrap().end_time) < 1e-11);
         assert!(off(rk8.loading_time, impact.loading_time) < 1e-11 && rk8.energy.drift < 1e-11);
-    }
-}
-
-#[test]
-fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
-    // at first touch its speed is nothing beside what it will be: k d^(n+1)/(n+1) = w d, so that d_m^n = (n + 1) w/k
-    let reloaded = |exponent| {
-        let law = Scene { exponent, ..Scene::steel() }.law();
-        law.reloaded(law.loaded_to(20.0))
-    };
-    let dents = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::Fixed(1.8)].map(reloaded);
-    for law in [Law::hertz(), Scene::steel().law()].iter().chain(&dents) {
-        let (k, n) = law.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
-        // beyond 0.4 it also falls past knots, from which it leaves faster than it came
-        for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
-            let load = Load { weight, damping: None };
-            let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);
-            for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
-                for share in [0.0, 1e-8, 1e-3] {
-                    let speed = share * (weight * deepest).sqrt();
-                    let outcome = forced::integrate(law, speed, &load, &mut Pulled::new(tolerance), None).unwrap();
-                    let exact = balance::solve(law, speed, &load).unwrap();
-                    let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
-                    let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
-                    assert!(off(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");
-                    assert!(weight > 0.4 || off(want, deepest) < 10.0 * share + 1e-12, "{at}: {want} {deepest}");
-                    assert!(off(outcome.loading_time, exact.loading_time) < 10.0 * tolerance + 1e-9, "{at}");
-                }
-            }
-        }
     }
 }
 
@@ -394,4 +364,69 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
     assert!(off(got.restitution, fine.restitution) < 1e3 * tolerance);
     assert!(off(got.contact_time, fine.contact_time) < 1e3 * tolerance);
     assert!(!got.warnings.iter().any(|warning| matches!(warning, Warning::OpenLedger { .. })));
+}
+
+/// Cases that a search by the properties found, of 10⁵: a second step out of r = 0, where a weak pull and a weak drag hid the
+/// force from the estimate of the error. Their ledgers closed to 40 and 22 times the tolerance.
+#[test]
+fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
+    let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+    let exponent = UnloadingExponent::Paper;
+    let soft = Scene {
+        radius: 1.0,
+        density: 5000.0,
+        sphere: body(1e6, 0.0),
+        half_space: body(1e6, 0.0),
+        yield_strength: Some(50e3),
+        exponent,
+    };
+    let auxetic = Scene {
+        radius: 0.472_901_934_143_105_7,
+        sphere: body(14_340_793.302_879_458, -0.834_602_004_557_139_2),
+        half_space: body(1_789_604_960.513_355_7, 0.158_160_539_661_960_06),
+        yield_strength: Some(1_952_135.177_416_688_3),
+        ..soft
+    };
+    let cases = [
+        (soft, 9.229_037_115_946_76, 21.906_791_542_181_58, 0.000_110_126_258_606_175_99, 1.23e-11),
+        (auxetic, 0.554_719_682_301_636_5, 13.309_992_882_581_513, 0.009_944_343_793_455_42, 8.71e-12),
+    ];
+    for (scene, speed, acceleration, zeta, tolerance) in cases {
+        let forces = Forces { gravity: Some(acceleration), ..viscous(zeta) };
+        let contact = under(&scene, forces);
+        // near that tolerance as well: which step goes wrong hangs on all before it
+        for factor in [0.98, 0.99, 0.998, 1.0, 1.002, 1.01, 1.02] {
+            for samples in [None, Some(30)] {
+                let impact = contact.impact(speed, &solver(Method::Rk8, factor * tolerance), samples).unwrap();
+                assert!(
+                    impact.energy.drift < 2.0 * tolerance,
+                    "{speed} {samples:?} {factor}: {:e}",
+                    impact.energy.drift
+                );
+            }
+        }
+    }
+}
+
+/// At a loose tolerance a step towards first yield fell short under a pull that was still stronger than the force, and a
+/// turning point was seen behind it: a peak at first touch.
+#[test]
+fn no_turning_point_is_near_while_the_pull_is_the_stronger() {
+    let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+    let scene = Scene {
+        radius: 0.025_399_668_408_712,
+        density: 5000.0,
+        sphere: body(1_219_307_570.897_619_2, -0.616_313_0),
+        half_space: body(2_584_031_953_423.334_5, 0.301_514_0),
+        yield_strength: Some(86_008_340.191_800_48),
+        exponent: UnloadingExponent::Paper,
+    };
+    let contact = under(&scene, gravity(15_858.836_342_554_348));
+    let speed = 0.141_356_929_763_657_5;
+    let exact = contact.closed_form(speed).unwrap();
+    for tolerance in [1e-3, 9.85e-4, 5e-4, 1e-4, 1e-6] {
+        let impact = contact.impact(speed, &solver(Method::Rk8, tolerance), Some(10)).unwrap();
+        assert!(off(impact.peak_indentation, exact.peak_indentation) < 10.0 * tolerance, "{tolerance:e}");
+        assert!(impact.energy.drift < 10.0 * tolerance, "{tolerance:e}: {:e}", impact.energy.drift);
+    }
 }
