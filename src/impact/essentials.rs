@@ -24,7 +24,7 @@ pub struct Essentials {
     pub peak_contact_radius: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
-    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share spent on the dent; 0 without one.
+    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share that loading and unloading have spent; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known.
     pub wave_loss_fraction: Option<f64>,
@@ -57,7 +57,7 @@ impl Essentials {
     ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
         let residual = law.dent(&peak).residual();
-        let lost = law.spent(&outcome.unloading);
+        let lost = law.plastic(&outcome.unloading);
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,
@@ -66,7 +66,7 @@ impl Essentials {
             residual_indentation: residual * scales.length,
             peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),
             kinetic_in,
-            plastic_fraction: if residual > 0.0 { lost * scales.energy() / kinetic_in } else { 0.0 },
+            plastic_fraction: if lost == 0.0 { 0.0 } else { lost * scales.energy() / kinetic_in },
             wave_loss_fraction: None,
         })
     }
