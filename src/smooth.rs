@@ -215,7 +215,8 @@ impl Smooth {
         let mut distance = 0.5 * (low + high);
         for _ in 0..200 {
             let miss = self.value(start, distance) - force;
-            if miss > 0.0 {
+            // not a number beyond the range of the formula
+            if miss > 0.0 || miss.is_nan() {
                 high = distance;
             } else {
                 low = distance;

@@ -1,11 +1,14 @@
 //! The integrators under drag, against the damped harmonic oscillator.
 #![allow(clippy::unwrap_used)]
 
+use plm_impact::impact::Damping;
+use plm_impact::impact::forced::{self, Load};
 use plm_impact::integrate::damped::Damped;
 use plm_impact::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use plm_impact::integrate::ode_forced::OdeForced;
 use plm_impact::integrate::ode_solvers::Method;
 use plm_impact::integrate::{Leg, Path, Restoring, Sizes, State};
+use plm_impact::law::Law;
 
 /// In and out of a linear spring d'' = −ω² d − 2ζω d' at speed u: times and distances of the turning point and of lift-off.
 fn spring(
@@ -73,5 +76,24 @@ fn critical_and_overdamped_springs_let_go_too() {
             (-2.0 * zeta * zeta.acosh() / root).exp()
         };
         assert!((-end.state.speed / want - 1.0).abs() < 1e-9, "{zeta}: {} {want}", end.state.speed);
+    }
+}
+
+#[test]
+fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
+    // (5/4) d^1.5 = 2ζ √((5/4)(3/2) √d) u with u = 1 next to the end: d^(5/4) = 2ζ √1.875/1.25, and that much earlier than
+    // without damping, after 2.9432751843247047
+    let law = Law::hertz();
+    for tenths in 60..160 {
+        let zeta = 10_f64.powf(-0.1 * f64::from(tenths));
+        let load = Load { weight: 0.0, damping: Some(Damping::Viscous(zeta)) };
+        let distance = (2.0 * zeta * 1.875_f64.sqrt() / 1.25).powf(0.8);
+        let want = 2.943_275_184_324_704_7 - distance;
+        for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {
+            let outcome = forced::integrate(&law, 1.0, &load, &mut Damped::new(tolerance), None).unwrap();
+            let miss = (outcome.end.time / want - 1.0).abs();
+            // what damping takes on the way is of order ζ
+            assert!(miss < 10.0 * tolerance + 10.0 * zeta + 1e-10, "{zeta:e} at {tolerance:e}: {miss:e}");
+        }
     }
 }

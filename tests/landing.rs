@@ -96,6 +96,26 @@ fn every_passed_knot_is_there_once_and_in_order() {
 }
 
 #[test]
+fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
+    // a long step may turn and be back at the knot: the sphere passes it before, with the speed that is left there
+    let scene = Scene::steel();
+    let yield_speed = scene.yield_speed();
+    let law = scene.law();
+    let knots = law.loading.pieces().iter().skip(1).map(|piece| (2.5 * piece.work).sqrt());
+    for q in knots.chain([1.0]) {
+        for eighths in 12..72 {
+            let above = q * (1.0 + 10_f64.powf(-0.125 * f64::from(eighths)));
+            for tolerance in (12..28).map(|quarters| 10_f64.powf(-0.25 * f64::from(quarters))) {
+                let impact = scene.impact(above * yield_speed, Method::Rk8, tolerance, Some(8));
+                let way_in = impact.trace.iter().take_while(|row| row.event != Some(Event::Peak));
+                assert!(way_in.clone().all(|row| row.speed > 0.0), "{above} at {tolerance:e}");
+                assert!(impact.trace.windows(2).all(|rows| rows[0].time <= rows[1].time), "{above} at {tolerance:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn separation_is_not_triggered_at_first_touch() {
     // F = 0 at first touch as well, however long or short the first step
     for (method, factor) in STEPPING {

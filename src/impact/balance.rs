@@ -163,7 +163,7 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let back = Back { unloading: &unloading, residual, weight, speeds, at_peak: loading_time };
     let Peak { elastic_approach, .. } = unloading.peak;
     let is_captured = load.captures(&unloading, q);
-    let is_elastic = (residual <= 0.0 || law.branch_at(unloading.peak.indentation).is_some()) && chi == 0.0;
+    let is_elastic = chi == 0.0 && law.plastic(&unloading) == 0.0;
     let stored = unloading.capacity();
     // where the dent does not grow and nothing is lost the rebound is the impact
     let recovered = ACCELERATION * (stored - weight * elastic_approach);

@@ -24,7 +24,7 @@ pub struct Essentials {
     pub peak_contact_radius: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
-    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share spent on the dent; 0 without one.
+    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share that loading and unloading have spent; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known.
     pub wave_loss_fraction: Option<f64>,
@@ -57,9 +57,10 @@ impl Essentials {
     ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
         let residual = law.dent(&peak).residual();
-        // under gravity, more than the kinetic energy; without one there is no share
-        let has_share = residual > 0.0 && kinetic_in > 0.0;
-        let share = if has_share { law.spent(&outcome.unloading) * scales.energy() / kinetic_in } else { 0.0 };
+        let lost = law.plastic(&outcome.unloading);
+        // under gravity it may be more than the kinetic energy; without one there is no share
+        let has_share = lost != 0.0 && kinetic_in > 0.0;
+        let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
         if share.is_infinite() {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }

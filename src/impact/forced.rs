@@ -20,7 +20,7 @@ use super::outcome::Outcome;
 use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use crate::integrate::{IntegrationError, Leg, Sizes, State};
-use crate::law::{ElasticApproach, Law, Unloading};
+use crate::law::{Law, Unloading};
 pub use load::Load;
 pub(super) use load::{Creep, equilibrium};
 
@@ -120,7 +120,7 @@ impl<'a> Course<'a> {
         let pull = ACCELERATION * load.weight;
         let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
         let is_reload = law.branch().is_some();
-        let is_elastic = matches!(law.elastic, ElasticApproach::All);
+        let yields_at = law.elastic_until();
         let touch = ForcedState { state: State { time: 0.0, distance: 0.0, speed: q }, loss: 0.0 };
         let drag = load.drag();
         let mut course = Self {
@@ -130,7 +130,7 @@ impl<'a> Course<'a> {
             pull,
             drag,
             sizes,
-            stops_at_yield: recorder.is_some() && !is_elastic && law.elastic_until() > 0.0 && !is_reload,
+            stops_at_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
             phase: Phase::Loading { piece: 0, event: None, creep: None },
             path: ForcedPath { path: way_out(law, 0, sizes), pull, drag, back_to: 0.0, rest: None },
             at: touch,
@@ -248,10 +248,10 @@ impl<'a> Course<'a> {
             {
                 (end, event, rests) = (distance - creep.within, None, Some(creep));
             }
-            let elastic_until = self.law.elastic_until();
-            stops_at_yield &= piece.start + end > elastic_until;
+            let yields_at = self.law.elastic_until();
+            stops_at_yield &= piece.start + end > yields_at;
             if stops_at_yield {
-                (end, event, rests) = (elastic_until - piece.start, Some(Event::Yield), None);
+                (end, event, rests) = (yields_at - piece.start, Some(Event::Yield), None);
             }
             path.leg = Leg::Outward(end);
         }
@@ -269,15 +269,13 @@ impl<'a> Course<'a> {
     /// On from the end of a leg of the loading curve.
     fn go_on(&mut self, mut piece: usize, mut event: Option<Event>, recorder: Option<&mut ForcedRecorder>) {
         if event == Some(Event::Knot) {
-            if piece == 0 && self.law.branch().is_some() {
-                event = Some(Event::Yield);
-            }
+            let is_end_of_branch = piece == 0 && self.law.branch().is_some();
             piece += 1;
-            self.at.state.distance = entry_of(self.law, piece);
-            // a law may yield at a knot
-            if self.stops_at_yield && self.law.loading.pieces()[piece].start == self.law.elastic_until() {
+            let begins_at_yield = self.law.loading.pieces()[piece].start == self.law.elastic_until();
+            if is_end_of_branch || self.stops_at_yield && begins_at_yield {
                 event = Some(Event::Yield);
             }
+            self.at.state.distance = entry_of(self.law, piece);
         }
         self.stops_at_yield &= event != Some(Event::Yield);
         if let (Some(recorder), Some(event)) = (recorder, event) {
@@ -302,7 +300,7 @@ impl<'a> Course<'a> {
         // a sphere that had no speed has none to leave with
         let is_captured = self.q == 0.0 || self.load.is_conservative() && self.load.captures(&unloading, self.q);
         let at_rest = self.load.static_approach(&unloading);
-        let creep = self.load.creep(at_rest, unloading.exponent * self.load.weight / at_rest);
+        let creep = self.load.creep(at_rest, self.load.static_slope(&unloading, at_rest));
         let rest = creep.map(|creep| creep.rest(at_rest));
         let creep = creep.filter(|creep| at_rest + creep.within < self.at.state.distance);
         let back_to = creep.map_or_else(|| self.back_to(&unloading, is_captured), |creep| at_rest + creep.within);

@@ -5,7 +5,6 @@ use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedState};
 use crate::integrate::{Sampler, State};
 use crate::law::{Law, Peak, Unloading};
-use crate::power::power;
 
 /// A point of a trace, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,9 +73,9 @@ impl On<'_> {
                 (indentation, force, slope, elastic_approach, drag, false)
             }
             Self::Unloading { unloading, drag } => {
-                let (k, n, d) = (unloading.stiffness(), unloading.exponent, distance.max(0.0));
-                let slope = k * n * power(d, n - 1.0);
-                (unloading.peak.residual() + distance, k * power(d, n), slope, distance, drag, true)
+                let recovered = distance.max(0.0);
+                let (force, slope) = (unloading.force_after(recovered), unloading.slope_after(recovered));
+                (unloading.peak.residual() + distance, force, slope, distance, drag, true)
             }
         };
         let of_drag = match drag {

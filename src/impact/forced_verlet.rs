@@ -8,7 +8,6 @@ use super::scales::ACCELERATION;
 use crate::integrate::forced::ForcedState;
 use crate::integrate::{IntegrationError, State, Work};
 use crate::law::{Law, Unloading};
-use crate::power::power;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory.
 struct Remembering<'a> {
@@ -38,8 +37,7 @@ impl Remembering<'_> {
             let deepest = self.deepest;
             let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(deepest)));
             let distance = (x - unloading.peak.residual()).max(0.0);
-            let (k, n) = (unloading.stiffness(), unloading.exponent);
-            (unloading.force(x), k * n * power(distance, n - 1.0))
+            (unloading.force(x), unloading.slope_after(distance))
         };
         let of_damping = match self.load.damping {
             None => 0.0,
@@ -135,7 +133,7 @@ fn creeps(law: &Law, load: &Load, unloading: &Unloading, state: &State) -> bool 
         (x - law.touch(), piece.slope_at(x))
     } else {
         let approach = load.static_approach(unloading);
-        (approach, unloading.exponent * load.weight / approach)
+        (approach, load.static_slope(unloading, approach))
     };
     let distance = (state.distance - load.static_indentation(law, unloading)).abs();
     load.creep(at, slope).is_some_and(|creep| distance <= creep.within && state.speed.abs() <= creep.below)

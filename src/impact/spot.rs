@@ -23,7 +23,7 @@ impl Spot {
     /// half-space is.
     #[must_use]
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
-        let law = contact.yielding.as_ref().filter(|_| memory.indentation > 1.0);
+        let law = contact.yielding.as_ref().filter(|(_, law)| !law.is_elastic_to(memory.indentation));
         Self { law: law.map(|(_, law)| law.reloaded(memory)) }
     }
 
@@ -55,7 +55,8 @@ impl Contact {
     pub fn elastic_speed(&self, spot: &Spot) -> Option<f64> {
         let (scales, _) = self.yielding.as_ref()?;
         let branch = spot.law.as_ref().and_then(Law::branch);
-        Some(branch.map_or(scales.speed, |branch| scales.speed * (2.5 * branch.capacity()).sqrt()))
+        let of_branch = branch.map(|branch| scales.speed * (2.5 * branch.capacity()).sqrt());
+        of_branch.or(self.yield_speed.is_finite().then_some(self.yield_speed))
     }
 
     /// As [`Contact::closed_form`], on a spot, which then remembers the impact.

@@ -50,9 +50,11 @@ impl Contact {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
         // what takes energy only makes the impact shallower: elastic without damping, elastic with it
-        let yields = self.yielding.as_ref().filter(|(scales, _)| {
-            let q = speed / scales.speed;
-            spot.is_some() || 0.4 * q * q + weight / scales.force > 0.4
+        let yields = self.yielding.as_ref().filter(|(scales, law)| {
+            let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
+            let until = law.elastic_until();
+            // a law without an elastic regime yields at once
+            spot.is_some() || until == 0.0 || 0.4 * q * q + weight / scales.force * until > 0.4 * least * least
         });
         let (scales, law, q) = match yields {
             Some((scales, law)) => {
@@ -203,9 +205,7 @@ impl Contact {
         let rows = impact.trace.iter().map(|row| row.energy_drift);
         let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst: f64, d| worst.max(d.abs()));
         let energy = scales.energy();
-        let plastic = law.spent(&outcome.unloading);
-        let plastic = if essentials.has_dent() { plastic * energy } else { 0.0 };
-        impact.energy.plastic = self.pair().yield_point.map(|_| plastic);
+        impact.energy.plastic = self.pair().yield_point.map(|_| law.plastic(&outcome.unloading) * energy);
         impact.energy.drift = drift;
         let is_captured = outcome.fate == Fate::Captured;
         let left = if is_captured { 0.0 } else { outcome.unloading.stored(outcome.end.distance) };

@@ -2,7 +2,8 @@
 //!
 //! On a smooth piece these derivatives are known from g, so the interpolant costs no evaluation, and its error, of order
 //! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself. Where g is a power that is no polynomial, it
-//! lacks these derivatives at y = 0, and a shorter step of its own leads to every sample instead.
+//! lacks these derivatives at y = 0, and a formula of x may be curved too sharply for it just behind its zero: there a
+//! shorter step of its own leads to every sample instead.
 
 use super::field::Variables;
 use super::landing::Node;

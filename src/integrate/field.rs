@@ -21,6 +21,8 @@ pub(super) trait Variables: Field<f64> {
     const IS_TIME: bool;
     /// Whether g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
+    /// Whether a pull may be stronger than the force.
+    const IS_PULLED: bool = false;
     /// y for a distance d.
     fn y_at(self, distance: f64) -> f64;
     /// d for y.
@@ -204,7 +206,7 @@ impl Field<f64> for Plain {
 
 impl Variables for Plain {
     const IS_TIME: bool = true;
-    const IS_POLYNOMIAL: bool = true;
+    const IS_POLYNOMIAL: bool = false;
     fn y_at(self, distance: f64) -> f64 {
         distance
     }

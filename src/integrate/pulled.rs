@@ -67,6 +67,7 @@ impl Field<f64> for Straight {
 }
 
 impl Variables for Straight {
+    const IS_PULLED: bool = true;
     const IS_TIME: bool = true;
     const IS_POLYNOMIAL: bool = true;
     fn y_at(self, distance: f64) -> f64 {
@@ -127,6 +128,7 @@ impl Field<f64> for Power {
 
 macro_rules! square_root_variable {
     ($field:ident, $power:expr) => {
+        const IS_PULLED: bool = true;
         const IS_TIME: bool = false;
         fn y_at(self, distance: f64) -> f64 {
             distance.sqrt()

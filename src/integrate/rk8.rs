@@ -79,7 +79,9 @@ impl Rk8 {
             let mut landing = None;
             if last <= h {
                 let landed = leg.target.land(field, &next);
-                if landed.left_out_squared < leg.left_out_squared {
+                // while a pull still speeds it up, the turning point that is near is one behind
+                let is_behind = F::IS_PULLED && landed.kind != AT_END && next.g * leg.target.direction > 0.0;
+                if landed.left_out_squared < leg.left_out_squared && !is_behind {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
                     landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });

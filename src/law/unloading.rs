@@ -149,12 +149,7 @@ impl Unloading {
     /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
     #[must_use]
     pub fn indentation_at_force(&self, force: f64) -> f64 {
-        let residual = self.peak.residual();
-        residual
-            + match self.curve {
-                None => self.peak.elastic_approach * (force / self.peak.force).powf(1.0 / self.exponent),
-                Some(curve) => curve.distance_at_force(residual, force),
-            }
+        self.peak.residual() + self.recovered_at(force)
     }
 
     /// df/dx where unloading begins, n f_m/ε_m.
@@ -191,6 +186,25 @@ impl Unloading {
         match self.curve {
             None => self.stiffness() * power(recovered, self.exponent),
             Some(curve) => self.force_on(&curve, recovered),
+        }
+    }
+
+    /// df/dx there.
+    #[must_use]
+    pub fn slope_after(&self, recovered: f64) -> f64 {
+        match self.curve {
+            None => self.stiffness() * self.exponent * power(recovered, self.exponent - 1.0),
+            Some(curve) => curve.slope(self.peak.residual(), recovered),
+        }
+    }
+
+    /// What is still to be recovered where the force is `force`; all of it from f_m on.
+    #[must_use]
+    pub fn recovered_at(&self, force: f64) -> f64 {
+        match self.curve {
+            None => self.peak.elastic_approach * (force / self.peak.force).min(1.0).powf(1.0 / self.exponent),
+            Some(_) if force >= self.peak.force => self.peak.elastic_approach,
+            Some(curve) => curve.distance_at_force(self.peak.residual(), force),
         }
     }
 

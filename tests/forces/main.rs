@@ -1,6 +1,7 @@
 //! Gravity and damping: balances of energy, closed forms, and the cases that are hard.
 #![allow(clippy::unwrap_used)]
 
+mod at_rest;
 #[path = "../common/mod.rs"]
 mod common;
 mod properties;

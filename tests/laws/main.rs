@@ -8,6 +8,7 @@ mod common;
 mod every_law;
 mod shallow_dents;
 mod tabulated;
+mod with_forces;
 
 use common::Scene;
 use plm_impact::impact::Contact;

@@ -3,6 +3,7 @@
 use crate::impact::forces::Damping;
 use crate::impact::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, Rest};
+use crate::law::reloading::GRAZING;
 use crate::law::{Law, Unloading};
 
 /// Gravity and damping in the units of an impact.
@@ -24,15 +25,22 @@ impl Load {
     /// Without damping: whether a sphere that came at q = v/V stays in its dent.
     #[must_use]
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
-        let has_dent = unloading.peak.residual() > 0.0;
-        self.weight > 0.0 && (q == 0.0 || has_dent && unloading.peak.force <= (unloading.exponent + 1.0) * self.weight)
+        let held = (unloading.exponent + 1.0) * self.weight;
+        // an elastic contact gives back what it took, to rounding
+        let held = if unloading.peak.residual() > 0.0 { held } else { held * (1.0 - GRAZING) };
+        self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= held)
     }
 
     /// Elastic approach at which the unloading branch carries the weight; at most that of the peak.
     #[must_use]
     pub fn static_approach(&self, unloading: &Unloading) -> f64 {
-        let peak = &unloading.peak;
-        peak.elastic_approach * (self.weight / peak.force).min(1.0).powf(1.0 / unloading.exponent)
+        unloading.recovered_at(self.weight)
+    }
+
+    /// Tangent stiffness of the branch there, at the elastic approach `at_rest`.
+    #[must_use]
+    pub fn static_slope(&self, unloading: &Unloading, at_rest: f64) -> f64 {
+        if unloading.is_power() { unloading.exponent * self.weight / at_rest } else { unloading.slope_after(at_rest) }
     }
 
     /// x at which the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has

@@ -18,8 +18,11 @@ use super::super::{IntegrationError, Leg, State, Work};
 /// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
 const MOST_STEPS: u64 = 1_000_000;
 
-/// Repeats of a landing step.
+/// Repeats of a landing step,
 const MOST_ROUNDS: u32 = 12;
+/// and of one to a lift-off: under weak damping the contact force goes with the fifth power of r until next to its zero, and
+/// Newton's method takes off only a fifth of what is left each time.
+const MOST_ROUNDS_TO_LIFT_OFF: u32 = 60;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
 const PART: f64 = 0.05;
@@ -308,7 +311,8 @@ impl Run {
             let better = (self.length - change).clamp(0.0, most);
             let is_better = better != self.length;
             self.length = better;
-            if is_better && rounds < MOST_ROUNDS {
+            let most_rounds = if event == Event::LiftOff { MOST_ROUNDS_TO_LIFT_OFF } else { MOST_ROUNDS };
+            if is_better && rounds < most_rounds {
                 self.aim = Aim::Mend { event, size, most, rounds: rounds + 1 };
                 return Progress::Again;
             }
