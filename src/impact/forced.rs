@@ -20,7 +20,7 @@ use super::outcome::Outcome;
 use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use crate::integrate::{IntegrationError, Leg, Sizes, State};
-use crate::law::{ElasticApproach, Law, Unloading};
+use crate::law::{Law, Unloading};
 pub use load::Load;
 pub(super) use load::{Creep, equilibrium};
 
@@ -120,7 +120,6 @@ impl<'a> Course<'a> {
         let pull = ACCELERATION * load.weight;
         let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
         let is_reload = law.branch().is_some();
-        let is_elastic = matches!(law.elastic, ElasticApproach::All);
         let touch = ForcedState { state: State { time: 0.0, distance: 0.0, speed: q }, loss: 0.0 };
         let drag = load.drag();
         let mut course = Self {
@@ -130,7 +129,7 @@ impl<'a> Course<'a> {
             pull,
             drag,
             sizes,
-            stops_at_yield: recorder.is_some() && !is_elastic && !is_reload,
+            stops_at_yield: recorder.is_some() && law.elastic_until() > 0.0 && !is_reload,
             phase: Phase::Loading { piece: 0, event: None, creep: None },
             path: ForcedPath { path: way_out(law, 0, sizes), pull, drag, back_to: 0.0, rest: None },
             at: touch,
@@ -248,9 +247,10 @@ impl<'a> Course<'a> {
             {
                 (end, event, rests) = (distance - creep.within, None, Some(creep));
             }
-            stops_at_yield &= piece.start + end > 1.0;
+            let elastic_until = self.law.elastic_until();
+            stops_at_yield &= piece.start + end > elastic_until;
             if stops_at_yield {
-                (end, event, rests) = (1.0 - piece.start, Some(Event::Yield), None);
+                (end, event, rests) = (elastic_until - piece.start, Some(Event::Yield), None);
             }
             path.leg = Leg::Outward(end);
         }
@@ -273,6 +273,10 @@ impl<'a> Course<'a> {
             }
             piece += 1;
             self.at.state.distance = entry_of(self.law, piece);
+            // a law may yield at a knot
+            if self.stops_at_yield && self.law.loading.pieces()[piece].start == self.law.elastic_until() {
+                event = Some(Event::Yield);
+            }
         }
         self.stops_at_yield &= event != Some(Event::Yield);
         if let (Some(recorder), Some(event)) = (recorder, event) {
