@@ -4,7 +4,7 @@ pub mod indentation;
 pub mod repeat;
 
 use crate::error::Error;
-use crate::impact::{Contact, Impact, Method};
+use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot;
@@ -32,6 +32,9 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
+    if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
+        return Err(Error::impact(scenario, ImpactError::NoClosedForm));
+    }
     // what the closed form cannot hold no integration can
     contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
     Ok((scene, contact))
