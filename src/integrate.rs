@@ -138,7 +138,9 @@ pub enum IntegrationError {
         step: f64,
     },
     /// More steps than any impact needs.
-    #[error("no landing within {steps} steps; loosen the tolerance or use method = \"closed_form\"")]
+    #[error(
+        "no landing within {steps} steps; loosen the tolerance, or use method = \"rk8\" (or \"closed_form\", where nothing damps)"
+    )]
     TooManySteps {
         /// The limit.
         steps: u64,

@@ -88,7 +88,7 @@ fn finish<P: Piece>(
     loop {
         let (node, rates) = (run.node, run.rates);
         let next = step(piece, run, &node, &rates, run.length);
-        let verdict = if run.is_marching() { Verdict::of(&next, run.length) } else { Verdict::NONE };
+        let verdict = if run.is_marching() { Verdict::of(&next, run.length, run.least) } else { Verdict::NONE };
         let (length, end, landed) = match run.tell(piece, &next, verdict)? {
             Progress::Again => continue,
             Progress::Moved { length } => (length, run.node[2], None),

@@ -106,16 +106,16 @@ pub(super) struct Step<T = f64> {
 }
 
 impl Step {
-    /// Estimated error of this step of length h relative to the sizes.
+    /// Estimated error of this step of length h relative to the sizes, `least` times that of order 5 at least.
     #[inline(always)]
-    pub(super) fn error(&self, h: f64) -> f64 {
+    pub(super) fn error(&self, h: f64, least: f64) -> f64 {
         // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
         let scale = self.fifth.hypot(0.1 * self.third);
         // a step far too long leaves the numbers
         if !self.node.iter().all(|part| part.is_finite()) {
             f64::INFINITY
         } else if scale > 0.0 {
-            h.abs() * self.fifth * (self.fifth / scale)
+            h.abs() * self.fifth * (self.fifth / scale).max(least)
         } else {
             h.abs() * self.fifth
         }

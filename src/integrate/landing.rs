@@ -107,6 +107,8 @@ impl<T: Lane> Target<T> {
         // outward, and the turning point about as near as the end? then to that first, else straight to the end
         let gap = self.end - y;
         let near = (u * u).if_less((g * gap).abs() * 4.0, self.direction, -one);
+        // a pull may still speed it up: then no turning point is near
+        let near = g.if_less(zero, near, -one);
         let d = zero.if_less(near, -u, gap) / zero.if_less(near, g, u);
         let miss = zero.if_less(near, series.velocity(d), series.position(d) - self.end);
         let d = d - miss / zero.if_less(near, series.acceleration(d), series.velocity(d));

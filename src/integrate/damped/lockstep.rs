@@ -10,6 +10,7 @@ use super::super::forced::{Drag, ForcedLanding, ForcedPath, ForcedState};
 use super::super::motions::{Hertz, Straight};
 use super::super::{IntegrationError, Restoring};
 use super::rows::{Onward, Rows, Stepping};
+use super::run::least_share;
 use super::{Progress, Run, Verdict};
 
 /// Motions that step together.
@@ -31,6 +32,7 @@ pub struct Lockstep<const M: u8> {
     rows: Box<Rows>,
     ways: Box<[Option<(Run, Piece<M>)>; LANES]>,
     tolerance: f64,
+    least: f64,
     /// Steps of all lanes so far.
     steps: u64,
     arch: Arch,
@@ -54,7 +56,8 @@ impl<const M: u8> Lockstep<M> {
     /// Lanes of this relative tolerance, all idle.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
-        Self { rows: Box::new(Rows::idle()), ways: Box::new([None; LANES]), tolerance, steps: 0, arch: Arch::new() }
+        let (rows, ways) = (Box::new(Rows::idle()), Box::new([None; LANES]));
+        Self { rows, ways, tolerance, least: least_share(tolerance), steps: 0, arch: Arch::new() }
     }
 
     /// Whether these are the lanes for this drag.
@@ -112,7 +115,7 @@ impl<const M: u8> Lockstep<M> {
             count += usize::from(rows.marches[lane] > 0.0);
         }
         for lane in &marching[..count] {
-            rows.error[*lane] = rows.step_of(*lane).error(rows.h[*lane]);
+            rows.error[*lane] = rows.step_of(*lane).error(rows.h[*lane], self.least);
         }
         for lane in &marching[..count] {
             rows.pace[*lane] = Verdict::pace(rows.error[*lane]);
