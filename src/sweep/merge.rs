@@ -153,7 +153,7 @@ fn write(sidecar: &Sidecar, shards: &[PathBuf], part: &Path) -> Result<Tally, Sw
         let row =
             read_line(body, sidecar.restitution_column).filter(|row| row.case == tally.rows).ok_or_else(|| {
                 let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
-                SweepError::Damaged { path: table.to_path_buf(), problem }
+                SweepError::Damaged { path: (*table).clone(), problem }
             })?;
         tally.push(row.count, sidecar.is_monte_carlo);
         let end: &[u8] = if is_json && tally.rows < sidecar.cases { b",\n" } else { b"\n" };
