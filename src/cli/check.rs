@@ -45,6 +45,7 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
 
 fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
+    plm_impact::run::can_be_traced(scenario, &scene)?;
     for warning in &scene.warnings {
         super::note(format_args!("warning: {warning}"));
     }
