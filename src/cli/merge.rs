@@ -36,7 +36,7 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     directory.write(&[OutputFile { name: "summary.json".to_owned(), bytes: summary.into_bytes() }])?;
     if !arguments.quiet {
         super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
-        eprintln!("wrote {}, summary.json", arguments.out.display());
+        super::note(format_args!("wrote {}, summary.json", arguments.out.display()));
     }
     super::sweep::finish(&merged.tally, arguments.out.clone())
 }

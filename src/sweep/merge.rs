@@ -10,6 +10,8 @@ use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
 use super::table::read_line;
 
 const SIDECAR: &str = ".sidecar.json";
+/// What the command writes beside a merged table.
+const SUMMARY: &str = "summary.json";
 
 /// A merged table.
 #[derive(Debug, Clone)]
@@ -93,17 +95,46 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
 /// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
 ///
 /// # Errors
-/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard; file errors.
+/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard, [`SweepError::Place`] for an `out`
+/// that would take the place of a shard or is no name of a table; file errors. Then nothing is left of the table.
 pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
+    check_place(out, &shards)?;
+    let part = part_path(out);
+    let written = write(&sidecar, &shards, &part);
+    let merged = written.and_then(|tally| {
+        fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
+        Ok(Merged { sidecar, tally })
+    });
+    if merged.is_err() {
+        drop(fs::remove_file(&part));
+    }
+    merged
+}
+
+fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
+    let is_out = |path: &Path| out.canonicalize().is_ok_and(|out| path.canonicalize().is_ok_and(|path| path == out));
+    let problem = if out.is_dir() {
+        "is a directory"
+    } else if out.file_name().is_some_and(|name| name == SUMMARY) {
+        "is the name of the summary, which goes beside the table"
+    } else if shards.iter().any(|table| is_out(table) || is_out(&sidecar_path(table))) {
+        "is one of the shards"
+    } else {
+        return Ok(());
+    };
+    Err(SweepError::Place { path: out.to_owned(), problem })
+}
+
+/// The rows of all shards in their order.
+fn write(sidecar: &Sidecar, shards: &[PathBuf], part: &Path) -> Result<Tally, SweepError> {
     let mut readers = Vec::new();
-    for table in &shards {
+    for table in shards {
         let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
         readers.push((BufReader::with_capacity(1 << 20, file), table));
     }
-    let part = part_path(out);
-    let unwritable = SweepError::file("cannot be written", &part);
-    let mut writer = BufWriter::with_capacity(1 << 20, File::create(&part).map_err(&unwritable)?);
+    let unwritable = SweepError::file("cannot be written", part);
+    let mut writer = BufWriter::with_capacity(1 << 20, File::create(part).map_err(&unwritable)?);
     let (mut line, mut header) = (Vec::new(), Vec::new());
     for (reader, table) in &mut readers {
         header.clear();
@@ -133,6 +164,5 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     }
     let file = writer.into_inner().map_err(|error| unwritable(error.into_error()))?;
     file.sync_all().map_err(&unwritable)?;
-    fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
-    Ok(Merged { sidecar, tally })
+    Ok(tally)
 }
