@@ -9,6 +9,7 @@ mod run;
 mod sweep;
 mod validate;
 
+use std::fmt::Display;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
@@ -68,6 +69,11 @@ pub fn run() -> anyhow::Result<()> {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
     }
+}
+
+/// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.
+pub fn note(line: impl Display) {
+    drop(writeln!(io::stderr().lock(), "{line}"));
 }
 
 /// Prints a result; a reader that has seen enough (`| head`) is no failure.

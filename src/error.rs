@@ -102,13 +102,21 @@ impl From<ShardError> for Error {
 }
 
 impl Error {
-    /// No result for this scenario.
+    /// No result for this scenario; where one key is the reason, it is shown where it stands.
     #[must_use]
     pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
         if let ImpactError::Range(range) = &reason
             && let Some(refusal) = scenario.too_extreme(range)
         {
             return refusal.into();
+        }
+        let key = match &reason {
+            ImpactError::Law(_) => "law",
+            ImpactError::NoClosedForm => "solver.method",
+            ImpactError::Range(_) | ImpactError::Integration(_) => "",
+        };
+        if scenario.document.has(key) {
+            return scenario.document.refuse(key, reason.to_string()).into();
         }
         Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }

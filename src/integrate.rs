@@ -129,7 +129,7 @@ pub struct Work {
 pub enum IntegrationError {
     /// The step became too small to advance.
     #[error(
-        "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use method = \"closed_form\""
+        "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use another method"
     )]
     StepUnderflow {
         /// Where.

@@ -5,7 +5,7 @@ pub mod repeat;
 pub mod table;
 
 use crate::error::Error;
-use crate::impact::{Contact, Impact, Method};
+use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot;
@@ -25,11 +25,29 @@ pub struct Run {
     pub files: Vec<OutputFile>,
 }
 
-/// The scene of a scenario and its contact, neither of which leaves double precision.
+/// The scene of a scenario and its contact, neither of which leaves double precision, for a run with a trace.
 ///
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    let (scene, contact) = held(scenario)?;
+    can_be_traced(scenario, &scene)?;
+    Ok((scene, contact))
+}
+
+/// Whether the method gives a trace, which a run writes.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
+    if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
+        return Err(Error::impact(scenario, ImpactError::NoClosedForm));
+    }
+    Ok(())
+}
+
+/// Scene and contact, which double precision holds.
+fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;

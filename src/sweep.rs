@@ -36,7 +36,7 @@ pub use table::Format;
 #[derive(Debug, Error)]
 pub enum SweepError {
     /// The file system says no; what is written so far stays, and can be resumed.
-    #[error("{}: {problem}: {source}", .path.display())]
+    #[error("{}: {problem}", .path.display())]
     File {
         /// The file.
         path: PathBuf,
@@ -79,6 +79,14 @@ pub enum SweepError {
     /// A request that the build or the format does not allow.
     #[error("{0}")]
     Unsupported(&'static str),
+    /// No place for a merged table.
+    #[error("--out {}: {problem}; name another file", .path.display())]
+    Place {
+        /// Where it was to go.
+        path: PathBuf,
+        /// What is wrong with that.
+        problem: &'static str,
+    },
     /// Shards that do not make a table.
     #[error("these shards do not make a table:\n  {}", .0.join("\n  "))]
     Shards(Vec<String>),
@@ -96,7 +104,11 @@ impl SweepError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Interrupted { .. } => 130,
-            Self::Changed { .. } | Self::Unsupported(_) | Self::Shards(_) | Self::Damaged { .. } => 2,
+            Self::Changed { .. }
+            | Self::Unsupported(_)
+            | Self::Place { .. }
+            | Self::Shards(_)
+            | Self::Damaged { .. } => 2,
             Self::File { .. } => 1,
         }
     }

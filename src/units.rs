@@ -9,7 +9,7 @@ mod table;
 use thiserror::Error;
 
 use crate::nearest::nearest;
-pub use format::{describe, human, number, si};
+pub use format::{describe, four_digits, human, number, si};
 use table::{Scale, UNITS, Unit};
 
 /// What a quantity measures.

@@ -98,6 +98,21 @@ fn an_elastic_scene_reports_nothing_plastic() {
 }
 
 #[test]
+fn a_reader_who_has_left_is_no_failure() {
+    let desk = Desk::with(STEEL);
+    // warnings, and where the files are
+    for arguments in [&["run", "s.toml", "--set", "impact.speed=200 m/s"][..], &["check", "none.toml"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        command.current_dir(desk.path("")).args(arguments).stdout(writer.try_clone().unwrap()).stderr(writer);
+        let want = if arguments[0] == "run" { 0 } else { 2 };
+        assert_eq!(command.status().unwrap().code(), Some(want), "{arguments:?}");
+    }
+    assert_eq!(desk.files("plots/s"), FILES);
+}
+
+#[test]
 fn strict_makes_warnings_errors_and_writes_nothing() {
     let desk = Desk::with(STEEL);
     // far beyond a/R = 0.45
@@ -136,6 +151,16 @@ fn wrong_scenarios_are_refused_by_both_commands() {
         ("radius =", "raduis =", &["s.toml:7:1: sphere.raduis: unknown key `raduis`, did you mean `radius`?"]),
         ("[solver]", "[law.thornton]\n[solver]", &["exactly one law, found plm and thornton"]),
         ("[solver]", "[solver", &["s.toml:23:"]),
+        (
+            "speed = \"3 m/s\"\n\n[law.plm]\nunloading_exponent = 1.5",
+            "speed = \"0.1 m/s\"\n\n[law.johnson]",
+            &["s.toml:20:2: law: the law has no answer for a peak indentation of 3.917 x", "use another law, or"],
+        ),
+        (
+            "[solver]",
+            "[gravity]\nacceleration = 9.81\n[solver]\nmethod = \"closed_form\"",
+            &["s.toml:26:10: solver.method: method \"closed_form\" gives", "no trace", "use \"auto\" or \"rk8\""],
+        ),
         ("speed = \"3 m/s\"", "speed = \"3 m/s\"\nspeed = 2", &["s.toml:19:1", "duplicate"]),
     ];
     for (from, to, wants) in table {

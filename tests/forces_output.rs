@@ -65,6 +65,35 @@ fn a_captured_sphere_has_no_contact_time_and_one_at_rest_no_restitution() {
     assert_eq!((&summary["outcome"], &summary["restitution"]), (&"captured".into(), &0.0.into()));
 }
 
+/// What the table of an impact says of its accuracy, and its warnings.
+fn accuracy_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
+    let run = run(scenario, "test").unwrap();
+    let line = run.table.lines().find(|line| line.starts_with("accuracy")).unwrap().to_owned();
+    (line, run.impact.warnings.iter().map(ToString::to_string).collect())
+}
+
+#[test]
+fn without_a_closed_form_the_energy_ledger_stands_in_for_it() {
+    // a law of other curves than powers has none under gravity
+    let (line, _) = accuracy_and_warnings(&scenario("[law.jackson_green]\n", &[]));
+    assert!(line.contains("energy drift; this scene has no closed form"), "{line}");
+    // an exponent of 1.2 near yield gives back more than was spent, with or without a closed form
+    let soft = "[law.plm]\nunloading_exponent = 1.2\n[damping]\nhunt_crossley = 1e-6\n";
+    let (line, warnings) = accuracy_and_warnings(&scenario(soft, &["impact.drop_height=10 um"]));
+    assert!(line.contains("no closed form"), "{line}");
+    assert!(
+        warnings.iter().any(|warning| warning.contains("is above 1: an unloading exponent of 1.2")),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn a_range_without_an_upper_end_is_told_so() {
+    let text = STEEL.replace("3 m/s", "1 m/s") + "[law.mesarovic_johnson]\n";
+    let (_, warnings) = accuracy_and_warnings(&Scenario::from_text("s.toml", &text, &[]).unwrap());
+    assert!(warnings.iter().any(|warning| warning.contains("and more, the range that the law")), "{warnings:?}");
+}
+
 #[test]
 fn rows_of_a_table_are_the_single_impacts() {
     let sweep = "[damping]\nviscous = 0.1\n[sweep]\n\"impact.drop_height\" = [0, 1e-9, 0.5]\n\"damping.viscous\" = [0, 0.1]\n\

@@ -126,6 +126,12 @@ fn wrong_indentations_are_refused_by_both_commands() {
         (STEPS, "steps = [{ load = 1 }, { load = \"1 N\" }]", &["\"Ti-5Nb\", step 2 ends where it begins"]),
         (STEPS, "steps = [{ load = 0 }]", &["\"Ti-5Nb\", step 1 ends where it begins"]),
         (STEPS, "steps = [{ load = \"1 MN\" }]", &["step 1 presses the sphere in by", "its radius of 2.5000e-4 m"]),
+        // only the softest and weakest corner of the uncertainties goes deeper than the radius
+        (
+            STEPS,
+            "steps = [{ load = \"680 N\" }]",
+            &["\"Ti-5Nb at an end of its uncertainty\", step 1 presses the sphere in by", "its radius of 2.5000e-4 m"],
+        ),
         (
             STEPS,
             "steps = [{ load = 1e-320 }]",

@@ -274,6 +274,54 @@ fn merge_names_missing_double_and_foreign_shards() {
 }
 
 #[test]
+fn a_merge_takes_the_place_of_no_shard_and_leaves_nothing_half_written() {
+    let directory = tempfile::tempdir().unwrap();
+    let (file, shards) = (scenario(directory.path(), 500), directory.path().join("shards"));
+    for i in 0..2 {
+        assert!(run(&file, &shards, &["--shard", &format!("{i}/2")]).status().unwrap().success());
+    }
+    let names = || {
+        let entries = fs::read_dir(&shards).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        entries.collect::<std::collections::BTreeSet<_>>()
+    };
+    let (before, second) = (names(), shards.join("table-1-of-2.csv"));
+    let text = fs::read_to_string(&second).unwrap();
+    for (out, why) in [
+        (shards.join("table-0-of-2.csv"), "is one of the shards"),
+        (shards.join("../shards/table-1-of-2.csv"), "is one of the shards"),
+        (shards.join("table-1-of-2.csv.sidecar.json"), "is one of the shards"),
+        (shards.join("summary.json"), "is the name of the summary"),
+        (shards.clone(), "is a directory"),
+    ] {
+        let refused = merge(&shards, &out);
+        assert_eq!(code(&refused), 2, "{}", stderr(&refused));
+        assert!(
+            stderr(&refused).contains(why) && stderr(&refused).contains("name another file"),
+            "{}",
+            stderr(&refused)
+        );
+    }
+    // a shard that somebody cut is found on the way
+    fs::write(&second, &text[..text.len() / 2]).unwrap();
+    let damaged = merge(&shards, &shards.join("whole.csv"));
+    assert_eq!(code(&damaged), 2);
+    assert!(stderr(&damaged).contains("is not where it belongs"), "{}", stderr(&damaged));
+    assert_eq!(names(), before);
+    fs::write(&second, &text).unwrap();
+    assert_eq!(code(&merge(&shards, &shards.join("whole.csv"))), 0);
+}
+
+#[test]
+fn so_many_threads_that_a_machine_stops_are_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let refused = run(&scenario(directory.path(), 3), &out, &["--threads", "100000"]).output().unwrap();
+    assert_eq!(code(&refused), 2);
+    assert!(stderr(&refused).contains("0..=1024"), "{}", stderr(&refused));
+    assert!(!out.exists());
+}
+
+#[test]
 fn unfinished_rows_of_a_changed_scenario_are_refused_and_others_go_on() {
     let directory = tempfile::tempdir().unwrap();
     let file = scenario(directory.path(), 50);

@@ -37,7 +37,7 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
     for warning in &plan.scene.warnings {
-        eprintln!("warning: {warning}");
+        super::note(format_args!("warning: {warning}"));
     }
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
     super::print(&text).context("standard output")
@@ -45,8 +45,9 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
 
 fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
+    plm_impact::run::can_be_traced(scenario, &scene)?;
     for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
+        super::note(format_args!("warning: {warning}"));
     }
     super::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
 }
@@ -54,7 +55,7 @@ fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact) = plm_impact::run::prepare(scenario)?;
     for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
+        super::note(format_args!("warning: {warning}"));
     }
     super::print(&overview(&scene, &contact)).context("standard output")
 }
@@ -62,7 +63,7 @@ fn impact(scenario: &Scenario) -> anyhow::Result<()> {
 fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
     for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
+        super::note(format_args!("warning: {warning}"));
     }
     super::print(&of_indentation(&scene, &contacts)).context("standard output")
 }

@@ -64,7 +64,7 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
     super::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
-    eprintln!("wrote {}", arguments.out.display());
+    super::note(format_args!("wrote {}", arguments.out.display()));
     Ok(())
 }
 

@@ -39,7 +39,7 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     if !arguments.quiet {
         super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {}, {}", arguments.out.display(), names.join(", "));
+        super::note(format_args!("wrote {}, {}", arguments.out.display(), names.join(", ")));
     }
     super::sweep::finish(&merged.tally, arguments.out.clone())
 }

@@ -98,7 +98,7 @@ fn finish(
     if !arguments.quiet {
         super::print(table).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        eprintln!("wrote {} to {}", names.join(", "), out.display());
+        super::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
     }
     Ok(())
 }
@@ -106,7 +106,7 @@ fn finish(
 /// Warnings to standard error.
 pub fn warn(warnings: &[impl Display]) {
     for warning in warnings {
-        eprintln!("warning: {warning}");
+        super::note(format_args!("warning: {warning}"));
     }
 }
 

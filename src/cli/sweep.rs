@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context as _;
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
@@ -45,8 +45,8 @@ pub struct Options {
     #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
     shard_env: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(0..=1024))]
+    threads: Option<u16>,
 }
 
 impl Options {
@@ -86,7 +86,7 @@ pub fn run(
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
     if let Some(threads) = options.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().context("--threads")?;
+        rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().context("--threads")?;
     }
     let is_cancelled = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&is_cancelled);
@@ -123,9 +123,9 @@ pub fn run(
     if !is_quiet {
         super::print(&report::sweep::lines(&written.tally)).context("standard output")?;
         if written.resumed > 0 {
-            eprintln!("{} of these rows were there from an earlier run", written.resumed);
+            super::note(format_args!("{} of these rows were there from an earlier run", written.resumed));
         }
-        eprintln!("wrote {}", names.join(", "));
+        super::note(format_args!("wrote {}", names.join(", ")));
     }
     finish(&written.tally, written.table)
 }

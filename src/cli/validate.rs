@@ -44,7 +44,11 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let out = directory.path().to_owned();
     directory.write(&files)?;
     super::print(&report::table(&checks)).context("standard output")?;
-    eprintln!("wrote validation.csv, validation.md and {} pictures to {}", files.len() - 2, out.display());
+    super::note(format_args!(
+        "wrote validation.csv, validation.md and {} pictures to {}",
+        files.len() - 2,
+        out.display()
+    ));
     match check::count(&checks, Verdict::Miss) {
         0 => Ok(()),
         missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.md") }.into()),

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::{Contact, Impact};
 use crate::law::{Law, Peak};
+use crate::units::four_digits;
 
 /// A doubt about a result. The text says what is doubtful and what to do.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -52,6 +53,16 @@ pub enum Warning {
         /// n.
         exponent: f64,
     },
+    /// More comes back than was spent, but the run is too rough to say so.
+    #[error(
+        "restitution {restitution:.6} is above 1, by no more than an energy ledger that is off by {drift:.1e} can tell: tighten the tolerance or use another method"
+    )]
+    RoughRebound {
+        /// e.
+        restitution: f64,
+        /// Largest drift.
+        drift: f64,
+    },
     /// A key of the scene that has no effect.
     #[error(
         "{key} is not used: the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out"
@@ -62,15 +73,15 @@ pub enum Warning {
     },
     /// A published law outside the range that its authors state.
     #[error(
-        "peak indentation = {} x the yield indentation is outside {} to {}, the range that the law is stated for: take the result for an extrapolation",
-        rounded(*.indentation), rounded(*.from), rounded(*.to)
+        "peak indentation = {} x the yield indentation is outside {}, the range that the law is stated for: take the result for an extrapolation",
+        four_digits(*.indentation), stated(*.from, *.to)
     )]
     OutsideStated {
         /// δ_m/δ_Y.
         indentation: f64,
         /// Lower end.
         from: f64,
-        /// Upper end.
+        /// Upper end, which may be infinite.
         to: f64,
     },
     /// Integration and closed form disagree.
@@ -106,10 +117,13 @@ fn source_of_gain(exponent: f64) -> String {
     }
 }
 
-/// To four significant digits.
-fn rounded(value: f64) -> f64 {
-    let scale = 10f64.powf(3.0 - value.abs().log10().floor());
-    if scale.is_finite() { (value * scale).round() / scale } else { value }
+/// A range that may have no upper end.
+fn stated(from: f64, to: f64) -> String {
+    if to.is_finite() {
+        format!("{} to {}", four_digits(from), four_digits(to))
+    } else {
+        format!("{} and more", four_digits(from))
+    }
 }
 
 /// Validity of the model for this impact.
@@ -139,23 +153,30 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     {
         warnings.push(Warning::StrongWaves { loss, recovered });
     }
-    if gains_energy(contact, impact) {
-        warnings.push(Warning::EnergyGain { restitution: impact.restitution, exponent: impact.unloading_exponent });
+    // beyond the rounding and the error of the run
+    let (restitution, known) = (impact.restitution, impact.accuracy.restitution_error);
+    let error = if known.is_nan() { rebound_error(contact, impact) } else { known };
+    let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
+    if is_real && !is_by_weight(contact, impact) {
+        warnings.push(Warning::EnergyGain { restitution, exponent: impact.unloading_exponent });
+    } else if !is_real && known.is_nan() && restitution > LARGEST_ROUGH {
+        warnings.push(Warning::RoughRebound { restitution, drift: impact.energy.drift });
     }
     warnings
 }
 
-/// Whether e is above 1 by more than the rounding and the error of the run, and that by the law: a sphere that sinks into
-/// its dent may leave faster than it came by the work of gravity alone.
-fn gains_energy(contact: &Contact, impact: &Impact) -> bool {
-    let energy = &impact.energy;
+/// A restitution that shows as more than 1.
+const LARGEST_ROUGH: f64 = 1.0005;
+
+/// A sphere that sinks into its dent may leave faster than it came by the work of gravity alone.
+fn is_by_weight(contact: &Contact, impact: &Impact) -> bool {
+    contact.forces().gravity.unwrap_or(0.0) > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0)
+}
+
+/// Without a closed form the ledger tells the error of e: it is relative to all the energy put in, e to that of the impact.
+fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
     let weight = contact.mass() * contact.forces().gravity.unwrap_or(0.0);
-    let error = impact.accuracy.restitution_error;
-    // without a closed form the ledger tells the error, as a share of all that was put in
-    let of_ledger = || energy.drift * (1.0 + weight * impact.peak_indentation / energy.kinetic_in);
-    let error = if error.is_nan() { of_ledger() } else { error };
-    let is_by_law = weight == 0.0 || energy.plastic.is_some_and(|plastic| plastic < 0.0);
-    is_by_law && impact.restitution > 1.0 + 1e-12 + 10.0 * error
+    impact.energy.drift * (1.0 + weight * impact.peak_indentation / impact.energy.kinetic_in)
 }
 
 /// Adds a warning if the run is further from the closed form than its tolerance allows.

@@ -138,7 +138,11 @@ impl Contact {
         let scene = self.scene(None, speed)?;
         let load = Load { damping: None, ..scene.load };
         if let Some(outcome) = balance::solve(scene.law, scene.q, &load) {
-            self.row(speed, &scene, &outcome)?;
+            match self.row(speed, &scene, &outcome) {
+                // the shallower peak may be one that the law has an answer for
+                Err(ImpactError::Law(_)) if scene.load.damping.is_some() => {}
+                row => drop(row?),
+            }
         }
         Ok(())
     }

@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use super::curve::Curve;
 use super::{Peak, Unloading, UnloadingShape};
+use crate::units::four_digits;
 
 /// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there: more than
 /// the 3 % by which the force of Kogut and Etsion jumps at first yield.
@@ -134,7 +135,8 @@ impl fmt::Debug for Loading {
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
     #[error(
-        "the law has no answer for a peak indentation of {indentation:.4} x the yield indentation: {problem}; use another law, or another speed"
+        "the law has no answer for a peak indentation of {} x the yield indentation: {problem}; use another law, or another speed",
+        four_digits(*.indentation)
     )]
     Range {
         /// x_m.

@@ -37,10 +37,11 @@ impl Axis {
         Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
     }
 
-    /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small.
+    /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small. A
+    /// plain number has no unit that could take one, and kilograms have theirs.
     #[must_use]
     pub fn engineering(title: &str, unit: &str) -> Self {
-        Self { is_engineering: true, ..Self::linear(title, unit) }
+        Self { is_engineering: !unit.is_empty() && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
 
     /// A logarithmic axis.
@@ -175,7 +176,9 @@ fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> 
         _ => (1, exponent + 1),
     };
     let step = f64::from(digit) * ten_to(exponent);
-    let is_plain = (-4..=5).contains(&exponent) && low.abs().max(high.abs()) < 1e6;
+    // a small part of numbers that are not small themselves has more decimals
+    let largest = low.abs().max(high.abs());
+    let is_plain = (-4..=5).contains(&exponent) && largest < 1e6 || (-9..-4).contains(&exponent) && largest > 0.1;
     let decimals = usize::try_from(-exponent).unwrap_or(0);
     ((low / step - 1e-6).ceil() as i64..=(high / step + 1e-6).floor() as i64)
         .map(|i| {
@@ -227,6 +230,21 @@ mod tests {
         assert_eq!(labels(&Axis::linear("e", ""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(labels(&Axis::log("v", "m/s"), [0.01, 100.0]), ["0.01", "0.1", "1", "10", "100"]);
         assert_eq!(labels(&Axis::log("error", ""), [1e-12, 1e-2])[..2], ["10⁻¹²", "10⁻¹⁰"]);
+    }
+
+    #[test]
+    fn a_prefix_stands_before_a_unit_that_has_none() {
+        let title = |unit, value| Axis::engineering("x", unit).fitted([0.0, value].into_iter()).title;
+        assert_eq!(title("m", 1e-6), "x [µm]");
+        // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3
+        assert_eq!(title("", 0.4), "x");
+        assert_eq!(title("kg/m^3", 7850.0), "x [kg/m^3]");
+    }
+
+    #[test]
+    fn a_narrow_range_of_ordinary_numbers_has_decimals() {
+        assert_eq!(labels(&Axis::linear("e", ""), [0.546_53, 0.546_56])[..2], ["0.54653", "0.54654"]);
+        assert_eq!(labels(&Axis::linear("drift", ""), [0.0, 3e-5])[1], "1e−5");
     }
 
     #[test]

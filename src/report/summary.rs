@@ -109,7 +109,7 @@ struct Energy {
     drift: f64,
 }
 
-/// `null` where damping leaves no closed form.
+/// `null` where the scene has no closed form.
 #[derive(Serialize)]
 struct Accuracy {
     closed_form_restitution: Option<f64>,

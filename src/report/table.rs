@@ -75,7 +75,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     row("energy", quantity(energy.kinetic_in, "J"), split);
     let accuracy = &impact.accuracy;
     if accuracy.restitution_error.is_nan() {
-        row("accuracy", format!("{:.1e}", energy.drift), "energy drift; no closed form with this damping".to_owned());
+        row("accuracy", format!("{:.1e}", energy.drift), "energy drift; this scene has no closed form".to_owned());
     } else {
         row(
             "accuracy",

@@ -32,7 +32,11 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
     let contacts = contacts.map_err(|range| refused(scenario, None, range.into()))?;
     for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
         let name = specimen.name.as_deref();
-        contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
+        let middle = contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
+        // neither may a corner of the uncertainties go where nothing holds
+        let name = name.map(|name| format!("{name} at an end of its uncertainty"));
+        let refuse = |reason| refused(scenario, name.as_deref(), reason);
+        specimen.spans(scene.indenter, &scene.coefficients, scene.exponent, &scene.targets, &middle).map_err(refuse)?;
     }
     Ok((scene, contacts))
 }

@@ -1,6 +1,6 @@
 //! Repeated impacts from a scenario to their output files.
 
-use super::{prepare, provenance};
+use super::{can_be_traced, held, provenance};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
 use crate::output::OutputFile;
@@ -27,7 +27,7 @@ pub struct RepeatRun {
 /// # Errors
 /// [`Error`] with exit code 2.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
-    let (mut scene, contact) = prepare(scenario)?;
+    let (mut scene, contact) = held(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;
     if scenario.file.solver.method.is_none() {
         // a series needs no steps where there is a closed form
@@ -42,6 +42,7 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), E
 /// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
 pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
+    can_be_traced(scenario, &scene)?;
     let sequence =
         repeat.run(&contact, &scene.solver, scene.samples).map_err(|reason| Error::impact(scenario, reason))?;
     let provenance = provenance(scenario, &scene, sequence.method, command)?;

@@ -101,7 +101,7 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,
         Warning::StrongWaves { loss, recovered } => loss / recovered,
-        Warning::EnergyGain { restitution, .. } => restitution,
+        Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
         Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
         Warning::UnusedKey { .. } => 0.0,

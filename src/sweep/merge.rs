@@ -13,6 +13,8 @@ use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";
 const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// What the command writes beside a merged table, with the pictures.
+const SUMMARY: &str = "summary.json";
 
 /// A merged table.
 #[derive(Debug, Clone)]
@@ -123,16 +125,48 @@ fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
 /// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
 ///
 /// # Errors
-/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard; file errors.
+/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard, [`SweepError::Place`] for an `out`
+/// that would take the place of a shard or is no name of a table; file errors. Then nothing is left of the table.
 pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
-    let is_json = sidecar.format == Format::Json.name();
+    check_place(out, &shards)?;
     let plan = plan(&sidecar, &shards)?;
-    let header = TextTable::new(&plan, if is_json { Format::Json } else { Format::Csv }).header();
+    let part = part_path(out);
+    let written = write(&sidecar, &plan, &shards, &part);
+    let merged = written.and_then(|tally| {
+        fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
+        Ok(Merged { sidecar, plan, tally })
+    });
+    if merged.is_err() {
+        drop(fs::remove_file(&part));
+    }
+    merged
+}
+
+fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
+    let is_out = |path: &Path| out.canonicalize().is_ok_and(|out| path.canonicalize().is_ok_and(|path| path == out));
+    let problem = if out.is_dir() {
+        "is a directory"
+    } else if out.file_name().is_some_and(|name| name == SUMMARY) {
+        "is the name of the summary, which goes beside the table"
+    } else if out.extension().is_some_and(|extension| extension == "png") {
+        "is the name of a picture, which goes beside the table"
+    } else if shards.iter().any(|table| is_out(table) || is_out(&sidecar_path(table))) {
+        "is one of the shards"
+    } else {
+        return Ok(());
+    };
+    Err(SweepError::Place { path: out.to_owned(), problem })
+}
+
+/// The rows of all shards in their order.
+fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], part: &Path) -> Result<Tally, SweepError> {
+    let is_json = sidecar.format == Format::Json.name();
+    let header = TextTable::new(plan, if is_json { Format::Json } else { Format::Csv }).header();
     // 64 MB for all shards together, however many
     let buffer = ((64 << 20) / shards.len()).clamp(1 << 16, 1 << 20);
     let mut readers = Vec::new();
-    for table in &shards {
+    for table in shards {
         let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
         let mut reader = BufReader::with_capacity(buffer, file);
         let mut first = Vec::new();
@@ -143,9 +177,8 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
         }
         readers.push((reader, table));
     }
-    let part = part_path(out);
-    let unwritable = SweepError::file("cannot be written", &part);
-    let mut writer = BufWriter::with_capacity(1 << 20, File::create(&part).map_err(&unwritable)?);
+    let unwritable = SweepError::file("cannot be written", part);
+    let mut writer = BufWriter::with_capacity(1 << 20, File::create(part).map_err(&unwritable)?);
     let mut line = Vec::new();
     writer.write_all(&header).map_err(&unwritable)?;
     let mut tally = Tally::default();
@@ -170,6 +203,5 @@ pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     }
     let file = writer.into_inner().map_err(|error| unwritable(error.into_error()))?;
     file.sync_all().map_err(&unwritable)?;
-    fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
-    Ok(Merged { sidecar, plan, tally })
+    Ok(tally)
 }

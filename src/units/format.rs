@@ -14,6 +14,12 @@ pub fn number(value: f64) -> String {
     }
 }
 
+/// To four significant digits, for messages.
+#[must_use]
+pub fn four_digits(value: f64) -> String {
+    number(format!("{value:.3e}").parse().unwrap_or(value))
+}
+
 /// In the SI unit, exact: "0.005 m".
 #[must_use]
 pub fn si(value: f64, dimension: Dimension) -> String {

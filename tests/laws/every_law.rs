@@ -6,6 +6,7 @@ use plm_impact::law::combined::Combined;
 use plm_impact::law::jackson_green::{JacksonGreen, Jumps};
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
+use plm_impact::law::thornton::Thornton;
 use plm_impact::law::{ContactLaw, Law, LawChoice, OutsideLaw};
 use plm_impact::material::HalfSpace;
 
@@ -318,4 +319,39 @@ fn the_ledger_closes_under_damping_for_every_law() {
         // ten times the tolerance, as README says
         assert!(impact.energy.drift < 1e-9, "{name}: {}", impact.energy.drift);
     }
+}
+
+/// A law yields where it says, also at a knot and away from δ_Y, whatever acts beside it; the trace has one row of it.
+#[test]
+fn every_law_yields_at_its_own_indentation_under_any_forces() {
+    let late = Thornton { yield_pressure: Some(2e9) };
+    let laws = whole_laws().into_iter().chain([("thornton, late".to_owned(), LawChoice::Thornton(late))]);
+    let gravity = Forces { gravity: Some(9.81), damping: None };
+    let damped = |damping| Forces { gravity: None, damping: Some(damping) };
+    for (name, choice) in laws {
+        for forces in [gravity, damped(Damping::HuntCrossley(1e-3)), damped(Damping::Viscous(1e-3))] {
+            let contact = contact(&Scene::case_3(), &choice).with_forces(forces);
+            for (method, _) in STEPPING {
+                let impact = contact.impact(5.0, &solver(method, 1e-8), Some(5));
+                let trace = impact.unwrap_or_else(|error| panic!("{name}, {forces:?} by {method:?}: {error}")).trace;
+                let yields = trace.iter().filter(|row| row.event == Some(Event::Yield)).map(|row| row.indentation);
+                let want: Vec<f64> = contact.yields_at().into_iter().map(|(indentation, _)| indentation).collect();
+                assert_eq!(yields.clone().count(), want.len(), "{name}, {forces:?} by {method:?}");
+                assert!(yields.zip(want).all(|(x, want)| off(x, want) < 1e-12), "{name}, {forces:?} by {method:?}");
+            }
+        }
+    }
+}
+
+/// Fast, this law has no answer; damped, the same impact is shallow enough for it. Its bodies are still held to be in range.
+#[test]
+fn a_damped_impact_is_judged_by_its_own_peak() {
+    let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
+    let damped = Forces { gravity: None, damping: Some(Damping::Viscous(0.8)) };
+    let bare = contact(&Scene::steel(), &choice);
+    assert!(matches!(bare.holds(200.0), Err(ImpactError::Law(OutsideLaw::Range { .. }))));
+    let contact = bare.with_forces(damped);
+    assert!(contact.impact(200.0, &solver(Method::Rk8, 1e-8), None).is_ok());
+    assert_eq!(contact.holds(200.0), Ok(()));
+    assert!(matches!(contact.holds(1e200), Err(ImpactError::Range(_))));
 }
