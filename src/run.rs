@@ -2,6 +2,7 @@
 
 pub mod indentation;
 pub mod repeat;
+pub mod table;
 
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};

@@ -37,6 +37,7 @@ mod place;
 pub mod quantity;
 mod reader;
 pub mod repeat;
+mod source;
 pub mod sweep;
 mod swept;
 pub mod values;
@@ -56,6 +57,7 @@ pub use keys::{KEYS, Key};
 pub use kind::Kind;
 use law::LawTable;
 pub use place::{Place, Refusal};
+pub use source::Source;
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -150,6 +152,8 @@ pub struct Scenario {
     pub file: ScenarioFile,
     /// Files that it names are relative to this.
     directory: PathBuf,
+    /// The text of the file of coefficients, where that is known without the file.
+    coefficients: Option<String>,
 }
 
 impl Scenario {
@@ -174,7 +178,7 @@ impl Scenario {
     fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
         let file = document.read()?;
-        Ok(Self { document, file, directory })
+        Ok(Self { document, file, directory, coefficients: None })
     }
 
     /// The scene of an impact: defaults filled in, files read.
@@ -231,28 +235,15 @@ impl Scenario {
         }
     }
 
-    /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.
-    ///
-    /// # Errors
-    /// [`ScenarioError`] if that file cannot be read.
-    pub fn sha256(&self) -> Result<String, ScenarioError> {
-        let named = match &self.file.law {
-            Some(LawTable::Plm(PlmTable { coefficients: Some(path), .. })) => Some(self.directory.join(path)),
-            _ => None,
-        };
-        let text = named.map(|path| document::read_text(&path)).transpose()?;
-        Ok(self.document.sha256_with(text.as_deref()))
-    }
-
     fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {
         let Some(path) = &plm.coefficients else {
             return Ok(Arc::new(PlmCoefficients::built_in().clone()));
         };
-        let path = self.directory.join(path);
         let refuse = |message: String| self.document.refuse("law.plm.coefficients", message);
-        let text = document::read_text(&path).map_err(|error| refuse(error.to_string()))?;
-        let table = PlmCoefficients::from_toml(&text)
-            .map_err(|error| refuse(format!("{}: {}", path.display(), error.to_string().trim_end())))?;
+        let text = self.coefficients_text().map_err(|error| refuse(error.to_string()))?.unwrap_or_default();
+        let table = PlmCoefficients::from_toml(&text).map_err(|error| {
+            refuse(format!("{}: {}", self.directory.join(path).display(), error.to_string().trim_end()))
+        })?;
         Ok(Arc::new(table))
     }
 }

@@ -140,6 +140,116 @@ fn json_shards_merge_to_one_array() {
     assert_eq!(rows[99]["status"], "ok");
 }
 
+/// `summary.json` of a directory, without the command line.
+fn summary(directory: &Path) -> String {
+    let text = fs::read_to_string(directory.join("summary.json")).unwrap();
+    let rest: Vec<_> = text.lines().filter(|line| !line.trim_start().starts_with("\"command\": ")).collect();
+    assert_eq!(rest.len() + 1, text.lines().count());
+    rest.join("\n")
+}
+
+/// Runs a scenario undivided and in five shards, takes away all that it was read from, merges, and compares every file.
+fn merged_is_whole(directory: &Path, scenario: &Path, more: &[&str], pictures: &[&str]) {
+    let [whole, shards, merged] = ["whole", "shards", "merged"].map(|name| directory.join(name));
+    assert!(run(scenario, &whole, more).status().unwrap().success());
+    for i in 0..5 {
+        let shard = format!("{i}/5");
+        assert!(run(scenario, &shards, &[more, &["--shard", &shard]].concat()).status().unwrap().success());
+    }
+    fs::remove_file(scenario).unwrap();
+    let _ = fs::remove_file(directory.join("my.toml"));
+    let output = merge(&shards, &merged.join("table.csv"));
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert_eq!(summary(&merged), summary(&whole));
+    let names = |of: &Path| {
+        let mut names: Vec<_> = fs::read_dir(of).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(names(&merged), names(&whole));
+    for name in ["table.csv"].iter().chain(pictures) {
+        assert!(fs::read(merged.join(name)).unwrap() == fs::read(whole.join(name)).unwrap(), "{name} differs");
+        assert!(stderr(&output).contains(name), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn merged_shards_of_a_sweep_have_the_summary_and_pictures_of_the_undivided_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("scenario.toml");
+    let text = format!(
+        r#"{STEEL}[law.plm]
+coefficients = "my.toml"
+[sweep]
+"impact.speed" = {{ logspace = ["1 mm/s", "100 m/s"], points = 40 }}
+"sphere.radius" = {{ linspace = ["1 mm", "10 mm"], points = 30 }}
+"#
+    );
+    fs::write(&path, text).unwrap();
+    fs::write(directory.path().join("my.toml"), include_str!("../src/law/plm_coefficients.toml")).unwrap();
+    let more = ["--set", "half_space.yield_strength=500 MPa", "--set", "sphere.density=7.9 g/cm^3"];
+    merged_is_whole(directory.path(), &path, &more, &["restitution.png", "restitution_map.png"]);
+    // the speeds go beyond the range of the model, which is said in both
+    assert!(summary(&directory.path().join("merged")).contains("impact.speed = 100 m/s"));
+}
+
+#[test]
+fn merged_shards_of_random_cases_have_the_statistics_and_histogram_of_the_undivided_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("scenario.toml");
+    let text = format!(
+        r#"{STEEL}[monte_carlo]
+samples = 20000
+seed = 11
+"half_space.yield_strength" = {{ lognormal = {{ mean = "345 MPa", sd = "60 MPa" }} }}
+"sphere.poissons_ratio" = {{ normal = {{ mean = 0.45, sd = 0.1 }} }}
+"#
+    );
+    fs::write(&path, text).unwrap();
+    merged_is_whole(directory.path(), &path, &[], &["restitution_histogram.png"]);
+    let merged = summary(&directory.path().join("merged"));
+    assert!(merged.contains("\"quantile_95\"") && merged.contains("\"truncated_to\""), "{merged}");
+}
+
+#[test]
+fn merge_refuses_shards_of_another_version_and_damaged_ones() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = scenario(directory.path(), 50);
+    let shards = directory.path().join("shards");
+    for i in 0..3 {
+        assert!(run(&file, &shards, &["--shard", &format!("{i}/3")]).status().unwrap().success());
+    }
+    let merged = directory.path().join("merged/table.csv");
+    let refused = |name: &str, change: &dyn Fn(&str) -> String, wanted: &str| {
+        let path = shards.join(name);
+        let text = fs::read_to_string(&path).unwrap();
+        let changed = change(&text);
+        assert_ne!(changed, text);
+        fs::write(&path, changed).unwrap();
+        let output = merge(&shards, &merged);
+        assert_eq!(code(&output), 2);
+        assert!(stderr(&output).contains(wanted), "{}", stderr(&output));
+        assert!(!merged.exists() && !merged.with_file_name("table.csv.part").exists());
+        fs::write(&path, text).unwrap();
+    };
+    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    let older = |text: &str| text.replace(&version, "\"version\": \"0.0.1\"");
+    refused("table-1-of-3.csv.sidecar.json", &older, "table-1-of-3.csv: foreign: its version is 0.0.1");
+    // a sidecar as it was before it held the scenario
+    let without = |text: &str| {
+        let mut fields: serde_json::Map<String, serde_json::Value> = serde_json::from_str(text).unwrap();
+        assert!(fields.remove("scenario").is_some());
+        serde_json::to_string(&fields).unwrap()
+    };
+    refused("table-2-of-3.csv.sidecar.json", &without, "table-2-of-3.csv: foreign: its sidecar");
+    // one whose scenario was edited
+    let edited = |text: &str| text.replace("100 m/s", "200 m/s");
+    refused("table-0-of-3.csv.sidecar.json", &edited, "its scenario has another hash");
+    let header = |text: &str| text.replacen("restitution", "e", 1);
+    refused("table-2-of-3.csv", &header, "its first line is not that of this table");
+    assert_eq!(code(&merge(&shards, &merged)), 0);
+}
+
 #[test]
 fn merge_names_missing_double_and_foreign_shards() {
     let directory = tempfile::tempdir().unwrap();

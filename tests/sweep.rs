@@ -242,6 +242,65 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
 }
 
 #[test]
+fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
+    // so heavy that it leaves a dent
+    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
+    let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("scenario.toml");
+    std::fs::write(&file, &text).unwrap();
+    let out = directory.path().join("out");
+    let table = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        let output = command.arg("run").arg(&file).arg("--out").arg(&out).args(more).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    table(&["--format", "json"]);
+    let rows: Vec<serde_json::Value> = serde_json::from_slice(&std::fs::read(out.join("table.json")).unwrap()).unwrap();
+    for key in ["restitution", "recovered_fraction", "plastic_fraction"] {
+        assert!(rows[0][key].is_null() && rows[2][key].is_null() && rows[1][key].is_number(), "{key}");
+    }
+    assert!(rows.iter().all(|row| row["status"] == "ok" && row["residual_indentation_m"].as_f64() > Some(1e-3)));
+    table(&[]);
+    let whole = std::fs::read_to_string(out.join("table.csv")).unwrap();
+    assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
+    // such a row is read back when a run goes on: the shard is told as if it had been killed after its first row
+    table(&["--shard", "0/2"]);
+    let (shard, part) = (out.join("table-0-of-2.csv"), out.join("table-0-of-2.csv.part"));
+    let complete = std::fs::read_to_string(&shard).unwrap();
+    let end = complete.match_indices('\n').nth(1).unwrap().0 + 1;
+    std::fs::write(&part, &complete[..end]).unwrap();
+    std::fs::remove_file(&shard).unwrap();
+    table(&["--shard", "0/2"]);
+    assert_eq!(std::fs::read_to_string(&shard).unwrap(), complete);
+}
+
+#[test]
+fn shares_beyond_double_precision_are_a_status_and_no_number() {
+    // some 80 J of gravity's work go into the dent, 10^309 times the kinetic energy
+    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.speed\" = [1e-152, 1e-3]\n";
+    let results = rows(&format!("{STEEL}{tables}")).results;
+    assert_eq!(results[0].unwrap_err().name(), "out_of_float_range");
+    let share = results[1].unwrap().plastic_fraction;
+    assert!(share > 1e6 && share.is_finite(), "{share}");
+}
+
+#[test]
+fn forces_on_an_axis_are_refused_beside_waves_as_they_are_in_their_own_tables() {
+    let metal = STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = 7850\n");
+    let refused = |tables: &str| {
+        let scenario = Scenario::from_text("test", &format!("{metal}{tables}"), &[]).unwrap();
+        let text = scenario.plan().unwrap_err().to_string();
+        assert!(text.contains("elastic waves are computed"), "{tables}: {text}");
+    };
+    refused("[damping]\nviscous = 0.1\n[sweep]\n\"impact.speed\" = [1]\n");
+    for key in ["gravity.acceleration", "damping.viscous", "damping.hunt_crossley"] {
+        refused(&format!("[sweep]\n\"{key}\" = [0.1, 0.2]\n"));
+        refused(&format!("[monte_carlo]\nsamples = 2\n\"{key}\" = {{ uniform = [0.1, 0.2] }}\n"));
+    }
+}
+
+#[test]
 fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     let same = |without: &str, tables: &str| {
         assert!(STEEL.contains(without), "{without}");
@@ -307,6 +366,18 @@ fn random_values_follow_their_distribution() {
         assert!((mean - want_mean).abs() < 5.0 * want_sd / 447.0, "{text}: mean {mean}");
         // the lognormal's fourth moment is large: its sd is known less well
         assert!((sd / want_sd - 1.0).abs() < 0.02, "{text}: sd {sd}");
+    }
+}
+
+#[test]
+fn what_truncation_keeps_is_said_to_all_digits() {
+    // Abramowitz and Stegun 1964, Table 26.1: P(1) and P(2)
+    for (sd, want) in [("5 mm", 0.841_344_746_068_543), ("2.5 mm", 0.977_249_868_051_821)] {
+        let tables = format!(
+            "[monte_carlo]\nsamples = 2\n\"sphere.radius\" = {{ normal = {{ mean = \"5 mm\", sd = \"{sd}\" }} }}\n"
+        );
+        let kept = summary(&tables)["random"][0]["kept"].as_f64().unwrap();
+        assert!((kept - want).abs() < 1e-15, "{sd}: {kept}");
     }
 }
 

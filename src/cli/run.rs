@@ -10,8 +10,8 @@ use plm_impact::output::{OutputDirectory, OutputFile};
 use plm_impact::report::compare;
 use plm_impact::run::heed;
 use plm_impact::run::repeat::run_repeat;
+use plm_impact::run::table;
 use plm_impact::scenario::{Kind, Scenario};
-use plm_impact::sweep::caution::cautions;
 
 use super::ScenarioArguments;
 
@@ -46,8 +46,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
-    let of_scene = plan.scene.warnings.iter().map(ToString::to_string);
-    let warnings: Vec<String> = of_scene.chain(cautions(&plan)).collect();
+    let warnings = table::warnings(&plan);
     warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
     let directory = OutputDirectory::prepare(&arguments.directory())?;
@@ -104,7 +103,8 @@ fn finish(
     Ok(())
 }
 
-fn warn(warnings: &[impl Display]) {
+/// Warnings to standard error.
+pub fn warn(warnings: &[impl Display]) {
     for warning in warnings {
         super::note(format_args!("warning: {warning}"));
     }

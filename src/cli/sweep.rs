@@ -8,8 +8,9 @@ use anyhow::Context as _;
 use clap::{Args, ValueEnum, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
-use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::output::OutputDirectory;
 use plm_impact::report;
+use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::{self, Job, Plan, Progress, Shard};
 
@@ -91,14 +92,14 @@ pub fn run(
     let flag = Arc::clone(&is_cancelled);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("Ctrl-C")?;
     let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
-    let scenario_sha256 = scenario.sha256().map_err(Error::from)?;
+    let source = scenario.source().map_err(Error::from)?;
     let out = directory.path().to_owned();
     let job = Job {
         plan,
         shard,
         format: options.format.map_or(sweep::Format::Csv, sweep::Format::from),
         directory: &out,
-        scenario_sha256: &scenario_sha256,
+        source: &source,
         progress: &|progress: Progress| {
             bar.set_length(progress.total);
             bar.set_position(progress.rows);
@@ -112,14 +113,10 @@ pub fn run(
     if shard.is_whole() {
         let provenance = report::sweep::Provenance {
             version: env!("CARGO_PKG_VERSION"),
-            scenario_sha256: &scenario_sha256,
+            scenario_sha256: &source.sha256(),
             command,
         };
-        let summary = report::sweep::summary(Some(plan), &written.tally, provenance).map_err(Error::from)?;
-        let mut files = vec![OutputFile { name: "summary.json".to_owned(), bytes: summary.into_bytes() }];
-        for (name, bytes) in sweep::pictures::pictures(plan, &written.tally).map_err(Error::from)? {
-            files.push(OutputFile { name: name.to_owned(), bytes });
-        }
+        let files = table::files(plan, &written.tally, provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
         directory.write(&files)?;
     }

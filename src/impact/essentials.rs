@@ -5,7 +5,7 @@ use super::scales::Scales;
 use super::waves;
 use super::{Contact, ImpactError};
 use crate::law::Law;
-use crate::material::normal;
+use crate::material::{OutOfFloatRange, normal};
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +58,12 @@ impl Essentials {
         let peak = outcome.unloading.peak;
         let residual = law.dent(&peak).residual();
         let lost = law.plastic(&outcome.unloading);
+        // under gravity it may be more than the kinetic energy; without one there is no share
+        let has_share = lost != 0.0 && kinetic_in > 0.0;
+        let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
+        if share.is_infinite() {
+            return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
+        }
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,
@@ -66,7 +72,7 @@ impl Essentials {
             residual_indentation: residual * scales.length,
             peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),
             kinetic_in,
-            plastic_fraction: if lost == 0.0 { 0.0 } else { lost * scales.energy() / kinetic_in },
+            plastic_fraction: share,
             wave_loss_fraction: None,
         })
     }
@@ -75,6 +81,12 @@ impl Essentials {
     #[must_use]
     pub fn has_dent(&self) -> bool {
         self.residual_indentation > 0.0
+    }
+
+    /// Whether it came with a speed: let go at first touch there is no restitution, nor a share of its energy.
+    #[must_use]
+    pub fn has_speed(&self) -> bool {
+        self.kinetic_in > 0.0
     }
 
     /// (e v)²/v² \[1\]: share of the kinetic energy that comes back.

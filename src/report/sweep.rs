@@ -1,4 +1,4 @@
-//! `summary.json` of a sweep or of its merged shards, and its lines for the terminal.
+//! `summary.json` of a table, and its lines for the terminal.
 
 use std::fmt::Write as _;
 
@@ -28,11 +28,9 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     /// Of rows in the table, the worst of each kind.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    warnings: Option<Vec<String>>,
+    warnings: Vec<String>,
     /// The numbers that are the same in all rows, SI, with the names of columns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    inputs: Option<Map<String, Value>>,
+    inputs: Map<String, Value>,
     provenance: Provenance<'a>,
 }
 
@@ -60,16 +58,14 @@ pub struct Provenance<'a> {
     pub command: &'a str,
 }
 
-/// `summary.json`; `plan` is left out where only shards are at hand.
+/// `summary.json`.
 ///
 /// # Errors
 /// [`ReportError::Json`].
-pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Result<String, ReportError> {
-    let (random, seed) = match plan.map(|plan| &plan.cases) {
-        Some(Cases::MonteCarlo { seed, variables, .. }) => {
-            (Some(variables.iter().map(random_key).collect()), Some(*seed))
-        }
-        _ => (None, None),
+pub fn summary(plan: &Plan, tally: &Tally, provenance: Provenance) -> Result<String, ReportError> {
+    let (random, seed) = match &plan.cases {
+        Cases::MonteCarlo { seed, variables, .. } => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
+        Cases::Grid(_) => (None, None),
     };
     let restitution = tally.statistics.distribution();
     let summary = Summary {
@@ -79,8 +75,8 @@ pub fn summary(plan: Option<&Plan>, tally: &Tally, provenance: Provenance) -> Re
         restitution,
         random,
         seed,
-        warnings: plan.map(cautions),
-        inputs: plan.map(inputs),
+        warnings: cautions(plan),
+        inputs: inputs(plan),
         provenance,
     };
     Ok(serde_json::to_string_pretty(&summary)? + "\n")

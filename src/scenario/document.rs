@@ -1,13 +1,11 @@
-//! The text of a scenario with its overrides: read, merged, hashed, and pointed into when something is wrong.
+//! The text of a scenario with its overrides: read, merged, and pointed into when something is wrong.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
-use sha2::{Digest, Sha256};
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::ScenarioError;
@@ -102,24 +100,10 @@ impl Document {
         &self.text
     }
 
-    /// SHA-256 of the file's text, the overrides, and the text of another file that it names, in hexadecimal.
+    /// `key=value` of the command line, as given.
     #[must_use]
-    pub fn sha256_with(&self, other: Option<&str>) -> String {
-        let mut hasher = Sha256::new();
-        hasher.update(&self.text);
-        for given in &self.overrides {
-            // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
-            hasher.update([0]);
-            hasher.update(&given.text);
-        }
-        if let Some(other) = other {
-            hasher.update([0, 0]);
-            hasher.update(other);
-        }
-        hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
-            let _ = write!(hex, "{byte:02x}");
-            hex
-        })
+    pub fn overrides(&self) -> Vec<String> {
+        self.overrides.iter().map(|given| given.text.clone()).collect()
     }
 
     /// Reads the merged tables as a `T`.

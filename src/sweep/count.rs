@@ -8,6 +8,8 @@ use crate::impact::Essentials;
 pub enum Count {
     /// It has e.
     Restitution(f64),
+    /// It was let go at first touch, without a speed that e could be a part of.
+    AtRest,
     /// The law has no answer there, which is one: no failure.
     OutsideLaw,
     /// It has no result.
@@ -19,7 +21,8 @@ impl Count {
     #[must_use]
     pub fn of(result: &Result<Essentials, Failure>) -> Self {
         match result {
-            Ok(row) => Self::Restitution(row.restitution),
+            Ok(row) if row.has_speed() => Self::Restitution(row.restitution),
+            Ok(_) => Self::AtRest,
             Err(Failure::OutsideLaw) => Self::OutsideLaw,
             Err(_) => Self::Failure,
         }

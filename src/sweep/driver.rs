@@ -14,6 +14,7 @@ use super::plan::{Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable, column_names};
+use crate::scenario::Source;
 
 /// Rows a task computes and writes as text: large against the cost of a task, small against memory.
 pub const CHUNK: u64 = 4096;
@@ -30,8 +31,8 @@ pub struct Job<'a> {
     pub format: Format,
     /// Where.
     pub directory: &'a Path,
-    /// Hash of the scenario, overrides and coefficients included.
-    pub scenario_sha256: &'a str,
+    /// The scenario that the plan is of.
+    pub source: &'a Source,
     /// Told now and then how far it is.
     pub progress: &'a (dyn Fn(Progress) + Sync),
     /// Set to stop after the rows at hand.
@@ -128,7 +129,8 @@ impl Job<'_> {
         let names = column_names(self.plan);
         Sidecar {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            scenario_sha256: self.scenario_sha256.to_owned(),
+            scenario_sha256: self.source.sha256(),
+            scenario: self.source.clone(),
             format: self.format.name().to_owned(),
             cases: layout.total,
             block: layout.block,

@@ -6,11 +6,14 @@ use std::io::{BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::SweepError;
+use super::plan::Plan;
 use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
-use super::table::read_line;
+use super::table::{Format, TextTable, read_line};
+use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";
-/// What the command writes beside a merged table.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// What the command writes beside a merged table, with the pictures.
 const SUMMARY: &str = "summary.json";
 
 /// A merged table.
@@ -18,6 +21,8 @@ const SUMMARY: &str = "summary.json";
 pub struct Merged {
     /// What the shards say of themselves.
     pub sidecar: Sidecar,
+    /// What was swept.
+    pub plan: Plan,
     /// Rows, failures, distribution of e.
     pub tally: Tally,
 }
@@ -50,15 +55,30 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
     let mut shards: BTreeMap<u64, &PathBuf> = BTreeMap::new();
     for table in tables {
         let name = table.display();
-        let Some(sidecar) = Sidecar::read(table)? else {
-            problems.push(format!("{name}: foreign: it has no sidecar {}", sidecar_path(table).display()));
-            continue;
+        let sidecar = match Sidecar::read(table) {
+            Ok(Some(sidecar)) => sidecar,
+            Ok(None) => {
+                problems.push(format!("{name}: foreign: it has no sidecar {}", sidecar_path(table).display()));
+                continue;
+            }
+            Err(SweepError::Damaged { path, problem }) => {
+                problems.push(format!("{name}: foreign: its sidecar {} {problem}", path.display()));
+                continue;
+            }
+            Err(error) => return Err(error),
         };
+        // what is written beside the table has to come from the version that made the rows
+        if sidecar.version != VERSION {
+            let version = &sidecar.version;
+            problems.push(format!(
+                "{name}: foreign: its version is {version}, and this program's {VERSION}; merge with the version that wrote the shards"
+            ));
+            continue;
+        }
         let (reference, reference_name) = first.get_or_insert_with(|| (sidecar.clone(), table));
         let like = Sidecar { shard: reference.shard, ..sidecar.clone() };
         if like != *reference {
             let which = [
-                (sidecar.version != reference.version, "version"),
                 (sidecar.scenario_sha256 != reference.scenario_sha256, "scenario"),
                 (sidecar.format != reference.format, "format"),
                 (sidecar.shards != reference.shards, "number of shards"),
@@ -92,6 +112,16 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
     }
 }
 
+/// What the shards were run from.
+fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
+    let path = shards.first().map_or_else(PathBuf::new, |table| sidecar_path(table));
+    let name = path.display().to_string();
+    let damaged = |problem: String| SweepError::Damaged { path: path.clone(), problem };
+    let scenario = Scenario::from_source(&name, &sidecar.scenario);
+    let plan = scenario.and_then(|scenario| scenario.plan()).map_err(|error| damaged(error.to_string()))?;
+    plan.ok_or_else(|| damaged("its scenario has no table".to_owned()))
+}
+
 /// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
 ///
 /// # Errors
@@ -100,11 +130,12 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
 pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
     check_place(out, &shards)?;
+    let plan = plan(&sidecar, &shards)?;
     let part = part_path(out);
-    let written = write(&sidecar, &shards, &part);
+    let written = write(&sidecar, &plan, &shards, &part);
     let merged = written.and_then(|tally| {
         fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
-        Ok(Merged { sidecar, tally })
+        Ok(Merged { sidecar, plan, tally })
     });
     if merged.is_err() {
         drop(fs::remove_file(&part));
@@ -118,6 +149,8 @@ fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
         "is a directory"
     } else if out.file_name().is_some_and(|name| name == SUMMARY) {
         "is the name of the summary, which goes beside the table"
+    } else if out.extension().is_some_and(|extension| extension == "png") {
+        "is the name of a picture, which goes beside the table"
     } else if shards.iter().any(|table| is_out(table) || is_out(&sidecar_path(table))) {
         "is one of the shards"
     } else {
@@ -127,21 +160,27 @@ fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
 }
 
 /// The rows of all shards in their order.
-fn write(sidecar: &Sidecar, shards: &[PathBuf], part: &Path) -> Result<Tally, SweepError> {
+fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], part: &Path) -> Result<Tally, SweepError> {
+    let is_json = sidecar.format == Format::Json.name();
+    let header = TextTable::new(plan, if is_json { Format::Json } else { Format::Csv }).header();
+    // 64 MB for all shards together, however many
+    let buffer = ((64 << 20) / shards.len()).clamp(1 << 16, 1 << 20);
     let mut readers = Vec::new();
     for table in shards {
         let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
-        readers.push((BufReader::with_capacity(1 << 20, file), table));
+        let mut reader = BufReader::with_capacity(buffer, file);
+        let mut first = Vec::new();
+        reader.read_until(b'\n', &mut first).map_err(SweepError::file("cannot be read", table))?;
+        if first != header {
+            let problem = "its first line is not that of this table; delete the shard and run it again".to_owned();
+            return Err(SweepError::Damaged { path: table.clone(), problem });
+        }
+        readers.push((reader, table));
     }
     let unwritable = SweepError::file("cannot be written", part);
     let mut writer = BufWriter::with_capacity(1 << 20, File::create(part).map_err(&unwritable)?);
-    let (mut line, mut header) = (Vec::new(), Vec::new());
-    for (reader, table) in &mut readers {
-        header.clear();
-        reader.read_until(b'\n', &mut header).map_err(SweepError::file("cannot be read", table))?;
-    }
+    let mut line = Vec::new();
     writer.write_all(&header).map_err(&unwritable)?;
-    let is_json = sidecar.format == "json";
     let mut tally = Tally::default();
     while tally.rows < sidecar.cases {
         let shard = usize::try_from(tally.rows / sidecar.block % sidecar.shards).unwrap_or(usize::MAX);

@@ -1,6 +1,7 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, how random e is spread.
 
 use super::axis::{Axis, Setting};
+use super::count::Count;
 use super::plan::{Cases, Evaluator, Plan, Rows, label};
 use super::sidecar::Tally;
 use crate::law::Bodies;
@@ -50,7 +51,7 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-/// e of the case at these places of the first axes and the first place of all others; not a number for a failed one.
+/// e of the case at these places of the first axes and the first place of all others; not a number where it has none.
 fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
     let case = axes
         .iter()
@@ -58,7 +59,10 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
         .fold(0, |case, (axis, place)| case * axis.len() + place);
     let mut rows = Rows::default();
     evaluator.rows(case..case + 1, &mut rows);
-    rows.results.first().and_then(|row| row.as_ref().ok()).map_or(f64::NAN, |row| row.restitution)
+    match rows.results.first().map(Count::of) {
+        Some(Count::Restitution(e)) => e,
+        _ => f64::NAN,
+    }
 }
 
 /// "half-space yield strength".

@@ -104,6 +104,9 @@ impl Plan {
                 "half_space.density" if !scene.forces.is_none() => {
                     "is not used: elastic waves are computed without gravity and damping"
                 }
+                "gravity.acceleration" | "damping.viscous" | "damping.hunt_crossley" if self.has_waves() => {
+                    "cannot vary beside half_space.density: elastic waves are computed without gravity and damping; leave one of the two out"
+                }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
                 "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
                 path if (path == "law" || path.starts_with("law.")) && !self.is_plastic() => {

@@ -12,6 +12,7 @@ use super::count::Count;
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable, read_line};
+use crate::scenario::Source;
 
 /// What a table is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -19,8 +20,10 @@ use super::table::{Format, TextTable, read_line};
 pub struct Sidecar {
     /// Version of the program.
     pub version: String,
-    /// Hash of the scenario, overrides included.
+    /// Hash of the scenario.
     pub scenario_sha256: String,
+    /// The scenario itself, for what is written beside the whole table.
+    pub scenario: Source,
     /// `csv` or `json`.
     pub format: String,
     /// Cases of all shards together.
@@ -50,13 +53,20 @@ impl Sidecar {
     /// [`SweepError`] if it cannot be read or is none.
     pub fn read(table: &Path) -> Result<Option<Self>, SweepError> {
         let path = sidecar_path(table);
-        match fs::read(&path) {
-            Ok(text) => serde_json::from_slice(&text)
-                .map(Some)
-                .map_err(|error| SweepError::Damaged { path, problem: error.to_string() }),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(source) => Err(SweepError::file("cannot be read", &path)(source)),
-        }
+        let text = match fs::read(&path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(source) => return Err(SweepError::file("cannot be read", &path)(source)),
+        };
+        let sidecar = serde_json::from_slice(&text).map_err(|error| error.to_string());
+        let sidecar = sidecar.and_then(|sidecar: Self| {
+            let is_its = sidecar.scenario.sha256() == sidecar.scenario_sha256;
+            if is_its { Ok(sidecar) } else { Err("its scenario has another hash".to_owned()) }
+        });
+        sidecar.map(Some).map_err(|why| {
+            let problem = format!("is damaged, or of another version ({why}); delete it and its table to start over");
+            SweepError::Damaged { path, problem }
+        })
     }
 
     /// Writes it beside a table.
@@ -128,7 +138,7 @@ impl Tally {
             Count::Failure => self.failures += 1,
             Count::OutsideLaw => self.outside_law += 1,
             Count::Restitution(value) if is_monte_carlo => self.statistics.push(value),
-            Count::Restitution(_) => {}
+            Count::Restitution(_) | Count::AtRest => {}
         }
     }
 

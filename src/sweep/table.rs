@@ -72,7 +72,7 @@ const WAVES: [&str; 2] = ["wave_loss_fraction", "restitution_with_waves"];
 
 /// The columns between the swept values and the status.
 pub const RESULT_COLUMNS: &[ResultColumn] = &[
-    ResultColumn { name: "restitution", is_plastic: false, value: |row| Some(row.restitution) },
+    ResultColumn { name: "restitution", is_plastic: false, value: |row| row.has_speed().then_some(row.restitution) },
     ResultColumn {
         name: "contact_time_s",
         is_plastic: false,
@@ -86,8 +86,16 @@ pub const RESULT_COLUMNS: &[ResultColumn] = &[
         is_plastic: true,
         value: |row| row.has_dent().then_some(row.peak_contact_radius),
     },
-    ResultColumn { name: "recovered_fraction", is_plastic: false, value: |row| Some(row.recovered_fraction()) },
-    ResultColumn { name: "plastic_fraction", is_plastic: true, value: |row| Some(row.plastic_fraction) },
+    ResultColumn {
+        name: "recovered_fraction",
+        is_plastic: false,
+        value: |row| row.has_speed().then(|| row.recovered_fraction()),
+    },
+    ResultColumn {
+        name: "plastic_fraction",
+        is_plastic: true,
+        value: |row| row.has_speed().then_some(row.plastic_fraction),
+    },
     ResultColumn { name: WAVES[0], is_plastic: false, value: |row| row.wave_loss_fraction },
     ResultColumn { name: WAVES[1], is_plastic: false, value: Essentials::restitution_with_waves },
 ];
@@ -253,6 +261,7 @@ pub fn read_line(line: &[u8], restitution: usize) -> Option<Line> {
     let value = fields.nth(restitution.checked_sub(1)?)?;
     let status = fields.next_back()?.trim_matches('"');
     let count = match status {
+        "ok" if matches!(value, "" | "null") => Count::AtRest,
         "ok" => Count::Restitution(value.parse().ok()?),
         _ if status == Failure::OutsideLaw.name() => Count::OutsideLaw,
         _ => Count::Failure,

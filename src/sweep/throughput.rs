@@ -11,6 +11,7 @@ use super::driver::{CHUNK, Job, compute};
 use super::plan::{Evaluator, Plan};
 use super::shard::{Layout, Shard};
 use super::table::Format;
+use crate::scenario::Source;
 
 /// Rows a second, each the best of the rounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +72,7 @@ pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, 
         shard: Shard::WHOLE,
         format,
         directory,
-        scenario_sha256: "throughput",
+        source: &Source::default(),
         progress: &|_| (),
         is_cancelled: &AtomicBool::new(false),
     };

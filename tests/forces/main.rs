@@ -115,6 +115,29 @@ fn a_sphere_let_go_at_first_touch_sinks_twice_and_a_half_as_deep_as_its_weight_a
 }
 
 #[test]
+fn a_sphere_almost_at_rest_at_first_touch_sinks_at_any_tolerance() {
+    for scene in [elastic(), Scene { yield_strength: Some(1e6), ..Scene::steel() }] {
+        let contact = under(&scene, gravity(GRAVITY));
+        let from_rest = contact.closed_form(0.0).unwrap();
+        // heights far below the peak of the fall from 0, where gravity does all of the work
+        for part in [0.0, 1e-30, 1e-24, 1e-18, 1e-12] {
+            let speed = (2.0 * GRAVITY * part * from_rest.peak_indentation).sqrt();
+            let exact = contact.closed_form(speed).unwrap();
+            assert!(off(exact.peak_force, from_rest.peak_force) < 1e-11);
+            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+                for (method, factor) in STEPPING {
+                    for samples in [None, Some(20)] {
+                        let impact = contact.impact(speed, &solver(method, tolerance), samples).unwrap();
+                        let error = off(impact.peak_force, exact.peak_force);
+                        assert!(error < factor * tolerance, "{} {tolerance:e} {part:e}: {error:e}", method.name());
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn drops_from_below_the_static_indentation_are_computed() {
     // heights of a thousandth and a millionth of the static indentation: gravity does nearly all of the work
     let contact = under(&elastic(), gravity(GRAVITY));
