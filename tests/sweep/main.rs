@@ -1,8 +1,11 @@
-//! Tables: numbers against the reference, edge cases of axes, random values.
+//! Tables: numbers against the reference, edge cases of axes.
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod random;
+mod refusals;
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -38,7 +41,7 @@ fn refusal(tables: &str) -> String {
 
 #[test]
 fn rows_agree_with_the_reference() {
-    let reference = include_str!("reference/oracle.csv");
+    let reference = include_str!("../reference/oracle.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(reference.as_bytes());
     let mut count = 0;
     for record in reader.records().map(Result::unwrap) {
@@ -185,63 +188,6 @@ fn a_case_without_a_result_is_a_row_with_a_status() {
 }
 
 #[test]
-fn bad_axes_are_refused_with_axis_value_and_way_out() {
-    let says = |tables: &str, wanted: &[&str]| {
-        let text = refusal(tables);
-        for want in wanted {
-            assert!(text.contains(want), "{tables}\nshould say {want:?}:\n{text}");
-        }
-    };
-    let speed = |axis: &str| format!("[sweep]\n\"impact.speed\" = {axis}\n");
-    says(&speed("{ linspace = [1, 2], points = 0 }"), &["points = 0", "at least one"]);
-    says(&speed("[]"), &["at least one"]);
-    says(&speed("{ linspace = [1, 2], points = -3 }"), &["`-3`, expected a whole number, 0 or more"]);
-    says(&speed("{ linspace = [1, 2], points = \"ten\" }"), &["\"ten\", expected a whole number"]);
-    says(&speed("{ logspace = [0, 1], points = 3 }"), &["impact.speed", "> 0"]);
-    says(
-        "[sweep]\n\"half_space.poissons_ratio\" = { logspace = [-0.1, 0.3], points = 3 }\n",
-        &["logspace cannot reach or pass zero", "linspace"],
-    );
-    says(&speed("{ logspace = [1], points = 3 }"), &["two ends"]);
-    says(&speed("[1, \"-3 m/s\"]"), &["impact.speed", "-3 m/s", "> 0"]);
-    says(&speed("[\"3 kg\"]"), &["impact.speed", "kg"]);
-    // line 15 holds the key: shown where it stands, not at its table
-    says("[sweep]\n\"impact.sped\" = [1]\n", &["toml:15:1: sweep.impact.sped", "did you mean \"impact.speed\""]);
-    says("[sweep]\nlaw = [\"plm\", \"plmm\"]\n", &["toml:15:7: sweep.law", "did you mean \"plm\""]);
-    says(
-        "[sweep]\n\"law.thornton.yield_pressure\" = [1e9]\n",
-        &["toml:15:33: sweep.law.thornton", "no case is under that law"],
-    );
-    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:15:", "says the same as impact.speed"]);
-    says("[sweep]\n\"law.plm.unloading_exponent\" = [\"steep\"]\n", &["an unloading exponent such as 1.5"]);
-    says("[sweep]\nimpact.speed = [1]\n", &["in quotes", "\"impact.speed\""]);
-    says("[sweep]\n\"law.plm.coefficients\" = [1]\n", &["no numeric key"]);
-    says("[sweep]\n\"solver.method\" = [\"dop835\"]\n", &["dop835", "did you mean \"dop853\""]);
-    says("[sweep]\n\"solver.tolerance\" = [1e-6, 1e-9]\n", &["solver.tolerance", "not used", "solver.method"]);
-    says("[sweep]\n\"sphere.yield_strength\" = [1e9]\n", &["sphere.yield_strength", "not used"]);
-    says("[sweep]\n\"sphere.radius\" = [0.1]\n\"sphere.diameter\" = [0.2]\n", &["the same as \"sphere.radius\""]);
-    says("[sweep]\n\"impact.speed\" = [1]\n\"impact.speed\" = [2]\n", &["duplicate"]);
-    says("[sweep]\n", &["no axis"]);
-    let long = "{ linspace = [1, 2], points = 4000000000 }";
-    says(&format!("[sweep]\n\"impact.speed\" = {long}\n\"sphere.radius\" = {long}\n"), &["more than 2^63 cases"]);
-    says(
-        "[sweep]\n\"impact.speed\" = [1]\n[monte_carlo]\nsamples = 1\n\"sphere.radius\" = { uniform = [1, 2] }\n",
-        &["only one"],
-    );
-    says("[monte_carlo]\n\"impact.speed\" = { uniform = [1, 2] }\n", &["samples"]);
-    says("[monte_carlo]\nsamples = 3\n", &["no random key"]);
-    let many = "[monte_carlo]\nsamples = 9999999999999999999\n\"impact.speed\" = { uniform = [1, 2] }\n";
-    says(many, &["more than 2^63 cases"]);
-    says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = {}\n", &["has no distribution"]);
-    says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { gauss = 1 }\n", &["gauss", "normal, lognormal, uniform"]);
-    says(
-        "[monte_carlo]\nsamples = 3\n\"impact.speed\" = { normal = { mean = 1, sd = 0 } }\n",
-        &["sd = 0 m/s is not allowed", "> 0 m/s and finite"],
-    );
-    says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { uniform = [2, 1] }\n", &["lower first"]);
-}
-
-#[test]
 fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     // so heavy that it leaves a dent
     let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
@@ -285,138 +231,11 @@ fn shares_beyond_double_precision_are_a_status_and_no_number() {
     assert!(share > 1e6 && share.is_finite(), "{share}");
 }
 
-#[test]
-fn forces_on_an_axis_are_refused_beside_waves_as_they_are_in_their_own_tables() {
-    let metal = STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = 7850\n");
-    let refused = |tables: &str| {
-        let scenario = Scenario::from_text("test", &format!("{metal}{tables}"), &[]).unwrap();
-        let text = scenario.plan().unwrap_err().to_string();
-        assert!(text.contains("elastic waves are computed"), "{tables}: {text}");
-    };
-    refused("[damping]\nviscous = 0.1\n[sweep]\n\"impact.speed\" = [1]\n");
-    for key in ["gravity.acceleration", "damping.viscous", "damping.hunt_crossley"] {
-        refused(&format!("[sweep]\n\"{key}\" = [0.1, 0.2]\n"));
-        refused(&format!("[monte_carlo]\nsamples = 2\n\"{key}\" = {{ uniform = [0.1, 0.2] }}\n"));
-    }
-}
-
-#[test]
-fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
-    let same = |without: &str, tables: &str| {
-        assert!(STEEL.contains(without), "{without}");
-        let gap = STEEL.replacen(without, "", 1);
-        // by hand: the key in its table and on the axis
-        let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
-        assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
-    };
-    same("[impact]\nspeed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
-    same("speed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");
-    same("radius = \"5 mm\"\n", "[sweep]\n\"sphere.diameter\" = { linspace = [0.01, 0.02], points = 3 }\n");
-    same("density = \"7850 kg/m^3\"\n", "[monte_carlo]\nsamples = 5\n\"sphere.density\" = { uniform = [7e3, 8e3] }\n");
-    let modulus =
-        "[monte_carlo]\nsamples = 5\n\"sphere.youngs_modulus\" = { normal = { mean = \"200 GPa\", sd = 1e9 } }\n";
-    same("youngs_modulus = \"210 GPa\"\n", modulus);
-    let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
-    same("yield_strength = \"345 MPa\"\n", strength);
-    // a drop height brings its gravity, from an axis or not
-    let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
-    let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
-    assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));
-    // and what is on no axis is still missed
-    let text = Scenario::from_text("test", &format!("{fall}{strength}"), &[]).unwrap().plan().unwrap_err().to_string();
-    assert!(text.contains("[impact] is missing"), "{text}");
-    let bad = format!("{fall}[sweep]\n\"impact.speed\" = [\"3 kg\"]\n");
-    let text = Scenario::from_text("test", &bad, &[]).unwrap_err().to_string();
-    assert!(text.contains("sweep.impact.speed: \"3 kg\" is a mass"), "{text}");
-}
-
 fn summary(tables: &str) -> serde_json::Value {
     let directory = tempfile::tempdir().unwrap();
     let output = run(&format!("{STEEL}{tables}"), directory.path());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&std::fs::read(directory.path().join("out/summary.json")).unwrap()).unwrap()
-}
-
-#[test]
-fn random_values_follow_their_distribution() {
-    let plan = |variable: &str| {
-        rows(&format!("{STEEL}[monte_carlo]\nsamples = 200000\nseed = 3\n\"sphere.density\" = {variable}\n"))
-    };
-    let moments = |values: &[f64]| {
-        let n = f64::from(u32::try_from(values.len()).unwrap());
-        let mean = values.iter().sum::<f64>() / n;
-        (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt())
-    };
-    // standard error of the mean is sd/447, of sd about sd/632; five of them
-    for (text, want_mean, want_sd) in [
-        ("{ normal = { mean = 1000, sd = 50 } }", 1000.0, 50.0),
-        ("{ lognormal = { mean = 1000, sd = 500 } }", 1000.0, 500.0),
-        ("{ uniform = [1000, 2000] }", 1500.0, 1000.0 / 12f64.sqrt()),
-        // cut at 0, the half-normal: mean √(2/π) sd, variance (1 − 2/π) sd²
-        (
-            "{ normal = { mean = 1e-9, sd = 100 } }",
-            100.0 * (2.0 / std::f64::consts::PI).sqrt(),
-            100.0 * (1.0 - 2.0 / std::f64::consts::PI).sqrt(),
-        ),
-    ] {
-        let values = plan(text).swept;
-        assert_eq!(values.len(), 200_000);
-        assert!(values.iter().all(|value| *value > 0.0));
-        let (mean, sd) = moments(&values);
-        assert!((mean - want_mean).abs() < 5.0 * want_sd / 447.0, "{text}: mean {mean}");
-        // the lognormal's fourth moment is large: its sd is known less well
-        assert!((sd / want_sd - 1.0).abs() < 0.02, "{text}: sd {sd}");
-    }
-}
-
-#[test]
-fn what_truncation_keeps_is_said_to_all_digits() {
-    // Abramowitz and Stegun 1964, Table 26.1: P(1) and P(2)
-    for (sd, want) in [("5 mm", 0.841_344_746_068_543), ("2.5 mm", 0.977_249_868_051_821)] {
-        let tables = format!(
-            "[monte_carlo]\nsamples = 2\n\"sphere.radius\" = {{ normal = {{ mean = \"5 mm\", sd = \"{sd}\" }} }}\n"
-        );
-        let kept = summary(&tables)["random"][0]["kept"].as_f64().unwrap();
-        assert!((kept - want).abs() < 1e-15, "{sd}: {kept}");
-    }
-}
-
-#[test]
-fn a_sample_depends_on_seed_key_and_number_alone() {
-    let text = format!(
-        "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
-    );
-    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
-    let evaluator = Evaluator::new(&plan);
-    let (mut whole, mut part) = (Rows::default(), Rows::default());
-    evaluator.rows(0..10_000, &mut whole);
-    evaluator.rows(7_777..7_779, &mut part);
-    assert_eq!(part.swept, whole.swept[2 * 7_777..2 * 7_779]);
-    assert_eq!(part.results, whole.results[7_777..7_779]);
-    // the two keys have streams of their own
-    assert!(whole.swept.chunks(2).all(|pair| pair[0] != pair[1]));
-    let other = text.replace("seed = 7", "seed = 8");
-    assert!(rows(&other).swept != whole.swept);
-}
-
-#[test]
-fn quantiles_of_a_known_distribution() {
-    // at a fixed peak state e = √(c/(n + 1)) falls with n, so quantiles of e are e at the quantiles of n
-    let summary = summary(
-        "[monte_carlo]\nsamples = 50000\nseed = 1\n\"law.plm.unloading_exponent\" = { uniform = [1.2, 1.8] }\n",
-    );
-    let e_of = |n: f64| {
-        let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [{n}]\n"));
-        rows.results[0].unwrap().restitution
-    };
-    let got = &summary["restitution"];
-    for (name, n) in [("quantile_05", 1.77), ("quantile_50", 1.5), ("quantile_95", 1.23)] {
-        // standard error of a uniform's quantile: 0.6 √(p (1 − p)/50000) < 1.4e-3 in n, de/dn about −0.1
-        assert_relative_eq!(got[name].as_f64().unwrap(), e_of(n), epsilon = 5.0 * 1.4e-4);
-    }
-    assert_eq!(got["samples"], 50_000);
-    assert_eq!(got["quantile_resolution"], 0.0);
-    assert_eq!(summary["random"][0]["truncated_to"], "> 1 and <= 2");
 }
 
 #[test]
@@ -485,17 +304,4 @@ fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
     }
     let random = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 100] }\n";
     assert!(summary(random)["warnings"][0].as_str().unwrap().contains("is beyond 0.45"));
-}
-
-#[test]
-fn strict_makes_a_table_beyond_the_model_an_error() {
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("scenario.toml");
-    std::fs::write(&file, format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 200]\n")).unwrap();
-    let out = directory.path().join("out");
-    let program = env!("CARGO_BIN_EXE_plm-impact");
-    let output = Command::new(program).arg("run").arg(&file).arg("--strict").arg("--out").arg(&out).output().unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("impact.speed = 200 m/s"));
-    assert!(!out.exists());
 }
