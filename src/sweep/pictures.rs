@@ -10,6 +10,8 @@ use crate::reference::quasi_static;
 
 /// Points of a curve: more than there are pixels.
 const MOST_POINTS: u64 = 2000;
+/// Points of a curve that shows each of them.
+const FEW_POINTS: usize = 12;
 /// Curves in one picture, as many as can be told apart, and names of words as many as the key has room for.
 const MOST_CURVES: u64 = 8;
 const MOST_WORDS: u64 = 13;
@@ -102,7 +104,11 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
                 series: (!is_by_law).then_some(number),
             }));
         }
-        series.push(Series::line(name, points));
+        series.push(if at.len() <= FEW_POINTS {
+            Series::marked_line(name, points)
+        } else {
+            Series::line(name, points)
+        });
     }
     if first.path() == "impact.speed" && is_by_law {
         series.extend(finite_elements(plan, &series));
