@@ -84,6 +84,7 @@ pub mod quadrature;
 pub mod reference;
 pub mod repeat;
 pub mod report;
+mod root;
 pub mod run;
 pub mod scenario;
 pub mod smooth;

@@ -1,5 +1,7 @@
 //! The power law d^n: its value, and the time a motion d'' = −k d^n takes. A leaf that laws, integrators and closed forms share.
 
+use crate::root::next_guess;
+
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
 #[inline]
 #[must_use]
@@ -145,7 +147,7 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
         }
         let slope = 2.0 * a * farthest / entry * phi.sin().powf(2.0 * a - 1.0);
         let newton = phi - miss / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let next = next_guess(newton, low, high);
         if (next - phi).abs() <= 1e-16 || miss == 0.0 {
             break;
         }

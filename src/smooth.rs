@@ -4,6 +4,8 @@
 //! What a force is, is written once, in the file of its law, as a function of a [`Number`]: of a plain `f64`, or of a
 //! [`Jet`] that carries two derivatives along.
 
+use crate::root::next_guess;
+
 mod number;
 mod quadrature;
 
@@ -222,7 +224,7 @@ impl Smooth {
                 low = distance;
             }
             let newton = distance - miss / self.slope(start, distance);
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let next = next_guess(newton, low, high);
             if (next - distance).abs() <= f64::EPSILON * distance {
                 return next;
             }

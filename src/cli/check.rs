@@ -36,9 +36,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
 fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    for warning in &plan.scene.warnings {
-        super::note(format_args!("warning: {warning}"));
-    }
+    super::run::warn(&plan.scene.warnings);
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
     super::print(&text).context("standard output")
 }
@@ -46,24 +44,18 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
 fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     plm_impact::run::can_be_traced(scenario, &scene)?;
-    for warning in &scene.warnings {
-        super::note(format_args!("warning: {warning}"));
-    }
+    super::run::warn(&scene.warnings);
     super::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
 }
 
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact) = plm_impact::run::prepare(scenario)?;
-    for warning in &scene.warnings {
-        super::note(format_args!("warning: {warning}"));
-    }
+    super::run::warn(&scene.warnings);
     super::print(&overview(&scene, &contact)).context("standard output")
 }
 
 fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
-    for warning in &scene.warnings {
-        super::note(format_args!("warning: {warning}"));
-    }
+    super::run::warn(&scene.warnings);
     super::print(&of_indentation(&scene, &contacts)).context("standard output")
 }

@@ -12,6 +12,7 @@ use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use super::motions::cubic_minimum;
 use super::ode_solvers::{Method, OdeSolvers};
 use super::{IntegrationError, Leg, Sampler, State, Work};
+use crate::root::next_guess;
 
 /// `ode_solvers` for motions with drag.
 #[derive(Debug, Clone)]
@@ -245,7 +246,7 @@ impl OdeForced {
                 high = tau;
             }
             let newton = tau - value / slope;
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let next = next_guess(newton, low, high);
             at = self.after(equations.path, node, next)?;
             if (next - tau).abs() <= RESOLUTION * (1.0 + node[0].abs()) {
                 break;

@@ -12,7 +12,7 @@ use super::SweepError;
 use super::count::Count;
 use super::plan::{Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
-use super::sidecar::{Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::sidecar::{Sidecar, Tally, VERSION, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable, column_names};
 use crate::scenario::Source;
 
@@ -128,7 +128,7 @@ impl Job<'_> {
         let layout = Layout::new(self.total(), self.shard);
         let names = column_names(self.plan);
         Sidecar {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
+            version: VERSION.to_owned(),
             scenario_sha256: self.source.sha256(),
             scenario: self.source.clone(),
             format: self.format.name().to_owned(),

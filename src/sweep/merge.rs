@@ -7,12 +7,11 @@ use std::path::{Path, PathBuf};
 
 use super::SweepError;
 use super::plan::Plan;
-use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
+use super::sidecar::{Sidecar, Tally, VERSION, part_path, sidecar_path};
 use super::table::{Format, TextTable, read_line};
 use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What the command writes beside a merged table, with the pictures.
 const SUMMARY: &str = "summary.json";
 

@@ -14,6 +14,9 @@ use super::statistics::Statistics;
 use super::table::{Format, TextTable, read_line};
 use crate::scenario::Source;
 
+/// Version of the program, which makes the rows and what is written beside them.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// What a table is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -13,6 +13,7 @@ use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
 use super::super::lanes::Lane;
 use super::super::motions::{Piece, cubic_minimum};
 use super::super::{IntegrationError, Leg, State, Work};
+use crate::root::next_guess;
 
 /// More steps than a leg needs unless its drag is hundreds of times beyond critical: explicit steps are no longer than the
 /// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
@@ -376,7 +377,7 @@ fn cubic_root(before: f64, slope_before: f64, after: f64, slope_after: f64) -> f
             high = x;
         }
         let newton = x - value / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let next = next_guess(newton, low, high);
         if (next - x).abs() <= 1e-12 {
             return next;
         }
