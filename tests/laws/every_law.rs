@@ -6,7 +6,6 @@ use plm_impact::law::combined::Combined;
 use plm_impact::law::jackson_green::{JacksonGreen, Jumps};
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
-use plm_impact::law::thornton::Thornton;
 use plm_impact::law::{ContactLaw, Law, LawChoice, OutsideLaw};
 use plm_impact::material::HalfSpace;
 
@@ -318,28 +317,6 @@ fn the_ledger_closes_under_damping_for_every_law() {
         let impact = contact.impact(5.0, &solver(Method::Rk8, 1e-10), Some(50)).unwrap();
         // ten times the tolerance, as README says
         assert!(impact.energy.drift < 1e-9, "{name}: {}", impact.energy.drift);
-    }
-}
-
-/// A law yields where it says, also at a knot and away from δ_Y, whatever acts beside it; the trace has one row of it.
-#[test]
-fn every_law_yields_at_its_own_indentation_under_any_forces() {
-    let late = Thornton { yield_pressure: Some(2e9) };
-    let laws = whole_laws().into_iter().chain([("thornton, late".to_owned(), LawChoice::Thornton(late))]);
-    let gravity = Forces { gravity: Some(9.81), damping: None };
-    let damped = |damping| Forces { gravity: None, damping: Some(damping) };
-    for (name, choice) in laws {
-        for forces in [gravity, damped(Damping::HuntCrossley(1e-3)), damped(Damping::Viscous(1e-3))] {
-            let contact = contact(&Scene::case_3(), &choice).with_forces(forces);
-            for (method, _) in STEPPING {
-                let impact = contact.impact(5.0, &solver(method, 1e-8), Some(5));
-                let trace = impact.unwrap_or_else(|error| panic!("{name}, {forces:?} by {method:?}: {error}")).trace;
-                let yields = trace.iter().filter(|row| row.event == Some(Event::Yield)).map(|row| row.indentation);
-                let want: Vec<f64> = contact.yields_at().into_iter().map(|(indentation, _)| indentation).collect();
-                assert_eq!(yields.clone().count(), want.len(), "{name}, {forces:?} by {method:?}");
-                assert!(yields.zip(want).all(|(x, want)| off(x, want) < 1e-12), "{name}, {forces:?} by {method:?}");
-            }
-        }
     }
 }
 

@@ -89,12 +89,14 @@ fn a_law_without_an_elastic_regime_loses_as_much_below_first_yield() {
 #[test]
 fn traces_under_forces_stop_where_each_law_yields() {
     let scene = Scene::case_3();
-    for (name, choice) in laws() {
+    let late = LawChoice::Thornton(Thornton { yield_pressure: Some(2e9) });
+    for (name, choice) in laws().into_iter().chain([("thornton, late".to_owned(), late)]) {
         let plain = contact(&scene, &choice);
         let until = plain.yields_at().map(|(indentation, _)| indentation);
-        for (gravity, damping) in
-            [(Some(9.81), None), (None, Some(Damping::Viscous(0.05))), (Some(9.81), Some(Damping::HuntCrossley(0.1)))]
-        {
+        let weak = [Damping::HuntCrossley(1e-3), Damping::Viscous(1e-3)].map(|damping| (None, Some(damping)));
+        let strong = (None, Some(Damping::Viscous(0.05)));
+        let both = (Some(9.81), Some(Damping::HuntCrossley(0.1)));
+        for (gravity, damping) in [(Some(9.81), None), strong, both].into_iter().chain(weak) {
             // 5 m/s, beyond the ranges that any of these laws refuses
             let contact = under(&scene, &choice, gravity, damping);
             for (method, _) in STEPPING {
