@@ -1,0 +1,101 @@
+//! Every number of the program is the one that it was.
+//!
+//! This test is for changes that must not move any number, such as a redesign. It runs the real command on every scenario
+//! of `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), on `validate` and on `fit-plm`,
+//! takes all numbers of all files that they write (`numbers.rs`), and compares them to the last bit with
+//! `tests/same_numbers/record.csv`. Counts of steps and of evaluations are compared like all other numbers.
+//!
+//! The record has a line for every column of every file (for JSON, every path of keys): the number of rows, the first
+//! and the last value, the sum, and a digest of the bits of all values. Where the test fails it names run, file and column,
+//! and says how far the first value, the last value or the sum moved. Columns and keys that the record does not have do not
+//! matter; those that it has must be there. A new scenario must be recorded.
+//!
+//! Where numbers are meant to change, write the record anew and say in the commit which numbers changed, why, and how far:
+//!
+//! ```sh
+//! PLM_IMPACT_RECORD=write cargo test --test same_numbers
+//! ```
+//!
+//! How far all numbers moved is found by a comparison with the program as it was before, in full digits. It fails if any
+//! number differs, and lists for every column the largest difference:
+//!
+//! ```sh
+//! PLM_IMPACT_OTHER=path/to/the/old/plm-impact cargo test --test same_numbers -- --ignored
+//! ```
+
+#![allow(clippy::unwrap_used)]
+
+mod numbers;
+mod other;
+mod record;
+mod runs;
+
+use std::path::{Path, PathBuf};
+
+use numbers::{Cell, Columns};
+use rayon::prelude::*;
+use record::Record;
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
+
+#[test]
+fn every_number_is_that_of_the_record() {
+    let runs = runs::all();
+    let summaries = |run: &runs::Run| record::summaries(&numbers::columns(Path::new(PROGRAM), run));
+    let now: Record = runs.par_iter().map(|run| (run.name.clone(), summaries(run))).collect();
+    assert_eq!(now.len(), runs.len(), "two runs have the same name");
+    let path = runs::folder("tests/same_numbers/record.csv");
+    match std::env::var("PLM_IMPACT_RECORD").ok().as_deref() {
+        None => refuse(&record::differences(&record::read(&path), &now)),
+        Some("write") => record::write(&path, now),
+        Some(other) => panic!("PLM_IMPACT_RECORD is \"{other}\": leave it out, or set it to \"write\""),
+    }
+}
+
+#[test]
+#[ignore = "needs another program, PLM_IMPACT_OTHER"]
+fn every_number_is_that_of_the_other_program() {
+    let other = std::env::var_os("PLM_IMPACT_OTHER").expect("PLM_IMPACT_OTHER is the path of the other plm-impact");
+    let other = PathBuf::from(other).canonicalize().expect("PLM_IMPACT_OTHER must be the path of a program");
+    let differences = |run: &runs::Run| {
+        let [theirs, ours] = [&other, Path::new(PROGRAM)].map(|program| numbers::columns(program, run));
+        other::differences(&run.name, &theirs, &ours)
+    };
+    let differences: Vec<_> = runs::all().par_iter().flat_map_iter(differences).collect();
+    refuse(&differences);
+}
+
+fn refuse(differences: &[String]) {
+    let list = differences.join("\n");
+    assert!(differences.is_empty(), "{} columns differ:\n{list}\n{} columns differ", differences.len(), differences.len());
+}
+
+/// The comparisons see one bit, a lost row, a lost column and a lost run, and no new column.
+#[test]
+fn what_differs_is_seen() {
+    let place = ("trace.csv".to_owned(), "force_N".to_owned());
+    let of = |numbers: &[f64]| -> Columns {
+        [(place.clone(), numbers.iter().map(|number| Cell::Number(*number)).collect())].into()
+    };
+    let recorded = |columns: &Columns| -> Record { [("a run".to_owned(), record::summaries(columns))].into() };
+    let before = of(&[1.0, 3.0, -0.0, 5.0]);
+    let changed = [
+        of(&[1.0, 3.0_f64.next_up(), -0.0, 5.0]),
+        of(&[1.0, 3.0, 0.0, 5.0]),
+        of(&[1.0, -0.0, 3.0, 5.0]),
+        of(&[1.0, 3.0, -0.0]),
+        of(&[f64::NAN, 3.0, -0.0, 5.0]),
+        Columns::new(),
+    ];
+    for after in &changed {
+        assert_eq!(record::differences(&recorded(&before), &recorded(after)).len(), 1, "{after:?}");
+        assert_eq!(other::differences("a run", &before, after).len(), 1, "{after:?}");
+    }
+    assert_eq!(record::differences(&recorded(&before), &Record::new()).len(), 1);
+    assert_eq!(record::differences(&Record::new(), &recorded(&before)).len(), 1);
+
+    let mut more = before.clone();
+    more.insert(("trace.csv".to_owned(), "new".to_owned()), vec![Cell::Empty]);
+    assert!(record::differences(&recorded(&before), &recorded(&more)).is_empty());
+    assert!(other::differences("a run", &before, &more).is_empty());
+}

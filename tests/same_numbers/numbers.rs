@@ -1,0 +1,115 @@
+//! All numbers of a run: of every file that it writes, column by column.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+use super::runs::Run;
+
+/// The columns whose words are results and are compared too. Texts elsewhere are messages, names of files, versions,
+/// command lines and sources: they are left out, and so is a column that has nothing but such texts. All that depends on
+/// the machine is a text of this kind today; a number that did (a time, a count of threads) would have to be left out here.
+const WORDS: [&str; 12] = [
+    "branch",
+    "distribution",
+    "ended_by",
+    "event",
+    "law",
+    "method",
+    "origin",
+    "outcome",
+    "solver_method",
+    "spot",
+    "status",
+    "verdict",
+];
+
+/// One value of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    Number(f64),
+    Word(String),
+    /// Some text that is not compared.
+    Text,
+    Empty,
+}
+
+/// Where a column stands: the file and the name in it. In JSON and TOML the name is the path of the keys, and all entries
+/// of a list are one column.
+pub type Place = (String, String);
+
+/// The values of all columns of a run.
+pub type Columns = BTreeMap<Place, Vec<Cell>>;
+
+/// Runs the program in a directory of its own and reads all that it writes. The exit code counts as a column.
+pub fn columns(program: &Path, run: &Run) -> Columns {
+    let desk = TempDir::new().unwrap();
+    fs::create_dir(desk.path().join("out")).unwrap();
+    let output = Command::new(program).current_dir(desk.path()).args(&run.arguments).output().unwrap();
+    let mut columns = Columns::new();
+    let code = output.status.code().unwrap_or_else(|| panic!("{}: the program was stopped by a signal", run.name));
+    columns.insert((String::new(), "exit code".to_owned()), vec![Cell::Number(code.into())]);
+    for entry in fs::read_dir(desk.path().join("out")).unwrap() {
+        let path = entry.unwrap().path();
+        let file = path.file_name().unwrap().to_string_lossy().into_owned();
+        let read = || fs::read_to_string(&path).unwrap();
+        let mut add = |name: &str, cell| columns.entry((file.clone(), name.to_owned())).or_default().push(cell);
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("csv") => table(&read(), &mut add),
+            Some("json") => tree("", &serde_json::from_str(&read()).unwrap(), &mut add),
+            Some("toml") => tree("", &toml::from_str(&read()).unwrap(), &mut add),
+            _ => {}
+        }
+    }
+    columns.retain(|_, cells| cells.iter().any(|cell| *cell != Cell::Text));
+    columns
+}
+
+fn table(text: &str, add: &mut impl FnMut(&str, Cell)) {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let headers = reader.headers().unwrap().clone();
+    for record in reader.records() {
+        for (name, value) in headers.iter().zip(&record.unwrap()) {
+            let cell = match value.parse() {
+                Ok(number) => Cell::Number(number),
+                Err(_) if value.is_empty() => Cell::Empty,
+                Err(_) => word(name, value),
+            };
+            add(name, cell);
+        }
+    }
+}
+
+/// The number of entries of a list is a number too.
+fn tree(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
+    match value {
+        Value::Object(keys) => {
+            for (key, value) in keys {
+                tree(&inside(path, key), value, add);
+            }
+        }
+        Value::Array(entries) => {
+            add(&inside(path, "length"), Cell::Number(entries.len() as f64));
+            for entry in entries {
+                tree(&format!("{path}[]"), entry, add);
+            }
+        }
+        Value::Number(number) => add(path, Cell::Number(number.as_f64().unwrap())),
+        Value::String(text) => add(path, word(path, text)),
+        Value::Bool(truth) => add(path, Cell::Word(truth.to_string())),
+        Value::Null => add(path, Cell::Empty),
+    }
+}
+
+fn inside(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+fn word(name: &str, value: &str) -> Cell {
+    let key = name.rsplit('.').next().unwrap_or_default();
+    if WORDS.contains(&key) { Cell::Word(value.to_owned()) } else { Cell::Text }
+}

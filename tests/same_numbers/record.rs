@@ -1,0 +1,145 @@
+//! The record: a line for every column of every run.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::numbers::{Cell, Columns, Place};
+
+/// What is kept of a column. Numbers have the shortest digits that read back to the same bits.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Values in the column.
+    rows: usize,
+    /// The first value. A column of one value is known by it, and the rest of the line is empty.
+    first: String,
+    last: String,
+    /// All numbers added up, in their order.
+    sum: String,
+    /// Over all values in their order, by their bits: 16 hexadecimal digits.
+    digest: String,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Line {
+    run: String,
+    file: String,
+    column: String,
+    rows: usize,
+    first: String,
+    last: String,
+    sum: String,
+    digest: String,
+}
+
+/// What is kept of every run, by its name.
+pub type Record = BTreeMap<String, BTreeMap<Place, Summary>>;
+
+/// What is kept of the columns of a run.
+pub fn summaries(columns: &Columns) -> BTreeMap<Place, Summary> {
+    columns.iter().map(|(place, cells)| (place.clone(), Summary::of(cells))).collect()
+}
+
+impl Summary {
+    fn of(cells: &[Cell]) -> Self {
+        let first = cells.first().map(written).unwrap_or_default();
+        if cells.len() < 2 {
+            return Self { rows: cells.len(), first, last: String::new(), sum: String::new(), digest: String::new() };
+        }
+        let mut hash = Sha256::new();
+        let mut sum = 0.0;
+        for cell in cells {
+            match cell {
+                Cell::Number(number) => {
+                    sum += number;
+                    hash.update([1]);
+                    hash.update(number.to_bits().to_le_bytes());
+                }
+                Cell::Word(word) => {
+                    hash.update([2]);
+                    hash.update(word.len().to_le_bytes());
+                    hash.update(word);
+                }
+                Cell::Text => hash.update([3]),
+                Cell::Empty => hash.update([4]),
+            }
+        }
+        let digest = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let last = cells.last().map(written).unwrap_or_default();
+        Self { rows: cells.len(), first, last, sum: format!("{sum:?}"), digest }
+    }
+}
+
+fn written(cell: &Cell) -> String {
+    match cell {
+        Cell::Number(number) => format!("{number:?}"),
+        Cell::Word(word) => word.clone(),
+        Cell::Text => "(text)".to_owned(),
+        Cell::Empty => String::new(),
+    }
+}
+
+/// What differs from the record, a line for each column. A column that the record does not have is no difference.
+pub fn differences(record: &Record, now: &Record) -> Vec<String> {
+    let mut differences = Vec::new();
+    for (run, recorded) in record {
+        let Some(columns) = now.get(run) else {
+            differences.push(format!("{run}: this run is in the record, but there is no such scenario or variant"));
+            continue;
+        };
+        for ((file, name), before) in recorded {
+            let place = [run, file, name].map(String::as_str).join(" · ");
+            match columns.get(&(file.clone(), name.clone())) {
+                None => differences.push(format!("{place}: is missing")),
+                Some(after) if after != before => differences.push(format!("{place}: {}", moved(before, after))),
+                Some(_) => {}
+            }
+        }
+    }
+    let unknown = now.keys().filter(|run| !record.contains_key(*run));
+    differences.extend(unknown.map(|run| format!("{run}: this run is not in the record; write the record anew")));
+    differences
+}
+
+/// Says what the record can say about how far the values moved.
+fn moved(before: &Summary, after: &Summary) -> String {
+    let mut parts = Vec::new();
+    if before.rows != after.rows {
+        parts.push(format!("{} rows instead of {}", after.rows, before.rows));
+    }
+    for (what, was, is) in
+        [("first", &before.first, &after.first), ("last", &before.last, &after.last), ("sum", &before.sum, &after.sum)]
+    {
+        if was != is {
+            let relative = match (was.parse::<f64>(), is.parse::<f64>()) {
+                (Ok(was), Ok(is)) => format!(" (relative {:+.1e})", is / was - 1.0),
+                _ => String::new(),
+            };
+            parts.push(format!("{what} \"{is}\" instead of \"{was}\"{relative}"));
+        }
+    }
+    if parts.is_empty() { "other values between the first and the last".to_owned() } else { parts.join(", ") }
+}
+
+/// Reads the record.
+pub fn read(path: &Path) -> Record {
+    let mut record = Record::new();
+    for line in csv::Reader::from_path(path).unwrap().deserialize() {
+        let Line { run, file, column, rows, first, last, sum, digest } = line.unwrap();
+        record.entry(run).or_default().insert((file, column), Summary { rows, first, last, sum, digest });
+    }
+    record
+}
+
+/// Writes the record anew.
+pub fn write(path: &Path, record: Record) {
+    let mut writer = csv::Writer::from_path(path).unwrap();
+    for (run, columns) in record {
+        for ((file, column), Summary { rows, first, last, sum, digest }) in columns {
+            writer.serialize(Line { run: run.clone(), file, column, rows, first, last, sum, digest }).unwrap();
+        }
+    }
+    writer.flush().unwrap();
+}
