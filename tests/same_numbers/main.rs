@@ -6,7 +6,7 @@
 //! `tests/same_numbers/record.csv`. Counts of steps and of evaluations are compared like all other numbers.
 //!
 //! The record has a line for every column of every file (for JSON, every path of keys): the number of rows, the first
-//! and the last value, the sum, and a digest of the bits of all values. Where the test fails it names run, file and column,
+//! and the last value, the sum, and a digest of the bits of all values; run and file stand where they change. Where the test fails it names run, file and column,
 //! and says how far the first value, the last value or the sum moved. Columns and keys that the record does not have do not
 //! matter; those that it has must be there. A new scenario must be recorded.
 //!
@@ -47,7 +47,10 @@ fn every_number_is_that_of_the_record() {
     let path = runs::folder("tests/same_numbers/record.csv");
     match std::env::var("PLM_IMPACT_RECORD").ok().as_deref() {
         None => refuse(&record::differences(&record::read(&path), &now)),
-        Some("write") => record::write(&path, now),
+        Some("write") => {
+            record::write(&path, &now);
+            assert!(record::read(&path) == now, "the record does not read back as it was written");
+        }
         Some(other) => panic!("PLM_IMPACT_RECORD is \"{other}\": leave it out, or set it to \"write\""),
     }
 }
@@ -67,7 +70,12 @@ fn every_number_is_that_of_the_other_program() {
 
 fn refuse(differences: &[String]) {
     let list = differences.join("\n");
-    assert!(differences.is_empty(), "{} columns differ:\n{list}\n{} columns differ", differences.len(), differences.len());
+    assert!(
+        differences.is_empty(),
+        "{} columns differ:\n{list}\n{} columns differ",
+        differences.len(),
+        differences.len()
+    );
 }
 
 /// The comparisons see one bit, a lost row, a lost column and a lost run, and no new column.

@@ -52,7 +52,7 @@ pub fn columns(program: &Path, run: &Run) -> Columns {
     let output = Command::new(program).current_dir(desk.path()).args(&run.arguments).output().unwrap();
     let mut columns = Columns::new();
     let code = output.status.code().unwrap_or_else(|| panic!("{}: the program was stopped by a signal", run.name));
-    columns.insert((String::new(), "exit code".to_owned()), vec![Cell::Number(code.into())]);
+    columns.insert(("(the command)".to_owned(), "exit code".to_owned()), vec![Cell::Number(code.into())]);
     for entry in fs::read_dir(desk.path().join("out")).unwrap() {
         let path = entry.unwrap().path();
         let file = path.file_name().unwrap().to_string_lossy().into_owned();

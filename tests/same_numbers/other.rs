@@ -7,7 +7,9 @@ pub fn differences(run: &str, theirs: &Columns, ours: &Columns) -> Vec<String> {
     let line = |((file, name), theirs): (&(String, String), &Vec<Cell>)| {
         let what = match ours.get(&(file.clone(), name.clone())) {
             None => Some("is missing".to_owned()),
-            Some(ours) if ours.len() != theirs.len() => Some(format!("{} rows instead of {}", ours.len(), theirs.len())),
+            Some(ours) if ours.len() != theirs.len() => {
+                Some(format!("{} rows instead of {}", ours.len(), theirs.len()))
+            }
             Some(ours) => moved(theirs, ours),
         };
         what.map(|what| format!("{run} · {file} · {name}: {what}"))

@@ -22,6 +22,7 @@ pub struct Summary {
     digest: String,
 }
 
+/// A line of the file. Run and file are left out where they are those of the line above.
 #[derive(Serialize, Deserialize)]
 struct Line {
     run: String,
@@ -126,19 +127,40 @@ fn moved(before: &Summary, after: &Summary) -> String {
 /// Reads the record.
 pub fn read(path: &Path) -> Record {
     let mut record = Record::new();
+    let (mut latest_run, mut latest_file) = (String::new(), String::new());
     for line in csv::Reader::from_path(path).unwrap().deserialize() {
         let Line { run, file, column, rows, first, last, sum, digest } = line.unwrap();
-        record.entry(run).or_default().insert((file, column), Summary { rows, first, last, sum, digest });
+        if !run.is_empty() {
+            latest_run = run;
+        }
+        if !file.is_empty() {
+            latest_file = file;
+        }
+        let place = (latest_file.clone(), column);
+        let summary = Summary { rows, first, last, sum, digest };
+        record.entry(latest_run.clone()).or_default().insert(place, summary);
     }
     record
 }
 
 /// Writes the record anew.
-pub fn write(path: &Path, record: Record) {
+pub fn write(path: &Path, record: &Record) {
     let mut writer = csv::Writer::from_path(path).unwrap();
     for (run, columns) in record {
+        let mut above = None;
         for ((file, column), Summary { rows, first, last, sum, digest }) in columns {
-            writer.serialize(Line { run: run.clone(), file, column, rows, first, last, sum, digest }).unwrap();
+            let line = Line {
+                run: if above.is_none() { run.clone() } else { String::new() },
+                file: if above == Some(file) { String::new() } else { file.clone() },
+                column: column.clone(),
+                rows: *rows,
+                first: first.clone(),
+                last: last.clone(),
+                sum: sum.clone(),
+                digest: digest.clone(),
+            };
+            writer.serialize(line).unwrap();
+            above = Some(file);
         }
     }
     writer.flush().unwrap();

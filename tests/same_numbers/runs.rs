@@ -21,14 +21,19 @@ const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("impact", &[BODIES, FEW_FORCES]),
     ("impact", &[&["damping.viscous=1", "damping.viscous=1.3"], &["gravity.acceleration=1e5"]]),
     ("speeds", &[LAWS]),
-    ("laws-under-gravity", &[&["damping.viscous=0.1", "damping.hunt_crossley=0.1"]]),
-    ("drop-heights", &[&["damping.viscous=0.1", "damping.hunt_crossley=0.1"]]),
-    ("drop-heights", &[&["solver.method=rk8"]]),
+    ("speeds", &[METHODS]),
+    ("laws-under-gravity", &[&["damping.viscous=0.1", "damping.hunt_crossley=0.1", "solver.method=rk8"]]),
+    ("viscous", &[METHODS]),
+    ("hunt-crossley", &[METHODS]),
+    ("drop-heights", &[&["", "damping.viscous=0.1", "damping.hunt_crossley=0.1"], &["", "solver.method=rk8"]]),
     ("random", &[FORCES]),
-    ("bouncing", &[SPOTS, &["", "damping.viscous=0.05", "damping.hunt_crossley=0.02"]]),
+    ("elastic", &[FORCES]),
+    ("elastic-bouncing", &[DAMPING]),
+    ("bouncing", &[SPOTS, DAMPING]),
     ("bouncing", &[SPOTS, &["solver.method=rk8"]]),
     ("bouncing", &[&["half_space.yield_strength=1e15", "law.thornton.yield_pressure=500e6"]]),
-    ("shots", &[SPOTS, &["", "damping.viscous=0.05", "damping.hunt_crossley=0.02", "solver.method=rk8"]]),
+    ("shots", &[SPOTS, DAMPING]),
+    ("shots", &[SPOTS, &["solver.method=rk8"]]),
     ("indentation", &[&["law.plm.unloading_exponent=1.2", "law.plm.unloading_exponent=pressure-shape"]]),
     ("compare", &[&["sphere.youngs_modulus=rigid", "law.plm.unloading_exponent=pressure-shape"]]),
     ("compare", &[&["compare.peak_indentation_ratio=1.5", "compare.peak_indentation_ratio=900"]]),
@@ -54,7 +59,9 @@ const FORCES: &[&str] = &[
 
 const FEW_FORCES: &[&str] = &["", "damping.viscous=0.1 gravity.acceleration=9.81"];
 
-const SPOTS: &[&str] = &["repeat.spot=same", "repeat.spot=fresh"];
+const DAMPING: &[&str] = &["", "damping.viscous=0.05", "damping.hunt_crossley=0.02"];
+
+const SPOTS: &[&str] = &["", "repeat.spot=fresh"];
 
 /// Laws with pieces that are no straight line and no Hertz curve.
 const CURVED: &[&str] =
@@ -113,7 +120,8 @@ pub fn folder(name: &str) -> PathBuf {
 
 fn scenarios(folder: &Path) -> Vec<PathBuf> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut files: Vec<_> = files.filter(|file| file.extension().is_some_and(|extension| extension == "toml")).collect();
+    let mut files: Vec<_> =
+        files.filter(|file| file.extension().is_some_and(|extension| extension == "toml")).collect();
     files.sort();
     files
 }
