@@ -93,7 +93,7 @@ fn tree(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
             }
         }
         Value::Array(entries) => {
-            add(&inside(path, "length"), Cell::Number(entries.len() as f64));
+            add(&inside(path, "length"), Cell::Number(u32::try_from(entries.len()).unwrap().into()));
             for entry in entries {
                 tree(&format!("{path}[]"), entry, add);
             }

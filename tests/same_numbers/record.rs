@@ -67,9 +67,9 @@ impl Summary {
                 Cell::Empty => hash.update([4]),
             }
         }
-        let digest = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let digest = u64::from_be_bytes(hash.finalize()[..8].try_into().unwrap());
         let last = cells.last().map(written).unwrap_or_default();
-        Self { rows: cells.len(), first, last, sum: format!("{sum:?}"), digest }
+        Self { rows: cells.len(), first, last, sum: format!("{sum:?}"), digest: format!("{digest:016x}") }
     }
 }
 
