@@ -107,8 +107,11 @@ impl ContactLaw for KogutKomvopoulos {
         let starts = match self.jumps {
             Jumps::Printed => Some((yields, plastic)),
             // the fit begins above Hertz, and the fully plastic force above the fit
-            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - x.powf(1.5), yields, 2.0 * yields)
-                .zip(crossing(|x| fully.value(0.0, x) - mixed.value(0.0, x), plastic, 2.0 * plastic)),
+            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - x.powf(1.5), yields, 2.0 * yields).zip(crossing(
+                |x| fully.value(0.0, x) - mixed.value(0.0, x),
+                plastic,
+                2.0 * plastic,
+            )),
         };
         let mut curve = Curve::hertz();
         if let Some((first, second)) = starts {

@@ -79,7 +79,9 @@ fn where_nothing_crosses_the_law_has_no_answer() {
     for (law, factor) in laws {
         let law = law.law(&bodies).unwrap();
         let yields = bodies.yield_at(factor);
-        assert!(law.accept(&law.loaded_to(0.99 * yields)).is_ok() && law.accept(&law.loaded_to(1.01 * yields)).is_err());
+        assert!(
+            law.accept(&law.loaded_to(0.99 * yields)).is_ok() && law.accept(&law.loaded_to(1.01 * yields)).is_err()
+        );
     }
 }
 
