@@ -305,7 +305,7 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
 fn the_command_leaves_waves_out_at_a_jump_in_single_impacts_and_tables() {
     let plm = SCENARIO.find("[law.plm]").unwrap();
     let law = |jumps: &str| format!("{}[law.jackson_green]\njumps = \"{jumps}\"\n", &SCENARIO[..plm]);
-    let desk = Desk::with(&law("printed"));
+    let desk = Desk::with(law("printed"));
     let output = desk.call(&["run", "s.toml", "--out", "out"]);
     assert!(
         output.status.success() && text(&output.stderr).contains("jumps = \"crossed\""),
