@@ -25,8 +25,6 @@ pub struct Comparison {
     pub sphere_modulus: f64,
     /// The peak.
     pub peak: Loaded,
-    /// W/(F_Y δ_Y) spent on loading.
-    pub spent: f64,
     /// Where the peak comes from.
     pub origin: Origin,
     /// The laws, in the order of table and picture.
@@ -49,8 +47,9 @@ impl Comparison {
         let law = plm.law(&bodies)?;
         let Peak { indentation, force, elastic_approach } = law.loaded_to(x);
         let radius = law.contact_radius(&law.loaded_to(x));
-        let peak = Loaded { indentation, force, radius, elastic_approach: Some(elastic_approach) };
-        Some(Self { bodies, sphere_modulus, peak, spent: law.loading.work(x), origin: Origin::Plm, laws })
+        let (elastic_approach, spent) = (Some(elastic_approach), law.loading.work(x));
+        let peak = Loaded { indentation, force, radius, elastic_approach, spent };
+        Some(Self { bodies, sphere_modulus, peak, origin: Origin::Plm, laws })
     }
 
     /// Every law's branch.
@@ -58,7 +57,7 @@ impl Comparison {
     pub fn compared(&self) -> Vec<Compared> {
         let unload = |law: &LawChoice| {
             let recovery = law.get().recovery(&self.bodies)?;
-            Some(Compared { name: law.name(), unloading: self.peak.unload(&recovery, self.spent) })
+            Some(Compared { name: law.name(), unloading: self.peak.unload(&recovery) })
         };
         self.laws.iter().filter_map(unload).collect()
     }
@@ -83,6 +82,6 @@ impl Comparison {
     /// Quasi-static e of a branch: √(recovered/spent).
     #[must_use]
     pub fn restitution(&self, unloading: &Unloading) -> f64 {
-        (unloading.stored(self.peak.indentation) / self.spent).sqrt()
+        (unloading.stored(self.peak.indentation) / self.peak.spent).sqrt()
     }
 }

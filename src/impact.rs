@@ -55,7 +55,7 @@ pub enum ImpactError {
     Law(#[from] OutsideLaw),
     /// No closed form for this scene.
     #[error(
-        "method \"closed_form\" gives results under gravity alone, or Hunt-Crossley damping alone, and no trace of them: use \"auto\" or \"rk8\""
+        "method \"closed_form\" gives no trace under gravity or damping; without a trace it gives gravity alone or Hunt-Crossley damping alone, on laws whose force is made of power laws and straight lines: use \"auto\" or \"rk8\""
     )]
     NoClosedForm,
 }
@@ -219,8 +219,8 @@ impl Contact {
         Impact::new(self, speed, Method::ClosedForm, &scales, law, &exact, &exact, Work::default(), &[])
     }
 
-    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form where
-    /// there is one, by rk8 at the default tolerance with damping.
+    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form, or by
+    /// rk8 at the default tolerance where [`Contact::auto_integrates`].
     ///
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, or the integrator gives up.
@@ -243,6 +243,14 @@ impl Contact {
             Method::Auto | Method::ClosedForm => self.essentials_of_law(speed),
             _ => Ok(Essentials::from(&self.impact(speed, solver, None)?)),
         }
+    }
+
+    /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers
+    /// nor straight lines. Elsewhere it takes the closed form.
+    #[must_use]
+    pub fn auto_integrates(&self) -> bool {
+        let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !balance::closes(law));
+        self.forces.damping.is_some() || self.forces.gravity.is_some() && is_open()
     }
 
     /// Whether double precision holds an impact at `speed` \[m/s\]: what it does not hold no integration can.

@@ -76,9 +76,9 @@ pub enum Doubt {
         /// The sphere's yield strength \[Pa\].
         strength: f64,
     },
-    /// The unloading exponent gives back more than was spent.
+    /// The step gains energy, behind a knot of the loading curve.
     #[error(
-        "step {step}: plastic work {work:.3e} J is below 0: an unloading exponent below 3/2 gives back more than the small plastic work here; use \"pressure-shape\" or 1.5"
+        "step {step}: plastic work {work:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0"
     )]
     EnergyGain {
         /// From 1.
@@ -101,7 +101,7 @@ pub struct Memory {
     pub unloading_stiffness: f64,
     /// n \[1\].
     pub unloading_exponent: f64,
-    /// a_m \[m\] (± 3 %).
+    /// a_m \[m\]: how good it is, [`Law::contact_radius`] says.
     pub contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub mean_pressure: f64,

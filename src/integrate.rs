@@ -1,6 +1,7 @@
 //! Integrators for one smooth piece of motion, d'' = −g(d), landed on its end.
 //!
-//! Nothing here knows contact mechanics. A piece is a power law g = k d^n measured from its zero, a straight line, or any
+//! Nothing here knows bodies, laws or units: of contact mechanics only that a force grows along a piece, and that drag can be
+//! made of it or of its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any
 //! other smooth force; a [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
 //! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
 

@@ -49,7 +49,7 @@ pub enum UnloadingExponent {
     /// n = 3/2, the paper's law.
     #[default]
     Paper,
-    /// Any number in (1, 2].
+    /// Any number in (1, 2]: for comparison. Physics backs the other two alone.
     Fixed(f64),
     /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
     PressureShape,
@@ -139,30 +139,36 @@ impl Law {
         Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice; on the
-    /// branch of a spot that was loaded before, that branch.
+    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice. It never
+    /// gives back more than was spent ([`unloading::exponent_within`]). On the branch of a spot that was loaded before it is
+    /// that branch.
     #[inline(always)]
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
         match &self.elastic {
-            ElasticApproach::Published(law) => law.unloading(peak),
+            ElasticApproach::Published(law) => law.unloading(&self.loading, peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.unloading(peak),
-            _ => self.plain_unloading(peak),
+            _ => self.plain_unloading(peak, self.loading.work(peak.indentation)),
         }
     }
 
-    /// [`Law::unloading`] of a law that [is plain](Law::is_plain).
+    /// [`Law::unloading`] of a law that [is plain](Law::is_plain), where loading took the work `spent`.
     #[inline(always)]
     #[must_use]
-    pub fn plain_unloading(&self, peak: Peak) -> Unloading {
-        let exponent = match self.exponent {
+    pub fn plain_unloading(&self, peak: Peak, spent: f64) -> Unloading {
+        Unloading::power(peak, unloading::exponent_within(spent, &peak, self.exponent_asked(&peak)))
+    }
+
+    /// The exponent that the law asks for, however much that gives back.
+    #[inline(always)]
+    fn exponent_asked(&self, peak: &Peak) -> f64 {
+        match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
                 pressure_shape_exponent(self.radius_ratio.at(peak.force / peak.elastic_approach))
             }
             _ => 1.5,
-        };
-        Unloading::power(peak, exponent)
+        }
     }
 
     /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
@@ -203,6 +209,9 @@ impl Law {
     }
 
     /// Contact radius a/a_L at a peak, a = â/Λ(A) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
+    ///
+    /// Against finite elements that of the PLM is within 5 % up to a = 0.15 R; beyond it is too large, by up to 18 % at 0.45 R.
+    /// A mean pressure made of it is off by twice that, the other way.
     #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
         match &self.elastic {

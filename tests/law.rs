@@ -7,10 +7,9 @@ mod common;
 
 use std::f64::consts::PI;
 
-use common::{Scene, off};
+use common::{Scene, any_scene, off};
 use plm_impact::law::curve::Curve;
 use plm_impact::law::{ElasticApproach, Law, Peak, PlmCoefficients, UnloadingExponent, pressure_shape_exponent};
-use plm_impact::material::Material;
 use proptest::prelude::*;
 
 /// Restitution of a quasi-static cycle to x: recovered over spent work.
@@ -50,20 +49,6 @@ fn printed_table_of_case_3_is_reproduced_to_its_digits() {
         near(peak.residual() / x, residual_share, 6e-6);
         near(restitution(&law, x), e, 6e-10);
     }
-}
-
-/// Any half-space that PLM is asked about: κ from a rigid to a very soft sphere, a_Y/R from 1e-6 to 0.1.
-fn any_scene() -> impl Strategy<Value = Scene> {
-    (-4.0..4.0_f64, -6.0..-1.0_f64, 0.0..0.49_f64, 0.0..0.49_f64).prop_map(
-        |(ratio, a_over_r, of_sphere, of_half_space)| {
-            let sphere = Material { youngs_modulus: 1e11 * 10_f64.powf(ratio), poissons_ratio: of_sphere };
-            let half_space = Material { youngs_modulus: 1e11, poissons_ratio: of_half_space };
-            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
-            // a_Y/R = π C_ν σ_Y/(2 E*) with C_ν ≈ 1.6
-            let yield_strength = Some(10_f64.powf(a_over_r) * 2.0 * e_star / (PI * 1.6));
-            Scene { sphere, half_space, yield_strength, ..Scene::case_3() }
-        },
-    )
 }
 
 proptest! {

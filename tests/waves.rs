@@ -7,6 +7,7 @@ use common::command::{Desk, text};
 use common::off;
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
 use plm_impact::impact::{Contact, Impact, Method, Solver, Warning};
+use plm_impact::law::jackson_green::{JacksonGreen, Jumps};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use proptest::prelude::*;
@@ -275,6 +276,54 @@ fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
     // W_rad goes as √ρ for a half-space of given moduli
     assert!(off(heavy.wave_loss_fraction.unwrap(), 1e3 * light.wave_loss_fraction.unwrap()) < 1e-13);
     assert!(restitution_with_waves(0.5, 0.26) == 0.0 && off(restitution_with_waves(0.5, 0.09), 0.4) < 1e-15);
+}
+
+#[test]
+fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
+    let bodies = Bodies::steel(Some(345e6));
+    let contact = |jumps| {
+        let law = JacksonGreen { jumps, ..Default::default() };
+        Contact::with_law(bodies.sphere, bodies.half_space, &law).unwrap()
+    };
+    // F' is infinite at a jump of the force, and so is what it radiates
+    let says = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::WavesAtJump { .. }));
+    let (printed, crossed) = (contact(Jumps::Printed), contact(Jumps::Crossed));
+    let yield_speed = printed.yield_speed().unwrap();
+    // x = 1.9 is reached at 1.9^1.25 = 2.23 times the yield speed
+    for (times, jumps) in [(0.5, false), (2.2, false), (2.3, true), (300.0, true)] {
+        let speed = times * yield_speed;
+        let impact = printed.closed_form(speed).unwrap();
+        assert_eq!((impact.wave_loss_fraction.is_none(), says(&impact)), (jumps, jumps), "{times}");
+        assert_eq!(printed.essentials(speed).unwrap().wave_loss_fraction.is_none(), jumps);
+        assert!(crossed.essentials(speed).unwrap().wave_loss_fraction.unwrap() > 0.0, "{times}");
+    }
+}
+
+#[test]
+fn the_command_leaves_waves_out_at_a_jump_in_single_impacts_and_tables() {
+    let plm = SCENARIO.find("[law.plm]").unwrap();
+    let law = |jumps: &str| format!("{}[law.jackson_green]\njumps = \"{jumps}\"\n", &SCENARIO[..plm]);
+    let desk = Desk::with(law("printed"));
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert!(
+        output.status.success() && text(&output.stderr).contains("jumps = \"crossed\""),
+        "{}",
+        text(&output.stderr)
+    );
+    assert!(!desk.read("out/summary.json").contains("\"wave_loss_fraction\""));
+    assert!(!desk.call(&["run", "s.toml", "--out", "strict", "--strict"]).status.success());
+    let sweep = "[sweep]\n\"impact.speed\" = [\"1 mm/s\", 3]\n";
+    let desk = Desk::with(law("printed") + sweep);
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert!(
+        output.status.success() && text(&output.stderr).contains("jumps = \"crossed\""),
+        "{}",
+        text(&output.stderr)
+    );
+    let table = desk.read("out/table.csv");
+    let column = table.lines().next().unwrap().split(',').position(|name| name == "wave_loss_fraction").unwrap();
+    let cells: Vec<_> = table.lines().skip(1).map(|line| line.split(',').nth(column).unwrap()).collect();
+    assert!(cells[0].parse::<f64>().unwrap() > 0.0 && cells[1].is_empty(), "{table}");
 }
 
 const SCENARIO: &str = include_str!("../scenarios/alumina-on-aluminium-with-waves.toml");

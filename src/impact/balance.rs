@@ -138,6 +138,21 @@ fn excess(v: f64) -> f64 {
     v * v * total
 }
 
+/// Whether all motion under gravity on this law closes: its force is made of powers and straight lines, in and out. Other
+/// curves are integrated.
+#[must_use]
+pub fn closes(law: &Law) -> bool {
+    // the kind of the unloading branch is the same from every plastic peak
+    let is_power = || {
+        law.elastic_until().is_infinite() || law.unloading(law.loaded_to(2.0 * law.elastic_until().max(1.0))).is_power()
+    };
+    has_closed_loading(law) && is_power()
+}
+
+fn has_closed_loading(law: &Law) -> bool {
+    law.loading.pieces().iter().all(|piece| !matches!(piece.shape, Shape::Smooth(_)))
+}
+
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
 #[must_use]
 pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
@@ -147,8 +162,7 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
         Some(_) => return None,
     };
     let (speeds, weight) = (Speeds { chi }, load.weight);
-    // other curves than powers and straight lines are integrated
-    if law.loading.pieces().iter().any(|piece| matches!(piece.shape, Shape::Smooth(_))) {
+    if !has_closed_loading(law) {
         return None;
     }
     let kinetic = speeds.energy(q) / ACCELERATION;

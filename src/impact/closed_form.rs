@@ -44,16 +44,17 @@ fn plain_balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let last = law.loading.index_at_work(kinetic);
     let distance = law.loading.pieces()[last].distance_at_work(kinetic);
-    Balance::new(law, kinetic, last, distance, law.plain_unloading(law.plain_state_at(last, distance)))
+    Balance::new(law, kinetic, last, distance, law.plain_unloading(law.plain_state_at(last, distance), kinetic))
 }
 
 impl Balance {
     #[inline(always)]
     fn new(law: &Law, kinetic: f64, last: usize, distance: f64, unloading: Unloading) -> Self {
         let recovered = unloading.capacity();
-        // soft spheres stay elastic a little beyond first yield: 1 to rounding is 1
+        // where all comes back, 1 to rounding is 1. Fresh surface gives back no more than was spent
         let share = recovered / kinetic;
-        let is_all = law.is_elastic_to(unloading.peak.indentation) || (share - 1.0).abs() < 8.0 * f64::EPSILON;
+        let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
+        let is_all = is_one || law.is_elastic_to(unloading.peak.indentation) || share > 1.0 && law.branch().is_none();
         let restitution = if is_all { 1.0 } else { share.sqrt() };
         Self { unloading, restitution, kinetic, last, distance }
     }

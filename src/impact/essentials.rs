@@ -20,13 +20,14 @@ pub struct Essentials {
     pub peak_indentation: f64,
     /// δ_r \[m\]: depth of the dent; 0 without one.
     pub residual_indentation: f64,
-    /// a_m \[m\] (± 5 % up to 0.15 R; up to 18 % too large at 0.45 R): with a dent, the radius of its rim.
+    /// a_m \[m\]: how good it is, [`Law::contact_radius`] says. With a dent, the radius of its rim.
     pub peak_contact_radius: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share that loading and unloading have spent; 0 for an elastic impact.
     pub plastic_fraction: f64,
-    /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known.
+    /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known, under
+    /// gravity or damping, and where the force of the law jumps on the way.
     pub wave_loss_fraction: Option<f64>,
 }
 
@@ -43,7 +44,8 @@ impl Essentials {
         outcome: &Outcome,
     ) -> Result<Self, ImpactError> {
         let kinetic_in = normal("kinetic energy (J)", 0.5 * contact.mass() * speed * speed)?;
-        let waves = contact.waves().map(|waves| waves.loss_fraction(speed, scales, law, outcome)).transpose()?;
+        let waves =
+            contact.waves().map(|waves| waves.loss_fraction(speed, scales, law, outcome)).transpose()?.flatten();
         Ok(Self { wave_loss_fraction: waves, ..Self::with_kinetic(kinetic_in, scales, law, outcome)? })
     }
 

@@ -11,7 +11,8 @@ use crate::law::Law;
 /// How an impact is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// The cheapest that is exact for the scene: closed form for results, rk8 for a trace.
+    /// The cheapest that is exact for the scene: closed form for results, rk8 for a trace. With damping, and under gravity on
+    /// a law that is neither powers nor straight lines, there is no closed form that it takes: rk8 for all.
     Auto,
     /// Our adaptive Runge-Kutta-Nyström of order 8.
     Rk8,

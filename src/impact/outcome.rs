@@ -109,7 +109,7 @@ pub struct Impact {
     /// e \[1\].
     pub restitution: f64,
     /// 2 W_rad/(m v²) \[1\]: share of the energy radiated as elastic waves, to first order; `None` where the half-space's
-    /// density is not known.
+    /// density is not known, under gravity or damping, and where the force of the law jumps on the way.
     pub wave_loss_fraction: Option<f64>,
     /// √(e² − loss) \[1\], not below 0; `None` as above.
     pub restitution_with_waves: Option<f64>,
@@ -131,11 +131,12 @@ pub struct Impact {
     pub unloading_exponent: f64,
     /// δ_r \[m\]: depth of the dent; 0 without one.
     pub residual_indentation: f64,
-    /// R_e \[m\] (Eq. 24).
+    /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24) also where the branch is no 3/2 power; R
+    /// without a dent.
     pub unloading_radius: f64,
     /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
     pub residual_radius: Option<f64>,
-    /// a_m \[m\] (± 5 % up to 0.15 R; up to 18 % too large at 0.45 R).
+    /// a_m \[m\]: how good it is, [`Law::contact_radius`] says.
     pub peak_contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,

@@ -45,13 +45,22 @@ pub enum Warning {
         /// e².
         recovered: f64,
     },
-    /// The law gives back more than was spent.
-    #[error("restitution {restitution:.6} is above 1: {}", source_of_gain(*.exponent))]
+    /// No waves where the force jumps.
+    #[error(
+        "the wave loss is left out: the force of the law jumps at {} x the yield indentation, where the first-order theory makes it infinite; give the law `jumps = \"crossed\"`, or the half-space no density",
+        four_digits(*.indentation)
+    )]
+    WavesAtJump {
+        /// δ/δ_Y of the jump.
+        indentation: f64,
+    },
+    /// A second hit gives back more than it brought.
+    #[error(
+        "restitution {restitution:.6} is above 1: just behind a knot of the loading curve the plastic work falls where it should rise, and a second hit gains that; take it for 1"
+    )]
     EnergyGain {
         /// e.
         restitution: f64,
-        /// n.
-        exponent: f64,
     },
     /// More comes back than was spent, but the run is too rough to say so.
     #[error(
@@ -106,17 +115,6 @@ pub enum Warning {
     },
 }
 
-fn source_of_gain(exponent: f64) -> String {
-    if exponent < 1.5 {
-        format!(
-            "an unloading exponent of {exponent} below 3/2 gives back more than the small plastic work here; use \"pressure-shape\" or 1.5"
-        )
-    } else {
-        "just behind a knot of the loading curve the plastic work falls where it should rise, and a second hit gains that; take it for 1"
-            .to_owned()
-    }
-}
-
 /// A range that may have no upper end.
 fn stated(from: f64, to: f64) -> String {
     if to.is_finite() {
@@ -153,12 +151,18 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     {
         warnings.push(Warning::StrongWaves { loss, recovered });
     }
+    if contact.waves().is_some()
+        && contact.forces().is_none()
+        && let Some(indentation) = law.loading.jump_before(peak.indentation)
+    {
+        warnings.push(Warning::WavesAtJump { indentation });
+    }
     // beyond the rounding and the error of the run
     let (restitution, known) = (impact.restitution, impact.accuracy.restitution_error);
     let error = if known.is_nan() { rebound_error(contact, impact) } else { known };
     let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
     if is_real && !is_by_weight(contact, impact) {
-        warnings.push(Warning::EnergyGain { restitution, exponent: impact.unloading_exponent });
+        warnings.push(Warning::EnergyGain { restitution });
     } else if !is_real && known.is_nan() && restitution > LARGEST_ROUGH {
         warnings.push(Warning::RoughRebound { restitution, drift: impact.energy.drift });
     }

@@ -42,7 +42,8 @@ impl Waves {
         Ok(Some(Self { coefficient: radiation_factor(nu) / resistance }))
     }
 
-    /// 2 W_rad/(m v²) \[1\]: what an impact at `speed` \[m/s\] radiates, over its kinetic energy.
+    /// 2 W_rad/(m v²) \[1\]: what an impact at `speed` \[m/s\] radiates, over its kinetic energy. `None` where the force of
+    /// the law jumps on the way: there F' is infinite, and so is W_rad.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where it overflows.
@@ -52,7 +53,10 @@ impl Waves {
         scales: &Scales,
         law: &Law,
         outcome: &Outcome,
-    ) -> Result<f64, OutOfFloatRange> {
+    ) -> Result<Option<f64>, OutOfFloatRange> {
+        if law.loading.jump_before(outcome.unloading.peak.indentation).is_some() {
+            return Ok(None);
+        }
         let unloading = &outcome.unloading;
         let integral = loading_integral(law, &unloading.peak) + unloading_integral(unloading);
         // ½ m v² = (2/5) q² Φ L
@@ -64,7 +68,7 @@ impl Waves {
             * ratio
             * ratio;
         if fraction.is_finite() {
-            Ok(fraction)
+            Ok(Some(fraction))
         } else {
             Err(OutOfFloatRange { quantity: "share of the energy that is radiated as waves", value: fraction })
         }

@@ -1,5 +1,6 @@
 //! The way of a slow contact through its law: dimensionless, step after step, nothing but closed forms.
 
+use crate::law::reloading::GRAZING;
 use crate::law::{Law, Peak, Unloading};
 
 /// Steps that move by less than this share of their indentation do not move: rounding of a target that is held.
@@ -163,12 +164,12 @@ impl Move<'_> {
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        // a Hertz contact, of which rounding would make a dent
-        let is_elastic = self.after.peak.residual() == 0.0 && self.law.loading.index_at(self.to) == 0;
-        if self.to <= self.deepest_before() || is_elastic {
+        if self.to <= self.deepest_before() {
             return 0.0;
         }
-        let stored_at_peak = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
-        self.loading_work() - (stored_at_peak(&self.after) - self.before.as_ref().map_or(0.0, stored_at_peak))
+        let stored = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
+        let plastic = self.loading_work() - (stored(&self.after) - self.before.as_ref().map_or(0.0, stored));
+        // where all comes back but for rounding
+        if plastic.abs() <= GRAZING * stored(&self.after) { 0.0 } else { plastic }
     }
 }

@@ -1,4 +1,5 @@
-//! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`]; the only file that names it.
+//! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`]; [`super::ode_forced`] puts motions with
+//! drag on top of it. No file beside these two uses the crate.
 //!
 //! That crate stops *after* the accepted step that passed an event. So the step that passes the end of a piece is
 //! thrown away, and from the state before it the last stretch is integrated with another independent variable (Hénon

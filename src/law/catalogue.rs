@@ -1,4 +1,4 @@
-//! The list of laws: the only place that names them all, and those that are not public.
+//! The list of laws, and of those that are not public. The tables of their keys are in `scenario/law.rs`.
 
 use super::About;
 use super::brake::Brake;

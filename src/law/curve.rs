@@ -232,6 +232,15 @@ impl Curve {
         Self { pieces: [branch.branch(), first].into_iter().chain(rest).collect() }
     }
 
+    /// x of the first jump of the force on the way to x; `None` if the force is continuous so far.
+    #[must_use]
+    pub fn jump_before(&self, x: f64) -> Option<f64> {
+        /// Pieces that meet do so to rounding, or to the accuracy of a crossing that was searched for.
+        const MEETS: f64 = 1e-9;
+        let jumps = |pair: &&[Piece]| (pair[0].force_at(pair[1].start) - pair[1].force).abs() > MEETS * pair[1].force;
+        self.pieces[..=self.index_at(x)].windows(2).find(jumps).map(|pair| pair[1].start)
+    }
+
     /// The pieces in order; never empty.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {

@@ -26,7 +26,10 @@ use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | a, R | | m | contact radius, sphere radius |
 /// | x_m | | 1 | δ_m/δ_y |
 ///
-/// The printed force jumps by +0.5 % at x = 1.9 (`jumps`: kept, or Hertz goes on until the fit falls below it, x = 2.0).
+/// The printed force jumps at x = 1.9: by +0.5 % for ν = 0.3, by −3.1 % for ν = 0.49. `jumps` = printed keeps that; crossed
+/// lets Hertz go on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
+/// 1.287 for 0.49 (σ_Y/E* = 0.002). For a given C above about 2 that would be before first yield, and for one below about
+/// 0.3 it may be beyond the range of the fit: then the crossed law has no answer beyond first yield.
 /// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
 /// there the law has no answer. Fitted for a/R ≤ 0.412 and σ_Y/E* from 0.00105 to 0.0081, a deformable sphere on a rigid flat.
 ///
@@ -143,22 +146,24 @@ impl ContactLaw for JacksonGreen {
             |ratio: f64| (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b));
         let end = reaches(1.0);
         let starts = match self.jumps {
-            Jumps::Printed => TRANSITION,
-            Jumps::Crossed => crossing(|x| smooth.value(0.0, s * x) - (s * x).powf(1.5), TRANSITION, end),
+            Jumps::Printed => Some(TRANSITION),
+            Jumps::Crossed => {
+                let excess = |x: f64| smooth.value(0.0, s * x) - (s * x).powf(1.5);
+                // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
+                crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION))
+            }
         };
-        let is_sane = strain <= LARGEST_STRAIN && end > 2.0 * starts;
-        let curve = if is_sane {
+        let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
+        let curve = starts.map_or_else(Curve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
             Curve::hertz().then_smooth(starts * s, smooth).then_tangent(end * s)
-        } else {
-            Curve::hertz()
-        };
+        });
         let from = TRANSITION.powf(-b);
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;
             if own <= TRANSITION { x.sqrt() } else { (x * from * own.powf(b)).sqrt() }
         });
-        loading.holds_until = if is_sane { end * s } else { s };
+        loading.holds_until = if starts.is_some() { end * s } else { s };
         loading.stated = Some((0.0, s * reaches(STATED_RADIUS)));
         Some(loading)
     }
@@ -171,16 +176,20 @@ impl ContactLaw for JacksonGreen {
     }
 }
 
-/// Where an excess that is positive at `from` falls to zero, by bisection; `from` if it does not before `until`.
-pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> f64 {
+/// Where an excess that is positive at `from` falls to zero, by bisection; `None` if it is not positive there, or does not
+/// fall to zero before `until`.
+pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
     /// Steps of the search.
     const GROWTH: f64 = 1.02;
     let mut high = from;
     while excess(high) > 0.0 {
         high *= GROWTH;
-        if high.is_nan() || high >= until {
-            return from;
+        if high.is_nan() || high >= GROWTH * until {
+            return None;
         }
+    }
+    if high == from {
+        return None;
     }
     let mut low = high / GROWTH;
     for _ in 0..60 {
@@ -191,5 +200,5 @@ pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> f6
             high = middle;
         }
     }
-    high
+    Some(high)
 }

@@ -28,7 +28,8 @@ use crate::smooth::{POWER, Smooth};
 ///
 /// The printed pieces do not meet: the force jumps by +3.0 % at x = 1, +1.7 % at 6, and +7.9 % at 110, from where on users
 /// go on fully plastic (an extension, not the authors'). `jumps` = printed keeps that; crossed lets every piece go on until
-/// the next one falls below it: x = 1.48, 6.65 and 147. Just above yield the printed law gives back up to 1.5 % (energy 3 %)
+/// the next one falls below it: x = 1.48, 6.65 and 147 (ν = 0.3). A large K H makes the last piece cross an earlier one,
+/// and from K H = 8.4 σ_Y on it would cross Hertz before first yield: there the crossed law has no answer. Just above yield the printed law gives back up to 1.5 % (energy 3 %)
 /// more than it takes; the elastic approach is then cut to what was spent, e = 1.
 ///
 /// Fitted for 1 ≤ x ≤ 110, a deformable sphere on a rigid flat. The two exponents of the residual and n are from memory,
@@ -82,12 +83,26 @@ impl ContactLaw for KogutEtsion {
                 [k1.powf(1.0 / (1.5 - p1)), (k2 / k1).powf(1.0 / (p1 - p2)), (plastic / k2).powf(1.0 / (p2 - 1.0))]
             }
         };
+        // the straight line may cross a piece before the last one: then the pieces between are never reached
+        let third = match self.jumps {
+            Jumps::Crossed if third < second => {
+                let at_first = (plastic / k1).powf(1.0 / (p1 - 1.0));
+                if at_first < first { plastic * plastic } else { at_first }
+            }
+            _ => third,
+        };
+        let is_whole = third >= 1.0;
         // k s^1.5 (x/s)^p
         let fit = |k: f64, p: f64| Smooth::new(&POWER, [k * s.powf(1.5 - p), p, 0.0]);
-        let curve = Curve::hertz()
-            .then_smooth(first * s, fit(k1, p1))
-            .then_smooth(second * s, fit(k2, p2))
-            .then_straight_from(third * s, plastic * third * s * s.sqrt(), plastic * s.sqrt());
+        let mut curve = Curve::hertz();
+        for (from, k, p) in [(first, k1, p1), (second, k2, p2)] {
+            if from < third {
+                curve = curve.then_smooth(from * s, fit(k, p));
+            }
+        }
+        if is_whole {
+            curve = curve.then_straight_from(third * s, plastic * third * s * s.sqrt(), plastic * s.sqrt());
+        }
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;
             let area = match own {
@@ -99,6 +114,7 @@ impl ContactLaw for KogutEtsion {
             (area * s).sqrt()
         });
         loading.stated = Some((0.0, LIMITS[2] * s));
+        loading.holds_until = if is_whole { f64::INFINITY } else { s };
         Some(loading)
     }
 

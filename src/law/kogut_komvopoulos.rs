@@ -25,7 +25,8 @@ use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 ///
 /// The fit begins where Hertz reaches s = 1.78 (x = 0.987 for ν = 0.3) with a force 1.3 % above Hertz's, and jumps by +3.2 %
 /// at s = 21 (pressure +3.9 %, area −0.7 %). `jumps` = crossed lets each piece go on until the next one falls below it:
-/// x = 1.16, and s = 22.
+/// x = 1.16, and s = 22. Where yield is so deep (σ_Y/E* above about 0.07) that the fit begins below Hertz, nothing crosses
+/// and the crossed law has no answer beyond yield.
 /// Beyond δ = R/2 the cut of the sphere no longer grows like a contact: there the law has no answer.
 ///
 /// **Its own unloading is not public** (a fit of δ_r to δ_m and E*/σ_Y). Here it unloads by the paper's law with the elastic
@@ -103,20 +104,25 @@ impl ContactLaw for KogutKomvopoulos {
         };
         let (yields, plastic, end) = (reaches(ELASTIC), reaches(PLASTIC), 0.5 / depth);
         let (mixed, fully) = (Smooth::new(&MIXED, parameters), Smooth::new(&FULLY, parameters));
-        let (mut first, mut second) = (yields, plastic);
-        if self.jumps == Jumps::Crossed {
-            // the fit begins below Hertz, and above the mixed regime's end
-            first = crossing(|x| mixed.value(0.0, x) - x.powf(1.5), yields, 2.0 * yields);
-            second = crossing(|x| fully.value(0.0, x) - mixed.value(0.0, x), plastic, 2.0 * plastic);
-        }
+        let starts = match self.jumps {
+            Jumps::Printed => Some((yields, plastic)),
+            // the fit begins above Hertz, and the fully plastic force above the fit
+            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - x.powf(1.5), yields, 2.0 * yields).zip(crossing(
+                |x| fully.value(0.0, x) - mixed.value(0.0, x),
+                plastic,
+                2.0 * plastic,
+            )),
+        };
         let mut curve = Curve::hertz();
-        for (from, smooth) in [(first, mixed), (second, fully)] {
-            if from < end {
-                curve = curve.then_smooth(from, smooth);
+        if let Some((first, second)) = starts {
+            for (from, smooth) in [(first, mixed), (second, fully)] {
+                if from < end {
+                    curve = curve.then_smooth(from, smooth);
+                }
             }
-        }
-        if first < end {
-            curve = curve.then_tangent(end);
+            if first < end {
+                curve = curve.then_tangent(end);
+            }
         }
         let mut loading = Loading::new(curve, yields, move |x, _| {
             if x <= yields {
@@ -126,7 +132,7 @@ impl ContactLaw for KogutKomvopoulos {
             let ratio = if x <= plastic { 2.193 - 0.394 * strain(&parameters, x).ln() } else { 1.0 };
             (square / ratio).sqrt()
         });
-        loading.holds_until = end;
+        loading.holds_until = if starts.is_some() { end } else { yields };
         Some(loading)
     }
 

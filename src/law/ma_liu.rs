@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loaded, Loading, Recovered, RecoveryRule};
+use super::published::{Loading, Recovered, RecoveryRule};
 use super::thornton;
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -72,6 +72,16 @@ impl MaLiu {
         let c1 = 1.5 - c2;
         (Smooth::new(&MIXED, [c1, c2, 1.0 - c1]), slope)
     }
+
+    /// ε = (f²/(R_e/R))^(1/3) of a force.
+    fn elastic_approach(&self, bodies: &Bodies) -> impl Fn(f64) -> f64 + Send + Sync + use<> {
+        let (mixed, _) = self.mixed(bodies);
+        let plastic = mixed.value(0.0, self.transition_ratio);
+        move |force| {
+            let at = force.min(plastic);
+            thornton::elastic_approach(at) * (force / at).cbrt().powi(2)
+        }
+    }
 }
 
 impl ContactLaw for MaLiu {
@@ -83,21 +93,12 @@ impl ContactLaw for MaLiu {
         let (mixed, slope) = self.mixed(bodies);
         let curve = Curve::hertz().then_smooth(1.0, mixed).then_straight(self.transition_ratio, slope);
         // that of the Hertz contact which unloading leaves from
-        let recovery = self.recovery(bodies)?;
-        Some(Loading::new(curve, 1.0, move |x, force| {
-            force
-                / recovery(Loaded { indentation: x, force, radius: x.sqrt(), elastic_approach: None }).elastic_approach
-        }))
+        let elastic_approach = self.elastic_approach(bodies);
+        Some(Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force)))
     }
 
     fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
-        let (mixed, _) = self.mixed(bodies);
-        let plastic = mixed.value(0.0, self.transition_ratio);
-        Some(Arc::new(move |peak| {
-            let f = peak.force;
-            // ε = (f²/(R_e/R))^(1/3)
-            let at = f.min(plastic);
-            Recovered::hertzian(thornton::elastic_approach(at) * (f / at).cbrt().powi(2))
-        }))
+        let elastic_approach = self.elastic_approach(bodies);
+        Some(Arc::new(move |peak| Recovered::hertzian(elastic_approach(peak.force))))
     }
 }

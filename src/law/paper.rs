@@ -5,7 +5,8 @@ use std::sync::{Arc, LazyLock};
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::plm::PlmCoefficients;
 use super::published::{Loading, Recovered, RecoveryRule};
-use super::{Law, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+use super::unloading::exponent_within;
+use super::{Law, Peak, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// The piecewise-linear model ([`super::plm`]) with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
@@ -47,7 +48,7 @@ impl ContactLaw for Plm {
         let curve = law.loading.clone();
         Some(Loading::new(curve, 1.0, move |x, force| {
             let elastic_approach = law.elastic_approach(x, force);
-            law.contact_radius(&super::Peak { indentation: x, force, elastic_approach })
+            law.contact_radius(&Peak { indentation: x, force, elastic_approach })
         }))
     }
 
@@ -58,7 +59,13 @@ impl ContactLaw for Plm {
             let elastic_approach = peak.elastic_approach.unwrap_or_else(of_plm);
             let exponent = match law.exponent {
                 UnloadingExponent::Paper => 1.5,
-                UnloadingExponent::Fixed(n) => n,
+                UnloadingExponent::Fixed(n) => {
+                    let (indentation, force) = (peak.indentation, peak.force);
+                    let elastic_approach = elastic_approach.min(indentation);
+                    // what even 3/2 cannot keep within the work is for the bounds of published laws
+                    let peak_state = Peak { indentation, force, elastic_approach };
+                    exponent_within(peak.spent, &peak_state, n).min(n.max(1.5))
+                }
                 UnloadingExponent::PressureShape => {
                     pressure_shape_exponent(law.radius_ratio.at(peak.force / elastic_approach))
                 }

@@ -28,17 +28,19 @@ pub struct Loaded {
     pub radius: f64,
     /// (E_s*/E*) δ_sm/δ_Y, where the sphere's own indentation is known, as from a measurement.
     pub elastic_approach: Option<f64>,
+    /// W/(F_Y δ_Y): what loading has taken.
+    pub spent: f64,
 }
 
 impl Loaded {
-    /// What an unloading law gives back from here, when `spent` (in units of F_Y δ_Y) was spent on loading.
+    /// What an unloading law gives back from here.
     ///
     /// # Errors
     /// [`OutsideLaw`] where the law has no answer.
-    pub fn unload(&self, recovery: &RecoveryRule, spent: f64) -> Result<Unloading, OutsideLaw> {
+    pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
         let raw = recovery(*self);
-        raw.accept(self.indentation, self.force, spent)?;
-        let elastic_approach = raw.bounded(self.indentation, self.force, spent);
+        raw.accept(self.indentation, self.force, self.spent)?;
+        let elastic_approach = raw.bounded(self.indentation, self.force, self.spent);
         let peak = Peak { indentation: self.indentation, force: self.force, elastic_approach };
         Ok(Unloading::new(peak, raw.exponent, raw.shape))
     }
@@ -185,12 +187,12 @@ impl PartialEq for Published {
 
 impl Published {
     /// By the law's own formulas.
-    fn recovered(&self, indentation: f64, force: f64) -> Recovered {
+    fn recovered(&self, loading: &Curve, indentation: f64, force: f64) -> Recovered {
         if indentation <= self.elastic_until {
             return Recovered::hertzian(indentation);
         }
         let radius = (self.radius)(indentation, force);
-        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None })
+        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None, spent: loading.work(indentation) })
     }
 
     /// ε, at most x and at most what the work of loading allows.
@@ -199,13 +201,13 @@ impl Published {
         if x <= self.elastic_until {
             return x;
         }
-        self.recovered(x, force).bounded(x, force, loading.work(x))
+        self.recovered(loading, x, force).bounded(x, force, loading.work(x))
     }
 
     /// The branch from a peak.
     #[cold]
-    pub(super) fn unloading(&self, peak: Peak) -> Unloading {
-        let Recovered { exponent, shape, .. } = self.recovered(peak.indentation, peak.force);
+    pub(super) fn unloading(&self, loading: &Curve, peak: Peak) -> Unloading {
+        let Recovered { exponent, shape, .. } = self.recovered(loading, peak.indentation, peak.force);
         Unloading::new(peak, exponent, shape)
     }
 
@@ -228,6 +230,6 @@ impl Published {
         if indentation > self.holds_until {
             return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
         }
-        self.recovered(indentation, force).accept(indentation, force, loading.work(indentation))
+        self.recovered(loading, indentation, force).accept(indentation, force, loading.work(indentation))
     }
 }

@@ -186,12 +186,11 @@ impl Law {
         }
     }
 
-    /// [`Law::spent`] for a report: nothing where no dent is left and the difference is one of rounding.
+    /// [`Law::spent`] for a report: nothing where all comes back but for rounding.
     #[must_use]
     pub fn plastic(&self, unloading: &Unloading) -> f64 {
         let spent = self.spent(unloading);
-        let is_rounding = unloading.peak.residual() <= 0.0 && spent.abs() <= GRAZING * unloading.capacity();
-        if is_rounding { 0.0 } else { spent }
+        if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
     }
 
     /// Work that an impact spent on the dent: w(x_m) − f_m ε_m/(n + 1), and nothing on the branch.

@@ -1,8 +1,9 @@
-//! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n in (1, 2], and the shapes of
-//! published laws that are no power.
+//! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n, and the shapes of published
+//! laws that are no power.
 
 use super::curve::{Piece, Shape};
 use super::mesarovic_johnson::UNIFORM_PRESSURE;
+use super::reloading::GRAZING;
 use super::yigit_christoforou::SHIFTED_HERTZ;
 use crate::power::{power, work_share};
 use crate::smooth::Smooth;
@@ -57,7 +58,8 @@ pub enum UnloadingShape {
 pub struct Unloading {
     /// Where it starts.
     pub peak: Peak,
-    /// n in (1, 2]; for other shapes that of the power law that gives back the same energy, f_m ε_m/(n + 1).
+    /// n: in (1, 2] of a scenario, 1 for the straight branch of Walton and Braun; for other shapes that of the power law
+    /// that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
     /// The branch from x_r on, where it is no power.
     pub(super) curve: Option<Smooth>,
@@ -65,6 +67,24 @@ pub struct Unloading {
 
 /// n of the power law that gives back as much as unloading from uniform pressure: 3π/4 − 1.
 pub const UNIFORM_PRESSURE_EXPONENT: f64 = 0.75 * std::f64::consts::PI - 1.0;
+
+/// The exponent of a branch that gives back no more than was spent: the one that was `asked` for, or, where that branch
+/// would give back more than the work of loading to the peak, the one that gives back just that work.
+///
+/// ```text
+/// n = asked                 where f_m ε_m/(asked + 1) ≤ w_m
+///     f_m ε_m/w_m − 1       elsewhere
+/// ```
+///
+/// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the exponent that was asked for, if that is below 3/2; if
+/// it is above, n jumps to it.
+#[inline(always)]
+#[must_use]
+pub fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
+    let whole = peak.force * peak.elastic_approach;
+    // rounding alone changes no exponent
+    if whole * work_share(asked) > spent * (1.0 + 0.5 * GRAZING) { whole / spent - 1.0 } else { asked }
+}
 
 impl Unloading {
     /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.

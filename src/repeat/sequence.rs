@@ -88,7 +88,7 @@ pub struct Sequence {
     pub end: End,
     /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
     /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out, and where e rises
-    /// as the speed falls this is a lower bound. `None` where it is infinite (e = 1), or nothing bounces.
+    /// as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or more), or nothing bounces.
     pub remaining_time: Option<f64>,
     /// Method of the impacts.
     pub method: Method,

@@ -127,7 +127,7 @@ pub fn state(comparison: &Comparison) -> String {
         quantity(peak.force * point.force, "N"),
         quantity(peak.radius * point.contact_radius, "m"),
     );
-    let _ = writeln!(text, ", spent work {}", quantity(comparison.spent * point.force * point.indentation, "J"));
+    let _ = writeln!(text, ", spent work {}", quantity(comparison.peak.spent * point.force * point.indentation, "J"));
     text
 }
 
@@ -228,7 +228,7 @@ pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Res
             force: peak.force * point.force,
             contact_radius_m: peak.radius * point.contact_radius,
             sphere_indentation_m: peak.elastic_approach.map(|e| pair.sphere_compliance * e * point.indentation),
-            spent_work: comparison.spent * point.force * point.indentation,
+            spent_work: comparison.peak.spent * point.force * point.indentation,
         },
         laws: rows,
         version: env!("CARGO_PKG_VERSION"),

@@ -158,7 +158,9 @@ pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
                         quantity(rest, "s")
                     )
                 }
-                (None, End::Impacts | End::Until) => "bounces without end: the last impact had e = 1".to_owned(),
+                (None, End::Impacts | End::Until) => {
+                    format!("bounces without end: the last impact had e = {}", number(last.restitution))
+                }
                 (None, _) => "none".to_owned(),
             };
             line("remaining", rest);

@@ -45,7 +45,7 @@ struct Bouncing {
     most_impacts: u64,
     until_speed_m_per_s: Option<f64>,
     last_separation_time_s: Option<f64>,
-    /// `null`: infinite (e = 1), or nothing bounces.
+    /// `null`: infinite (e of 1 or more), or nothing bounces.
     remaining_time_s: Option<f64>,
     remaining_time: &'static str,
     highest_rebound_m: Option<f64>,
@@ -92,7 +92,7 @@ pub fn summary(
             remaining_time_s: sequence.remaining_time,
             remaining_time: "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
                              for all bounces to come and contact times left out (a lower bound where e rises as the speed \
-                             falls); null if e = 1 or the sphere stays in its dent",
+                             falls); null if e is 1 or more, or the sphere stays in its dent",
             highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(f64::max),
             static_indentation_m: last.and_then(|hit| hit.static_indentation),
         }),

@@ -107,8 +107,9 @@ impl Scenario {
                     ));
                 }
                 let (force, radius) = (force.0 / point.force, radius.0 / point.contact_radius);
-                comparison.spent *= force / comparison.peak.force;
-                comparison.peak = Loaded { indentation: x, force, radius, elastic_approach: Some(elastic_approach) };
+                let spent = comparison.peak.spent * (force / comparison.peak.force);
+                comparison.peak =
+                    Loaded { indentation: x, force, radius, elastic_approach: Some(elastic_approach), spent };
                 comparison.origin = Origin::Given;
             }
             _ => {
@@ -120,8 +121,8 @@ impl Scenario {
         }
         if let Some(work) = table.spent_work {
             let unit = point.force * point.indentation;
-            let of_plm = human(comparison.spent * unit, Dimension::Energy);
-            comparison.spent = work.0 / unit;
+            let of_plm = human(comparison.peak.spent * unit, Dimension::Energy);
+            comparison.peak.spent = work.0 / unit;
             if comparison.compared().iter().all(|law| law.unloading.is_err()) {
                 let message = format!(
                     "{} is less than any of these laws gives back from the peak; the PLM spends {of_plm}",

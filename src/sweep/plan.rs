@@ -78,14 +78,12 @@ impl Plan {
         let scene = &self.scene;
         let is_stepped = match &self.cases {
             Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Method(methods) => Some(methods.iter().any(|method| method_is_stepped(*method))),
+                Setting::Method(methods) => Some(methods.iter().any(|method| self.is_stepped(*method))),
                 Setting::Number { .. } | Setting::Law(_) => None,
             }),
             Cases::MonteCarlo { .. } => None,
         };
-        let by_method = is_stepped.unwrap_or(method_is_stepped(scene.solver.method));
-        // damping has no closed form but for Hunt and Crossley without gravity: auto integrates it
-        let is_stepped = by_method || scene.solver.method == Method::Auto && scene.forces.damping.is_some();
+        let is_stepped = is_stepped.unwrap_or_else(|| self.is_stepped(scene.solver.method));
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {
@@ -127,15 +125,32 @@ impl Plan {
 
     /// Whether any case is under the law that a key belongs to.
     fn has_law_of(&self, path: &str) -> bool {
-        let is_its = |law: &LawChoice| path.split('.').nth(1) == Some(law.about().name);
+        self.laws().iter().any(|law| path.split('.').nth(1) == Some(law.about().name))
+    }
+
+    /// The laws of the cases.
+    fn laws(&self) -> &[LawChoice] {
         let swept = match &self.cases {
             Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Law(laws) => Some(laws.iter().any(is_its)),
+                Setting::Law(laws) => Some(laws.as_slice()),
                 _ => None,
             }),
             Cases::MonteCarlo { .. } => None,
         };
-        swept.unwrap_or_else(|| is_its(&self.scene.law))
+        swept.unwrap_or(std::slice::from_ref(&self.scene.law))
+    }
+
+    /// Whether rows of that method are integrated, those of any law.
+    fn is_stepped(&self, method: Method) -> bool {
+        let auto_integrates = |law: &LawChoice| {
+            let scene = Scene { law: law.clone(), ..self.scene.clone() };
+            scene.contact().is_ok_and(|contact| contact.auto_integrates())
+        };
+        match method {
+            Method::ClosedForm => false,
+            Method::Auto => self.scene.forces.damping.is_some() || self.laws().iter().any(auto_integrates),
+            _ => true,
+        }
     }
 
     /// Whether the half-space can yield: without, nothing plastic is reported.
@@ -155,11 +170,6 @@ impl Plan {
     pub fn is_monte_carlo(&self) -> bool {
         matches!(self.cases, Cases::MonteCarlo { .. })
     }
-}
-
-/// Whether rows of that method are integrated.
-fn method_is_stepped(method: Method) -> bool {
-    !matches!(method, Method::Auto | Method::ClosedForm)
 }
 
 /// Where on each axis a case lies.

@@ -7,7 +7,7 @@ use serde::Serialize;
 const EXACT: usize = 1_000_000;
 /// Width of a bin of e.
 const BIN: f64 = 1e-6;
-/// Bins cover e from 0 to 1.25: above 1 only unloading exponents below 3/2 go, and not far.
+/// Bins cover e from 0 to 1.25: above 1 goes only a sphere that falls on into its own dent.
 const BINS: usize = 1_250_000;
 
 /// Collects e, case after case.

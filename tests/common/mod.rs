@@ -7,6 +7,7 @@ use plm_impact::impact::{Contact, Impact, Method, Outcome, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed};
 
 /// 5 mm sphere of steel on the same steel, at 3 m/s: a scenario that others add tables to.
@@ -125,4 +126,18 @@ impl Scene {
     pub fn impact(&self, speed: f64, method: Method, tolerance: f64, samples: Option<usize>) -> Impact {
         self.contact().impact(speed, &solver(method, tolerance), samples).unwrap()
     }
+}
+
+/// Any half-space that PLM is asked about: κ from a rigid to a very soft sphere, a_Y/R from 1e-6 to 0.1.
+pub fn any_scene() -> impl Strategy<Value = Scene> {
+    (-4.0..4.0_f64, -6.0..-1.0_f64, 0.0..0.49_f64, 0.0..0.49_f64).prop_map(
+        |(ratio, a_over_r, of_sphere, of_half_space)| {
+            let sphere = Material { youngs_modulus: 1e11 * 10_f64.powf(ratio), poissons_ratio: of_sphere };
+            let half_space = Material { youngs_modulus: 1e11, poissons_ratio: of_half_space };
+            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
+            // a_Y/R = π C_ν σ_Y/(2 E*) with C_ν ≈ 1.6
+            let yield_strength = Some(10_f64.powf(a_over_r) * 2.0 * e_star / (std::f64::consts::PI * 1.6));
+            Scene { sphere, half_space, yield_strength, ..Scene::case_3() }
+        },
+    )
 }

@@ -5,6 +5,7 @@
 mod closed_forms;
 #[path = "../common/mod.rs"]
 mod common;
+mod crossed;
 mod every_law;
 mod shallow_dents;
 mod tabulated;

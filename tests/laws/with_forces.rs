@@ -194,14 +194,32 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
 #[test]
 fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
     let gains = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::EnergyGain { .. }));
-    // an exponent of 1.02 gives back more than is spent just above first yield, and a damping of 1.5 % takes less
+    // an exponent of 1.02 would give back more than is spent just above first yield, and a damping of 1.5 % take less
     let exponent = UnloadingExponent::Fixed(1.02);
     let contact = Scene { exponent, ..Scene::case_3() }.contact();
     let speed = 2.4 * unit_speed(&contact);
     for (gravity, damping) in [(None, Damping::Viscous(0.015)), (Some(1e-6), Damping::HuntCrossley(1e-3 / speed))] {
         let damped = contact.clone().with_forces(Forces { gravity, damping: Some(damping) });
         let impact = damped.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
-        assert!(impact.restitution > 1.001 && gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
+        assert!(impact.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
+    }
+    // a second hit across a knot gains 1e-5 of e (as in `energy_gained_at_a_knot_is_said`), and damping takes less
+    let soft = Scene {
+        radius: 1.0,
+        density: 5000.0,
+        sphere: Material { youngs_modulus: 1.342e9, poissons_ratio: 0.0 },
+        half_space: Material { youngs_modulus: 27.858e9, poissons_ratio: 0.0 },
+        yield_strength: Some(7.76e6),
+        ..Scene::case_3()
+    };
+    let speed = 1.945 * soft.yield_speed();
+    for damping in [Damping::Viscous(1e-9), Damping::HuntCrossley(1e-9 / speed)] {
+        let damped = soft.contact().with_forces(Forces { gravity: None, damping: Some(damping) });
+        let mut spot = Spot::fresh();
+        let hit = |spot: &mut Spot| damped.impact_on(spot, speed, &solver(Method::Rk8, 1e-10), None).unwrap();
+        assert!(!gains(&hit(&mut spot)));
+        let second = hit(&mut spot);
+        assert!(second.restitution > 1.0 && gains(&second), "{} {:?}", second.restitution, second.warnings);
     }
     // a heavy sphere that hardly moves when it touches falls on into its own dent: faster out than in, with energy lost
     let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };

@@ -121,3 +121,38 @@ fn strict_makes_a_table_beyond_the_model_an_error() {
     assert!(String::from_utf8(output.stderr).unwrap().contains("impact.speed = 200 m/s"));
     assert!(!out.exists());
 }
+
+#[test]
+fn a_tolerance_can_vary_wherever_auto_integrates_under_gravity_and_only_there() {
+    // a law that is no power has no balance under gravity that closes: its rows are integrated, to the tolerance
+    let table = "[gravity]\nacceleration = 9.81\n[sweep]\n\"solver.tolerance\" = [1e-3, 1e-9]\n";
+    for (law, is_stepped) in [
+        ("[law.stronge]\n", true),
+        ("[law.jackson_green]\n", true),
+        ("[law.yigit_christoforou]\n", true),
+        ("[law.mesarovic_johnson]\n", true),
+        ("[law.thornton]\n", false),
+        ("", false),
+    ] {
+        let scenario = format!("{law}{table}");
+        if is_stepped {
+            let results = rows(&format!("{STEEL}{scenario}")).results;
+            let e: Vec<f64> = results.iter().map(|row| row.as_ref().unwrap().restitution).collect();
+            assert!(e.len() == 2 && e[0] != e[1] && (e[0] - e[1]).abs() < 1e-2, "{law}: {e:?}");
+        } else {
+            assert!(refusal(&scenario).contains("the closed form takes no steps"), "{law}");
+        }
+    }
+    // any law of an axis may be the one
+    let laws = table.to_owned() + "law = [\"plm\", \"stronge\"]\n";
+    assert_eq!(rows(&format!("{STEEL}{laws}")).results.len(), 4);
+}
+
+#[test]
+fn closed_form_says_what_it_cannot_do_of_the_scene_at_hand() {
+    let scenario = "[gravity]\nacceleration = 9.81\n[law.stronge]\n[solver]\nmethod = \"closed_form\"\n";
+    let text = refusal(scenario);
+    for want in ["no trace", "power laws and straight lines", "\"auto\""] {
+        assert!(text.contains(want), "{text}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Cases, Plan, method_is_stepped, places};
+use super::{Cases, Plan, places};
 use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
 use crate::scenario::Scene;
@@ -244,14 +244,7 @@ fn has_lanes(plan: &Plan) -> bool {
 }
 
 fn evaluate(contact: &Result<Contact, Failure>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
-    let contact = contact.as_ref().map_err(|error| *error)?;
-    if !contact.forces().is_none() {
-        Ok(contact.essentials_by(speed, solver)?)
-    } else if method_is_stepped(solver.method) {
-        Ok(Essentials::from(&contact.impact(speed, solver, None)?))
-    } else {
-        Ok(contact.essentials(speed)?)
-    }
+    Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(speed, solver)?)
 }
 
 /// The same for many impacts in lock step.
