@@ -159,8 +159,7 @@ impl OutputDirectory {
         let refuse = OutputError::at(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
-        let directory =
-            Self { path: path.to_owned(), made, own: None, is_forced: false, is_of_earlier_version: false };
+        let directory = Self { path: path.to_owned(), made, own: None, is_forced: false, is_of_earlier_version: false };
         fs::create_dir_all(path).map_err(&refuse)?;
         directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
         drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);

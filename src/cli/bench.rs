@@ -27,7 +27,8 @@ pub struct Arguments {
 }
 
 pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
-    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
+    let directory =
+        OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
     super::run::say_what_is_replaced(&directory);
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };

@@ -32,7 +32,8 @@ pub struct Arguments {
 pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let own = arguments.coefficients.as_deref().map(load).transpose().map_err(Error::from)?;
     let coefficients = own.as_ref().unwrap_or_else(|| PlmCoefficients::built_in());
-    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
+    let directory =
+        OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
     super::run::say_what_is_replaced(&directory);
     let checks = validation::checks(coefficients).map_err(Error::from)?;
     let mut files = vec![

@@ -46,7 +46,9 @@ impl Lock {
             let mut file = match open(&path) {
                 Ok(file) => file,
                 // the holder removed it, or another process made it, just now
-                Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::AlreadyExists) => continue,
+                Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::AlreadyExists) => {
+                    continue;
+                }
                 Err(error) => return Err(LockError::File(error)),
             };
             match file.try_lock() {

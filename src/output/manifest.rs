@@ -124,6 +124,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
     };
     let shared = path.components().zip(folder.components()).take_while(|(one, two)| one == two).count();
     let up = folder.components().skip(shared).map(|_| "..");
-    let relative: PathBuf = up.map(Path::new).chain(path.components().skip(shared).map(|part| Path::new(part.as_os_str()))).collect();
+    let relative: PathBuf =
+        up.map(Path::new).chain(path.components().skip(shared).map(|part| Path::new(part.as_os_str()))).collect();
     relative.display().to_string()
 }
