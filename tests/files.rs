@@ -238,15 +238,23 @@ fn results_of_a_version_that_kept_no_list_are_replaced_and_it_is_said() {
 
 #[test]
 fn a_table_that_was_complete_is_kept_when_its_pictures_were_not_drawn() {
-    let arguments = ["run", "s.toml", "--out", "out"];
+    for format in if cfg!(feature = "parquet") { &["csv", "json", "parquet"][..] } else { &["csv", "json"] } {
+        is_kept(format);
+    }
+}
+
+fn is_kept(format: &str) {
+    let arguments = ["run", "s.toml", "--out", "out", "--format", format];
+    let name = format!("table.{format}");
+    let table = format!("out/{name}");
     for _ in 0..20 {
         let desk = Desk::with(sweep(20));
         ends(&desk, &arguments, 0);
         // an edited scenario, whose table takes the place of the first
         fs::write(desk.path("s.toml"), sweep(200)).unwrap();
-        let old = fs::metadata(desk.path("out/table.csv")).unwrap().ino();
+        let old = fs::metadata(desk.path(&table)).unwrap().ino();
         let mut child = start(&desk, &arguments);
-        let is_drawing = || fs::metadata(desk.path("out/table.csv")).unwrap().ino() != old;
+        let is_drawing = || fs::metadata(desk.path(&table)).unwrap().ino() != old;
         let is_reached = is_reached(&mut child, is_drawing);
         child.kill().unwrap();
         child.wait().unwrap();
@@ -254,11 +262,11 @@ fn a_table_that_was_complete_is_kept_when_its_pictures_were_not_drawn() {
             continue;
         }
         assert!(!desk.path("out/restitution_map.png").exists(), "a picture of the first table");
-        let table = fs::metadata(desk.path("out/table.csv")).unwrap().ino();
+        let new = fs::metadata(desk.path(&table)).unwrap().ino();
         let message = ends(&desk, &arguments, 0);
         assert!(message.contains("8000 of these rows were there"), "{message}");
-        assert_eq!(fs::metadata(desk.path("out/table.csv")).unwrap().ino(), table, "written again");
-        assert_eq!(desk.files("out"), ["restitution.png", "restitution_map.png", "summary.json", "table.csv"]);
+        assert_eq!(fs::metadata(desk.path(&table)).unwrap().ino(), new, "written again");
+        assert_eq!(desk.files("out"), ["restitution.png", "restitution_map.png", "summary.json", name.as_str()]);
         assert!(desk.read("out/summary.json").contains("\"rows\": 8000"));
         return;
     }

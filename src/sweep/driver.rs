@@ -108,10 +108,11 @@ impl Job<'_> {
             is_whole: self.shard.is_whole(),
             _lock: lock,
         };
-        if self.format == Format::Parquet {
-            return Ok(written(self.run_parquet(&table)?, 0));
-        }
         let sidecar = self.sidecar();
+        if self.format == Format::Parquet {
+            let (tally, resumed) = self.run_parquet(&table, &sidecar)?;
+            return Ok(written(tally, resumed));
+        }
         let text = TextTable::new(self.plan, self.format);
         let part = part_path(&table);
         let old = Sidecar::read(&table)?;
@@ -234,18 +235,30 @@ impl Job<'_> {
     }
 
     #[cfg(feature = "parquet")]
-    fn run_parquet(&self, table: &Path) -> Result<Tally, SweepError> {
+    fn run_parquet(&self, table: &Path, sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
         if !self.shard.is_whole() {
             return Err(SweepError::Unsupported(
                 "shards are written as csv or json; Parquet files are neither resumed nor merged",
             ));
         }
-        super::parquet::write(self, table, self.total())
+        let name = table_name(self.shard, self.format);
+        if Sidecar::read(table)?.as_ref() == Some(sidecar) && self.is_complete(&name, table) {
+            let tally = super::parquet::count(table, sidecar.is_monte_carlo)?;
+            let resumed = tally.rows;
+            return Ok((tally, resumed));
+        }
+        sidecar.write(table)?;
+        let written = super::parquet::write(self, table, self.total());
+        if written.is_err() {
+            let path = sidecar_path(table);
+            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        }
+        Ok((written?, 0))
     }
 
     #[cfg(not(feature = "parquet"))]
     #[allow(clippy::unused_self)] // has the form of its other half
-    fn run_parquet(&self, _table: &Path) -> Result<Tally, SweepError> {
+    fn run_parquet(&self, _table: &Path, _sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
         Err(SweepError::Unsupported(
             "this build writes csv and json; for Parquet build with `cargo build --release --features parquet`",
         ))

@@ -4,21 +4,25 @@ mod columns;
 mod group;
 
 use std::collections::HashMap;
+use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::SchemaDescriptor;
+use parquet::record::Field;
+use parquet::schema::types::{SchemaDescriptor, Type};
 
 use self::columns::{columns, properties, schema};
 use self::group::{Encoder, Group};
 use super::SweepError;
+use super::count::Count;
 use super::driver::{Job, Progress};
 use super::ordered::in_order;
 use super::pace::Pace;
-use super::plan::Evaluator;
+use super::plan::{Evaluator, Failure};
 use super::sidecar::Tally;
 use crate::output::NewFile;
 
@@ -37,7 +41,7 @@ fn row_group(total: u64) -> u64 {
 }
 
 /// Writes the table of a job; it appears when it is complete. A Parquet file ends with its table of contents, so an
-/// unfinished one cannot be resumed.
+/// unfinished one cannot be resumed; one that is complete is kept when its summary is not there yet.
 pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepError> {
     let unwritable = SweepError::file("cannot be written", table);
     let failed = |error: ParquetError| unwritable(io::Error::other(error));
@@ -78,6 +82,35 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
     )?;
     let file = writer.into_inner().map_err(failed)?.into_inner();
     job.directory.put_table(file.map_err(|error| unwritable(error.into_error()))?)?;
+    Ok(tally)
+}
+
+/// Counts the rows of a complete table.
+pub(super) fn count(table: &Path, is_monte_carlo: bool) -> Result<Tally, SweepError> {
+    let unreadable = SweepError::file("cannot be read", table);
+    let failed = |error: ParquetError| unreadable(io::Error::other(error));
+    let reader = SerializedFileReader::new(File::open(table).map_err(&unreadable)?).map_err(failed)?;
+    let fields = reader.metadata().file_metadata().schema().get_fields().iter();
+    let wanted = fields.filter(|field| ["restitution", "status"].contains(&field.name())).map(Arc::clone).collect();
+    let projection = Type::group_type_builder("table").with_fields(wanted).build().map_err(failed)?;
+    let mut tally = Tally::default();
+    for row in reader.get_row_iter(Some(projection)).map_err(failed)? {
+        let (mut restitution, mut is_ok, mut is_outside) = (None, false, false);
+        for (_, field) in row.map_err(failed)?.get_column_iter() {
+            match field {
+                Field::Double(value) => restitution = Some(*value),
+                Field::Str(status) => (is_ok, is_outside) = (status == "ok", status == Failure::OutsideLaw.name()),
+                _ => {}
+            }
+        }
+        let count = match restitution {
+            Some(value) if is_ok => Count::Restitution(value),
+            None if is_ok => Count::AtRest,
+            _ if is_outside => Count::OutsideLaw,
+            _ => Count::Failure,
+        };
+        tally.push(count, is_monte_carlo);
+    }
     Ok(tally)
 }
 
