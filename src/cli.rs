@@ -3,6 +3,7 @@
 mod bench;
 mod check;
 mod fit_plm;
+mod interrupt;
 mod laws;
 mod merge;
 mod run;
@@ -19,7 +20,7 @@ use plm_impact::scenario::{Scenario, ScenarioError};
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
 /// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
-/// tolerance, 130 interrupted (the same command goes on).
+/// tolerance, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {

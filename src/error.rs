@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use crate::fit::FitError;
 use crate::impact::ImpactError;
+use crate::output::OutputError;
 use crate::plot::PlotError;
 use crate::report::ReportError;
 use crate::scenario::{Scenario, ScenarioError};
@@ -42,16 +43,14 @@ pub enum Error {
     #[error(transparent)]
     Plot(#[from] PlotError),
     /// Outputs cannot be written where they were asked for.
-    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
-    Unwritable {
-        /// File or directory.
-        path: PathBuf,
-        /// Why.
-        reason: std::io::Error,
-    },
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// A sweep or a merge did not finish.
     #[error(transparent)]
     Sweep(#[from] SweepError),
+    /// A sweep that SIGTERM stopped.
+    #[error(transparent)]
+    Terminated(SweepError),
     /// A shard that does not exist.
     #[error("--shard: {0}")]
     Shard(ShardError),
@@ -121,18 +120,20 @@ impl Error {
         Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }
 
-    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance.
+    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance; 130 and 143 after a
+    /// signal.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(error) => error.exit_code(),
+            Self::Terminated(_) => 143,
+            Self::Output(error) => error.exit_code(),
             Self::Fit(error) => error.exit_code(),
             Self::Validation(error) => error.exit_code(),
             Self::Missed { .. } => 3,
             Self::Shard(_)
             | Self::Option(_)
             | Self::Scenario(_)
-            | Self::Unwritable { .. }
             | Self::Indentation { .. }
             | Self::Impact {
                 reason: ImpactError::Range(_) | ImpactError::Law(_) | ImpactError::NoClosedForm, ..

@@ -1,10 +1,27 @@
-//! Output files that appear whole or not at all: written beside their place under another name, then renamed.
+//! How a file comes to be. Every file that the program writes goes this way:
+//!
+//! 1. a lock, so that one process at a time writes it ([`Lock`]);
+//! 2. a random name beside its place, made new, no link followed ([`NewFile`]);
+//! 3. written, and brought to the disk, so that all errors come before anything is replaced;
+//! 4. entered into the folder's list of what the program wrote ([`MANIFEST`]), which says later that the file may be replaced;
+//! 5. renamed, and the folder brought to the disk. What says that a table is whole, its sidecar or summary, comes last.
+//!
+//! Whatever a process is killed in, each place holds its old file or its new one, whole.
 
-use std::fs::{self, File};
+mod lock;
+mod manifest;
+mod new_file;
+
+use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use crate::error::Error;
+use thiserror::Error;
+
+pub use lock::{Lock, LockError};
+pub use manifest::MANIFEST;
+use manifest::{Manifest, Record, relative};
+pub use new_file::{NewFile, PART, folder, refuse_special, remove, remove_stale, replace, sync_folder, with_suffix};
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,27 +32,137 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
+/// Why nothing was written.
+#[derive(Debug, Error)]
+pub enum OutputError {
+    /// The file system says no.
+    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
+    Unwritable {
+        /// File or directory.
+        path: PathBuf,
+        /// Why.
+        reason: io::Error,
+    },
+    /// Another process is at it.
+    #[error("{}: {holder} is writing it; wait for its end, or name another --out", .path.display())]
+    Busy {
+        /// The table or directory.
+        path: PathBuf,
+        /// Who, and since when.
+        holder: String,
+    },
+    /// A file that somebody else wrote.
+    #[error(
+        "{}: is there, and is not as this program wrote it; move it, name another --out, or replace it with --force",
+        .path.display()
+    )]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Results of something else.
+    #[error(
+        "{}: holds results of {other}, and these are of {own}; name another --out, or replace them with --force",
+        .path.display()
+    )]
+    Taken {
+        /// The directory.
+        path: PathBuf,
+        /// Scenario, shards or command that made them, as seen from the directory.
+        other: String,
+        /// Of what is to be written.
+        own: String,
+    },
+}
+
+impl OutputError {
+    /// For `map_err`.
+    pub fn at(path: &Path) -> impl Fn(io::Error) -> Self {
+        move |reason| Self::Unwritable { path: path.to_owned(), reason }
+    }
+
+    /// 1 where the disk is full, else 2.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        match self {
+            Self::Unwritable { reason, .. } if matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull) => 1,
+            _ => 2,
+        }
+    }
+}
+
+/// What results are made from.
+#[derive(Debug, Clone, Copy)]
+pub enum Origin<'a> {
+    /// A scenario or shards: where they are, and the hash of the scenario.
+    File(&'a Path, &'a str),
+    /// A command that needs none.
+    Command(&'static str),
+}
+
 /// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
 #[derive(Debug)]
 pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
+    /// What its results are of; `None` where many processes write into it what is complete by itself.
+    own: Option<Manifest>,
+    is_forced: bool,
+    is_of_earlier_version: bool,
 }
 
 impl OutputDirectory {
-    /// Makes the directory and tries it, before anything is computed.
+    /// Makes the directory and tries it, before anything is computed. Its results belong together: those of one scenario.
+    /// With `is_forced`, results of others and files that the program did not write are replaced.
     ///
     /// # Errors
-    /// [`Error::Unwritable`] if it cannot be made, is a file, or takes no files.
-    pub fn prepare(path: &Path) -> Result<Self, Error> {
-        let refuse = |reason| Error::Unwritable { path: path.to_owned(), reason };
+    /// [`OutputError::Unwritable`] if it cannot be made, is a file, or takes no files; [`OutputError::Taken`].
+    pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, OutputError> {
+        let mut directory = Self::shared(path)?;
+        directory.claim(origin, is_forced)?;
+        Ok(directory)
+    }
+
+    /// Says what the results are of that are to be written.
+    ///
+    /// # Errors
+    /// [`OutputError::Taken`] where there are those of something else, unless `is_forced`.
+    pub fn claim(&mut self, origin: Origin, is_forced: bool) -> Result<(), OutputError> {
+        let (made_from, scenario_sha256) = match origin {
+            Origin::File(file, hash) => (relative(file, &self.path), Some(hash.to_owned())),
+            Origin::Command(name) => (name.to_owned(), None),
+        };
+        let written_by = concat!("plm-impact ", env!("CARGO_PKG_VERSION")).to_owned();
+        let own = Manifest { written_by, made_from, scenario_sha256, files: Vec::new() };
+        match self.manifest()? {
+            Some(there) => {
+                let is_empty = !there.files.iter().any(|record| self.path.join(&record.name).exists());
+                if !is_forced && !is_empty && !there.belongs_with(&own) {
+                    let (other, own) = (there.made_from, own.made_from);
+                    return Err(OutputError::Taken { path: self.path.clone(), other, own });
+                }
+            }
+            None => self.is_of_earlier_version = has_marks(&self.path),
+        }
+        self.is_forced = is_forced;
+        self.own = Some(own);
+        Ok(())
+    }
+
+    /// The same for a directory that holds files of many, each of which is looked after by itself.
+    ///
+    /// # Errors
+    /// [`OutputError::Unwritable`].
+    pub fn shared(path: &Path) -> Result<Self, OutputError> {
+        let refuse = OutputError::at(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
-        let made = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
-        let directory = Self { path: path.to_owned(), made };
-        fs::create_dir_all(path).map_err(refuse)?;
-        let trial = directory.temporary("trial");
-        File::create(&trial).and_then(|_| fs::remove_file(&trial)).map_err(refuse)?;
+        let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
+        let directory = Self { path: path.to_owned(), made, own: None, is_forced: false, is_of_earlier_version: false };
+        fs::create_dir_all(path).map_err(&refuse)?;
+        directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
+        drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
         Ok(directory)
     }
 
@@ -45,44 +172,119 @@ impl OutputDirectory {
         &self.path
     }
 
+    /// Whether it holds results of a version that kept no list of them: those of the same names and kinds are replaced.
+    #[must_use]
+    pub fn is_of_earlier_version(&self) -> bool {
+        self.is_of_earlier_version
+    }
+
+    /// Locks a file of the directory for a run.
+    ///
+    /// # Errors
+    /// [`OutputError::Busy`], [`OutputError::Unwritable`].
+    pub fn lock(&self, name: &Path) -> Result<Lock, OutputError> {
+        let path = self.path.join(name);
+        Lock::take(&path).map_err(|error| refuse_lock(&path, error))
+    }
+
+    /// Whether the list of the directory has this file as it is there, written for the same scenario by the same version.
+    #[must_use]
+    pub fn has_own(&self, name: &str) -> bool {
+        let there = self.manifest().ok().flatten();
+        self.own.as_ref().zip(there).is_some_and(|(own, there)| there.is_like(own) && there.knows(&self.path, name))
+    }
+
+    /// Whether files of these names may be written.
+    ///
+    /// # Errors
+    /// [`OutputError::Foreign`]; [`OutputError::Unwritable`] for what is no file.
+    pub fn check<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Result<(), OutputError> {
+        let there = self.manifest()?;
+        names.into_iter().try_for_each(|name| self.may_replace(there.as_ref(), name, None))
+    }
+
     /// Writes all files, then puts them in place.
     ///
     /// # Errors
-    /// [`Error::Unwritable`] naming the file; then no file was replaced unless a rename itself failed halfway.
-    pub fn write(mut self, files: &[OutputFile]) -> Result<(), Error> {
-        let result = self.write_beside(files).and_then(|()| self.rename(files));
-        match result {
-            Ok(()) => self.made.clear(),
-            Err(_) => files.iter().for_each(|file| drop(fs::remove_file(self.temporary(&file.name)))),
+    /// [`OutputError`] naming the file; then no file was replaced unless a rename itself failed halfway.
+    pub fn write(&self, files: &[OutputFile]) -> Result<(), OutputError> {
+        let _lock = self.lock_list()?;
+        let mut new = Vec::new();
+        for file in files {
+            let place = self.path.join(&file.name);
+            let refuse = OutputError::at(&place);
+            let begun = remove_stale(&place).and_then(|()| NewFile::create(&place));
+            let mut begun = begun.map_err(&refuse)?;
+            begun.write_all(&file.bytes).and_then(|()| begun.sync()).map_err(&refuse)?;
+            new.push(begun);
         }
-        result
+        self.put_all(new, false)
     }
 
-    fn write_beside(&self, files: &[OutputFile]) -> Result<(), Error> {
-        files.iter().try_for_each(|file| {
-            let place = self.path.join(&file.name);
-            let write = || {
-                if place.is_dir() {
-                    return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    /// Puts a table in place that is complete, and removes summary and pictures of another one first.
+    ///
+    /// # Errors
+    /// [`OutputError`]; then it is not in place.
+    pub fn put_table(&self, table: NewFile) -> Result<(), OutputError> {
+        table.sync().map_err(OutputError::at(table.temporary()))?;
+        let _lock = self.own.is_some().then(|| self.lock_list()).transpose()?;
+        self.put_all(vec![table], true)
+    }
+
+    fn put_all(&self, mut files: Vec<NewFile>, is_table: bool) -> Result<(), OutputError> {
+        self.enter(&files, is_table)?;
+        for file in &mut files {
+            let place = file.place().to_owned();
+            file.rename().map_err(OutputError::at(&place))?;
+        }
+        sync_folder(&self.path).map_err(OutputError::at(&self.path))
+    }
+
+    /// Enters files into the list of the directory, before they take the place of others.
+    fn enter(&self, files: &[NewFile], is_table: bool) -> Result<(), OutputError> {
+        let Some(own) = &self.own else { return Ok(()) };
+        let there = self.manifest()?;
+        let refuse = OutputError::at(&self.path);
+        let mut records = Vec::new();
+        for file in files {
+            let name = file.place().file_name().unwrap_or_default().to_string_lossy();
+            self.may_replace(there.as_ref(), &name, Some(file.temporary()))?;
+            records.push(Record::of(file.temporary(), &name, is_table).map_err(OutputError::at(file.place()))?);
+        }
+        let is_new = |old: &Record| records.iter().any(|new| new.name == old.name);
+        let mut list = Manifest { files: Vec::new(), ..own.clone() };
+        if let Some(there) = there {
+            let is_like = there.is_like(own);
+            for old in there.files {
+                let is_there = old.is_in(&self.path);
+                if is_there && !is_like && !is_new(&old) && !old.is_table {
+                    remove(&self.path.join(&old.name)).map_err(&refuse)?;
+                } else if is_there && !records.contains(&old) {
+                    list.files.push(old);
                 }
-                let mut output = File::create(self.temporary(&file.name))?;
-                output.write_all(&file.bytes)?;
-                // on the disk before it takes the place of an older one
-                output.sync_all()
-            };
-            write().map_err(|reason| Error::Unwritable { path: place.clone(), reason })
-        })
+            }
+        }
+        list.files.extend(records);
+        list.write(&self.path).map_err(&refuse)
     }
 
-    fn rename(&self, files: &[OutputFile]) -> Result<(), Error> {
-        files.iter().try_for_each(|file| {
-            let place = self.path.join(&file.name);
-            fs::rename(self.temporary(&file.name), &place).map_err(|reason| Error::Unwritable { path: place, reason })
-        })
+    fn may_replace(&self, there: Option<&Manifest>, name: &str, new: Option<&Path>) -> Result<(), OutputError> {
+        let place = self.path.join(name);
+        refuse_special(&place).map_err(OutputError::at(&place))?;
+        let is_allowed = self.is_forced
+            || self.own.is_none()
+            || !place.exists()
+            || there.is_some_and(|there| there.knows(&self.path, name))
+            || self.is_of_earlier_version && new.is_none_or(|new| is_alike(&place, new));
+        if is_allowed { Ok(()) } else { Err(OutputError::Foreign { path: place }) }
     }
 
-    fn temporary(&self, name: &str) -> PathBuf {
-        self.path.join(format!(".{name}.{}.part", std::process::id()))
+    fn manifest(&self) -> Result<Option<Manifest>, OutputError> {
+        Manifest::read(&self.path).map_err(OutputError::at(&self.path))
+    }
+
+    fn lock_list(&self) -> Result<Lock, OutputError> {
+        Lock::wait(&self.path.join(MANIFEST)).map_err(|error| refuse_lock(&self.path, error))
     }
 }
 
@@ -91,4 +293,62 @@ impl Drop for OutputDirectory {
         // only empty ones go
         self.made.iter().for_each(|directory| drop(fs::remove_dir(directory)));
     }
+}
+
+/// A directory of its own beside the outputs, which goes with all that is in it.
+#[derive(Debug)]
+pub struct Scratch {
+    path: PathBuf,
+    _lock: Lock,
+}
+
+impl Scratch {
+    /// Makes one with this name and a random number; those that killed runs left are removed.
+    ///
+    /// # Errors
+    /// [`OutputError`].
+    pub fn new(directory: &OutputDirectory, name: &str) -> Result<Self, OutputError> {
+        let lock = directory.lock(Path::new(name))?;
+        let place = directory.path.join(name);
+        let made = remove_stale(&place).and_then(|()| new_file::temporary(&place));
+        let made = made.and_then(|path| fs::create_dir(&path).map(|()| path));
+        Ok(Self { path: made.map_err(OutputError::at(&place))?, _lock: lock })
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        drop(fs::remove_dir_all(&self.path));
+    }
+}
+
+fn refuse_lock(path: &Path, error: LockError) -> OutputError {
+    match error {
+        LockError::Held(holder) => OutputError::Busy { path: path.to_owned(), holder },
+        LockError::File(reason) => OutputError::Unwritable { path: path.to_owned(), reason },
+    }
+}
+
+/// Whether a directory without a list holds results of this program: its summary or report says so.
+fn has_marks(directory: &Path) -> bool {
+    let has = |name: &str, mark: &str| fs::read_to_string(directory.join(name)).is_ok_and(|text| text.contains(mark));
+    has("summary.json", "\"command\": \"plm-impact ")
+        || has("validation.md", "# Validation\n")
+        || has("report.md", "# Speed against error\n")
+}
+
+/// Whether two files begin with the same line: the header of a table, the heading of a report, the mark of a picture.
+fn is_alike(one: &Path, two: &Path) -> bool {
+    let line = |path: &Path| -> io::Result<Vec<u8>> {
+        let mut line = Vec::new();
+        io::BufRead::read_until(&mut io::BufReader::new(fs::File::open(path)?), b'\n', &mut line)?;
+        Ok(line)
+    };
+    line(one).ok().zip(line(two).ok()).is_some_and(|(one, two)| one == two)
 }

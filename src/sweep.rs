@@ -11,6 +11,7 @@ pub mod driver;
 pub mod merge;
 #[cfg(feature = "parquet")]
 mod ordered;
+pub mod pace;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod pictures;
@@ -26,6 +27,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
+
+use crate::output::OutputError;
 
 pub use driver::{Job, Progress, Written};
 pub use plan::{Cases, Plan};
@@ -45,6 +48,9 @@ pub enum SweepError {
         /// Why not.
         source: io::Error,
     },
+    /// The table has no place, or another process is writing it.
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// A file that is not what it should be.
     #[error("{}: {problem}", .path.display())]
     Damaged {
@@ -76,6 +82,9 @@ pub enum SweepError {
         /// Where they are.
         part: PathBuf,
     },
+    /// Stopped on request, with nothing to go on from.
+    #[error("interrupted; a Parquet table starts over, csv and json can be resumed")]
+    Dropped,
     /// A request that the build or the format does not allow.
     #[error("{0}")]
     Unsupported(&'static str),
@@ -103,7 +112,8 @@ impl SweepError {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Interrupted { .. } => 130,
+            Self::Interrupted { .. } | Self::Dropped => 130,
+            Self::Output(error) => error.exit_code(),
             Self::Changed { .. }
             | Self::Unsupported(_)
             | Self::Place { .. }

@@ -61,6 +61,9 @@ fn assert_is_picture(bytes: &[u8]) {
 fn bench_writes_the_whole_report() {
     let directory = TempDir::new().unwrap();
     let out = directory.path().join("out");
+    // a directory of somebody else, where tables used to be measured
+    fs::create_dir_all(out.join("throughput")).unwrap();
+    fs::write(out.join("throughput/notes"), "mine").unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_plm-impact"))
         .args(["bench", "--quick", "--out"])
         .arg(&out)
@@ -73,7 +76,9 @@ fn bench_writes_the_whole_report() {
         fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     let picture = |problem: &str| format!("{}.png", problem.to_lowercase().replace(' ', "-"));
     let pictures = PROBLEMS.map(picture);
-    let want = pictures.iter().cloned().chain(["speed_vs_error.csv".to_string(), "report.md".to_string()]).collect();
+    let others = ["speed_vs_error.csv", "report.md", "throughput", ".plm-impact.json"].map(str::to_owned);
+    let want = pictures.iter().cloned().chain(others).collect();
+    assert_eq!(fs::read_to_string(out.join("throughput/notes")).unwrap(), "mine");
     assert_eq!(names, want);
     for name in &pictures {
         assert_is_picture(&fs::read(out.join(name)).unwrap());

@@ -61,10 +61,12 @@ fn overrides_directory_and_quiet_do_what_they_say() {
 #[test]
 fn a_second_run_replaces_outputs_and_leaves_other_files_alone() {
     let desk = Desk::with(STEEL);
-    fs::create_dir(desk.path("out")).unwrap();
-    fs::write(desk.path("out/summary.json"), "old").unwrap();
+    let faster = ["run", "s.toml", "--out", "out", "--set", "impact.speed=4 m/s"];
+    assert_eq!(desk.call(&faster).status.code(), Some(0));
+    let old = desk.read("out/summary.json");
     fs::write(desk.path("out/notes.txt"), "mine").unwrap();
     assert_eq!(desk.call(&["run", "s.toml", "--out", "out"]).status.code(), Some(0));
+    assert_ne!(desk.read("out/summary.json"), old);
     assert!(fs::read_to_string(desk.path("out/summary.json")).unwrap().contains("restitution"));
     assert_eq!(fs::read_to_string(desk.path("out/notes.txt")).unwrap(), "mine");
     assert_eq!(desk.files("out").len(), FILES.len() + 1);

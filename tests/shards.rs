@@ -352,23 +352,6 @@ fn unfinished_rows_of_a_changed_scenario_are_refused_and_others_go_on() {
     assert!(stderr(&damaged).contains("is not case 6"), "{}", stderr(&damaged));
 }
 
-#[test]
-fn a_full_disk_leaves_exit_code_1() {
-    let full = Path::new("/dev/full");
-    if !full.exists() {
-        return;
-    }
-    let directory = tempfile::tempdir().unwrap();
-    let file = scenario(directory.path(), 50_000);
-    let out = directory.path().join("out");
-    fs::create_dir(&out).unwrap();
-    #[cfg(unix)]
-    std::os::unix::fs::symlink(full, out.join("table.csv.part")).unwrap();
-    let output = run(&file, &out, &[]).output().unwrap();
-    assert_eq!(code(&output), 1, "{}", stderr(&output));
-    assert!(!out.join("table.csv").exists());
-}
-
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_130_and_a_state_to_go_on_from() {

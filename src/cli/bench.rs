@@ -6,7 +6,8 @@ use std::time::Duration;
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::bench::{hard_cases, measure, problems, report};
-use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::error::Error;
+use plm_impact::output::{Origin, OutputDirectory, OutputFile, Scratch};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::table::column_names;
 use plm_impact::sweep::throughput::throughput;
@@ -17,13 +18,18 @@ pub struct Arguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/bench")]
     out: PathBuf,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    force: bool,
     /// A third of the settings and a tenth of the rounds
     #[arg(long)]
     quick: bool,
 }
 
 pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
-    let directory = OutputDirectory::prepare(&arguments.out)?;
+    let directory =
+        OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
+    super::run::say_what_is_replaced(&directory);
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
@@ -51,7 +57,7 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
         files.push(report::picture(measured)?);
     }
     let path = directory.path().to_owned();
-    directory.write(&files)?;
+    directory.write(&files).map_err(Error::from)?;
     super::print(&text).context("standard output")?;
     super::note(format_args!("wrote {} files to {}", files.len(), path.display()));
     Ok(())
@@ -73,20 +79,19 @@ const NINE: &str =
 
 /// How fast tables are computed and written, as Markdown.
 fn table_rates(directory: &OutputDirectory, is_quick: bool) -> anyhow::Result<String> {
-    let scratch = directory.path().join("throughput");
-    std::fs::create_dir_all(&scratch)?;
+    let scratch = Scratch::new(directory, "throughput").map_err(Error::from)?;
+    let tables = OutputDirectory::shared(scratch.path()).map_err(Error::from)?;
     let measure = |columns: Option<&str>| -> anyhow::Result<String> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = scenario.plan()?.context("the table of the bench is a sweep")?;
-        let rates = throughput(&plan, &scratch, if is_quick { 1 } else { 7 })?;
+        let rates = throughput(&plan, &tables, if is_quick { 1 } else { 7 })?;
         let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
         let count = column_names(&plan).len();
         Ok(format!("| {count} | {:.2e} | {:.2e} | {parquet} |\n", rates.compute, rates.csv))
     };
-    let lines = measure(Some(NINE)).and_then(|nine| Ok(nine + &measure(None)?));
-    std::fs::remove_dir_all(&scratch)?;
+    let lines = measure(Some(NINE))? + &measure(None)?;
     let head = "| columns | computing all results | CSV, end to end | Parquet, end to end |\n|---|---|---|---|\n";
-    Ok(head.to_owned() + &lines?)
+    Ok(head.to_owned() + &lines)
 }

@@ -7,7 +7,8 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
 use plm_impact::law::PlmCoefficients;
-use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::output::{OutputDirectory, OutputError, OutputFile, refuse_special};
+use plm_impact::scenario::read_text;
 
 /// Determine PLM coefficients from loading curves: a file for `[law.plm] coefficients`, deviations to the terminal
 ///
@@ -24,6 +25,9 @@ pub struct Arguments {
     /// File of coefficients to write
     #[arg(short, long = "out", value_name = "FILE")]
     out: PathBuf,
+    /// Replace FILE whatever it is; without, only if this command wrote it
+    #[arg(long)]
+    force: bool,
     /// What results will call the coefficients [default: PLM, name of the file]
     #[arg(long)]
     name: Option<String>,
@@ -54,14 +58,16 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
         [] => built_in.clone(),
         knots => fit::knots::with_knots(built_in, knots).map_err(Error::from)?,
     };
-    let directory = OutputDirectory::prepare(directory)?;
+    let directory = OutputDirectory::shared(directory).map_err(Error::from)?;
+    let _lock = directory.lock(Path::new(&file_name)).map_err(Error::from)?;
+    may_replace(&arguments.out, arguments.force).map_err(Error::from)?;
     let plan = Plan { start, has_knots: arguments.fit_knots };
     let fitted = fit::fit(&curves, &plan).map_err(Error::from)?;
     let default_name = || format!("PLM, {}", Path::new(&file_name).with_extension("").display());
     let name = arguments.name.clone().unwrap_or_else(default_name);
     let coefficients = report::coefficients(&fitted, &name, &super::run::command_line());
     let text = report::toml(&coefficients).map_err(Error::from)?;
-    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
+    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }]).map_err(Error::from)?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
     super::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
     super::note(format_args!("wrote {}", arguments.out.display()));
@@ -74,4 +80,11 @@ fn place(path: &Path) -> Result<(&Path, String), String> {
     let name = name.ok_or_else(|| format!("--out {}: is not the name of a file", path.display()))?;
     let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
     Ok((parent.unwrap_or(Path::new(".")), name.to_owned()))
+}
+
+/// A file of coefficients names the command that wrote it.
+fn may_replace(out: &Path, is_forced: bool) -> Result<(), OutputError> {
+    refuse_special(out).map_err(OutputError::at(out))?;
+    let is_own = || read_text(out).is_ok_and(|text| text.contains("plm-impact fit-plm "));
+    if is_forced || !out.exists() || is_own() { Ok(()) } else { Err(OutputError::Foreign { path: out.to_owned() }) }
 }

@@ -1,11 +1,11 @@
 //! `plm-impact merge`
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::OutputDirectory;
+use plm_impact::output::{self, OutputDirectory};
 use plm_impact::report;
 use plm_impact::run::table;
 use plm_impact::sweep::merge;
@@ -19,15 +19,19 @@ pub struct Arguments {
     /// The whole table; summary.json and the pictures go beside it
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+    /// Replace files that this program did not write, and results of other shards
+    #[arg(long)]
+    force: bool,
     /// Warnings and errors only
     #[arg(long)]
     quiet: bool,
 }
 
 pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
-    let parent = arguments.out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let directory = OutputDirectory::prepare(parent)?;
-    let merged = merge::merge(&arguments.inputs, &arguments.out).map_err(Error::from)?;
+    let parent = output::folder(&arguments.out);
+    let mut directory = OutputDirectory::shared(parent).map_err(Error::from)?;
+    let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force);
+    let merged = merged.map_err(Error::from)?;
     super::run::warn(&table::warnings(&merged.plan));
     let provenance = report::sweep::Provenance {
         version: &merged.sidecar.version,
@@ -35,7 +39,7 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
         command: &super::run::command_line(),
     };
     let files = table::files(&merged.plan, &merged.tally, provenance)?;
-    directory.write(&files)?;
+    directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
         super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::report::compare;
 use plm_impact::run::heed;
 use plm_impact::run::repeat::run_repeat;
@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Output directory [default: plots/<scenario name>]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Replace files that this program did not write, and results of another scenario
+    #[arg(long)]
+    force: bool,
     /// Take warnings for errors: write nothing, exit code 1
     #[arg(long)]
     strict: bool,
@@ -49,44 +52,49 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let warnings = table::warnings(&plan);
     warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
-    let directory = OutputDirectory::prepare(&arguments.directory())?;
-    super::sweep::run(&arguments.sweep, scenario, &plan, directory, &command_line(), arguments.quiet)
+    let directory = if arguments.sweep.shard()?.is_whole() {
+        arguments.prepare(scenario)?
+    } else {
+        // each shard is looked after by itself
+        OutputDirectory::shared(&arguments.directory()).map_err(Error::from)?
+    };
+    super::sweep::run(&arguments.sweep, scenario, &plan, &directory, &command_line(), arguments.quiet)
 }
 
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("one impact")?;
-    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let directory = arguments.prepare(scenario)?;
     let run = plm_impact::run::run(scenario, &command_line())?;
-    finish(arguments, scenario, directory, &run.impact.warnings, &run.table, &run.files)
+    finish(arguments, scenario, &directory, &run.impact.warnings, &run.table, &run.files)
 }
 
 fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("impacts one after the other")?;
-    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let directory = arguments.prepare(scenario)?;
     let run = run_repeat(scenario, &command_line())?;
-    finish(arguments, scenario, directory, &run.warnings, &run.table, &run.files)
+    finish(arguments, scenario, &directory, &run.warnings, &run.table, &run.files)
 }
 
 fn indentation(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("an indentation")?;
-    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let directory = arguments.prepare(scenario)?;
     let run = plm_impact::run::indentation::run(scenario, &command_line())?;
-    finish(arguments, scenario, directory, &run.warnings, &run.table, &run.files)
+    finish(arguments, scenario, &directory, &run.warnings, &run.table, &run.files)
 }
 
 fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     arguments.sweep.refuse_for("a comparison of laws")?;
     let comparison = scenario.comparison().map_err(Error::from)?;
-    let directory = OutputDirectory::prepare(&arguments.directory())?;
+    let directory = arguments.prepare(scenario)?;
     let files = compare::files(&comparison, scenario, &command_line())?;
-    finish(arguments, scenario, directory, &[] as &[String], &compare::table(&comparison), &files)
+    finish(arguments, scenario, &directory, &[] as &[String], &compare::table(&comparison), &files)
 }
 
 /// Warnings and where the files are to standard error, the files to the directory, the table to standard output.
 fn finish(
     arguments: &Arguments,
     scenario: &Scenario,
-    directory: OutputDirectory,
+    directory: &OutputDirectory,
     warnings: &[impl Display],
     table: &str,
     files: &[OutputFile],
@@ -94,13 +102,21 @@ fn finish(
     warn(warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
     let out = directory.path().to_owned();
-    directory.write(files)?;
+    directory.write(files).map_err(Error::from)?;
     if !arguments.quiet {
         super::print(table).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         super::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
     }
     Ok(())
+}
+
+/// Says that results without a list of files are there.
+pub fn say_what_is_replaced(directory: &OutputDirectory) {
+    if directory.is_of_earlier_version() {
+        let path = directory.path().display();
+        super::note(format_args!("{path}: the results of an earlier version that are there will be replaced"));
+    }
 }
 
 /// Warnings to standard error.
@@ -116,6 +132,15 @@ impl Arguments {
         let scenario = &self.scenario.scenario;
         let default = || Path::new("plots").join(scenario.file_stem().unwrap_or(scenario.as_os_str()));
         self.out.clone().unwrap_or_else(default)
+    }
+
+    /// The same, ready to be written to.
+    fn prepare(&self, scenario: &Scenario) -> anyhow::Result<OutputDirectory> {
+        let hash = scenario.sha256().map_err(Error::from)?;
+        let origin = Origin::File(&self.scenario.scenario, &hash);
+        let directory = OutputDirectory::prepare(&self.directory(), origin, self.force).map_err(Error::from)?;
+        say_what_is_replaced(&directory);
+        Ok(directory)
     }
 }
 

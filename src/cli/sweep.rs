@@ -1,8 +1,6 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
 use std::io::{self, IsTerminal as _};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context as _;
 use clap::{Args, ValueEnum, value_parser};
@@ -10,9 +8,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
 use plm_impact::report;
-use plm_impact::run::table;
+use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
+use plm_impact::sweep::pictures::PICTURES;
+use plm_impact::sweep::sidecar::table_name;
 use plm_impact::sweep::{self, Job, Plan, Progress, Shard};
+
+use super::interrupt::Interrupt;
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -66,7 +68,8 @@ impl Options {
         }
     }
 
-    fn shard(&self) -> Result<Shard, Error> {
+    /// Which part of the table is written.
+    pub fn shard(&self) -> Result<Shard, Error> {
         match (&self.shard, &self.shard_env) {
             (Some(text), _) => Ok(Shard::parse(text)?),
             (None, Some(text)) => Ok(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?),
@@ -80,7 +83,7 @@ pub fn run(
     options: &Options,
     scenario: &Scenario,
     plan: &Plan,
-    directory: OutputDirectory,
+    directory: &OutputDirectory,
     command: &str,
     is_quiet: bool,
 ) -> anyhow::Result<()> {
@@ -88,27 +91,29 @@ pub fn run(
     if let Some(threads) = options.threads {
         rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().context("--threads")?;
     }
-    let is_cancelled = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&is_cancelled);
-    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("Ctrl-C")?;
+    let format = options.format.map_or(sweep::Format::Csv, sweep::Format::from);
+    if shard.is_whole() {
+        let table = table_name(shard, format);
+        directory.check([table.as_str(), SUMMARY].into_iter().chain(PICTURES)).map_err(Error::from)?;
+    }
+    let interrupt = Interrupt::listen()?;
     let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
     let source = scenario.source().map_err(Error::from)?;
-    let out = directory.path().to_owned();
     let job = Job {
         plan,
         shard,
-        format: options.format.map_or(sweep::Format::Csv, sweep::Format::from),
-        directory: &out,
+        format,
+        directory,
         source: &source,
         progress: &|progress: Progress| {
             bar.set_length(progress.total);
             bar.set_position(progress.rows);
         },
-        is_cancelled: &is_cancelled,
+        is_cancelled: &interrupt.is_set,
     };
     let written = job.run();
     bar.finish_and_clear();
-    let written = written.map_err(Error::from)?;
+    let written = written.map_err(|error| interrupt.explain(error))?;
     let mut names = vec![written.table.display().to_string()];
     if shard.is_whole() {
         let provenance = report::sweep::Provenance {
@@ -118,7 +123,8 @@ pub fn run(
         };
         let files = table::files(plan, &written.tally, provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
-        directory.write(&files)?;
+        directory.write(&files).map_err(Error::from)?;
+        written.close().map_err(Error::from)?;
     }
     if !is_quiet {
         super::print(&report::sweep::lines(&written.tally)).context("standard output")?;
@@ -127,7 +133,7 @@ pub fn run(
         }
         super::note(format_args!("wrote {}", names.join(", ")));
     }
-    finish(&written.tally, written.table)
+    finish(&written.tally, written.table.clone())
 }
 
 /// Rows without a result make exit code 1.

@@ -6,7 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::law::PlmCoefficients;
-use plm_impact::output::{OutputDirectory, OutputFile};
+use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::scenario::read_text;
 use plm_impact::validation::{self, ValidationError, Verdict, check, report};
 
@@ -18,6 +18,9 @@ pub struct Arguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/validate")]
     out: PathBuf,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    force: bool,
     /// Validate the law with these coefficients instead of the built-in ones
     #[arg(long, value_name = "FILE")]
     coefficients: Option<PathBuf>,
@@ -29,7 +32,9 @@ pub struct Arguments {
 pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let own = arguments.coefficients.as_deref().map(load).transpose().map_err(Error::from)?;
     let coefficients = own.as_ref().unwrap_or_else(|| PlmCoefficients::built_in());
-    let directory = OutputDirectory::prepare(&arguments.out)?;
+    let directory =
+        OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
+    super::run::say_what_is_replaced(&directory);
     let checks = validation::checks(coefficients).map_err(Error::from)?;
     let mut files = vec![
         OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? },
@@ -42,7 +47,7 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
         files.extend(validation::pictures(coefficients).map_err(Error::from)?);
     }
     let out = directory.path().to_owned();
-    directory.write(&files)?;
+    directory.write(&files).map_err(Error::from)?;
     super::print(&report::table(&checks)).context("standard output")?;
     super::note(format_args!(
         "wrote validation.csv, validation.md and {} pictures to {}",

@@ -8,6 +8,9 @@ use crate::sweep::caution::cautions;
 use crate::sweep::pictures::pictures;
 use crate::sweep::sidecar::Tally;
 
+/// The name of a table's summary.
+pub const SUMMARY: &str = "summary.json";
+
 /// What is doubtful in a table of this plan.
 #[must_use]
 pub fn warnings(plan: &Plan) -> Vec<String> {
@@ -21,7 +24,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
 /// [`Error::Report`], [`Error::Plot`].
 pub fn files(plan: &Plan, tally: &Tally, provenance: Provenance) -> Result<Vec<OutputFile>, Error> {
     let summary = summary(plan, tally, provenance)?;
-    let mut files = vec![OutputFile { name: "summary.json".to_owned(), bytes: summary.into_bytes() }];
+    let mut files = vec![OutputFile { name: SUMMARY.to_owned(), bytes: summary.into_bytes() }];
     for (name, bytes) in pictures(plan, tally)? {
         files.push(OutputFile { name: name.to_owned(), bytes });
     }

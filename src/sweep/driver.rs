@@ -1,23 +1,29 @@
 //! A sweep from plan to table: chunks of rows on all cores, appended in order while the next ones are computed.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
+use std::io::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
 use super::SweepError;
 use super::count::Count;
+use super::pace::Pace;
 use super::plan::{Evaluator, Plan, Rows};
 use super::shard::{Layout, Shard};
 use super::sidecar::{Sidecar, Tally, VERSION, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable, column_names};
+use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
 use crate::scenario::Source;
 
-/// Rows a task computes and writes as text: large against the cost of a task, small against memory.
+/// Rows a task computes and writes as text, at most: large against the cost of a task, small against memory.
 pub const CHUNK: u64 = 4096;
+/// Rows a thread before the first texts are written.
+const FIRST: u64 = 64;
+/// How long the rows between two writings are to take: what a killed run loses.
+const TURN: Duration = Duration::from_millis(100);
 /// Tasks a thread before their texts are written.
 const CHUNKS_A_THREAD: u64 = 8;
 
@@ -30,19 +36,19 @@ pub struct Job<'a> {
     /// What is written.
     pub format: Format,
     /// Where.
-    pub directory: &'a Path,
+    pub directory: &'a OutputDirectory,
     /// The scenario that the plan is of.
     pub source: &'a Source,
     /// Told now and then how far it is.
     pub progress: &'a (dyn Fn(Progress) + Sync),
-    /// Set to stop after the rows at hand.
+    /// Set to stop within a fraction of a second, unless a single row takes longer.
     pub is_cancelled: &'a AtomicBool,
 }
 
 /// How far a sweep is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Rows written, those of an earlier run included.
+    /// Rows computed, those of an earlier run included.
     pub rows: u64,
     /// All rows of this shard.
     pub total: u64,
@@ -50,8 +56,8 @@ pub struct Progress {
     pub resumed: u64,
 }
 
-/// A finished table.
-#[derive(Debug, Clone)]
+/// A finished table, locked until it is dropped.
+#[derive(Debug)]
 pub struct Written {
     /// The file.
     pub table: PathBuf,
@@ -59,6 +65,22 @@ pub struct Written {
     pub tally: Tally,
     /// Rows that an earlier run had written.
     pub resumed: u64,
+    is_whole: bool,
+    _lock: Lock,
+}
+
+impl Written {
+    /// Says that all that belongs beside the table is there too. Until then the same command goes on from the table.
+    ///
+    /// # Errors
+    /// [`SweepError::File`].
+    pub fn close(&self) -> Result<(), SweepError> {
+        if self.is_whole {
+            let path = sidecar_path(&self.table);
+            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        }
+        Ok(())
+    }
 }
 
 /// The text of consecutive rows, and how each counts.
@@ -73,50 +95,78 @@ impl Job<'_> {
     /// # Errors
     /// [`SweepError`]; what is written so far stays and can be resumed.
     pub fn run(&self) -> Result<Written, SweepError> {
-        fs::create_dir_all(self.directory).map_err(SweepError::file("cannot be created", self.directory))?;
-        let table = self.directory.join(table_name(self.shard, self.format));
-        if self.format == Format::Parquet {
-            return self.run_parquet(&table);
+        let name = table_name(self.shard, self.format);
+        let table = self.directory.path().join(&name);
+        let lock = self.directory.lock(Path::new(&name))?;
+        for place in [&table, &sidecar_path(&table)] {
+            remove_stale(place).map_err(SweepError::file("cannot be written", place))?;
         }
+        let written = |tally: Tally, resumed| Written {
+            table: table.clone(),
+            tally,
+            resumed,
+            is_whole: self.shard.is_whole(),
+            _lock: lock,
+        };
         let sidecar = self.sidecar();
+        if self.format == Format::Parquet {
+            let (tally, resumed) = self.run_parquet(&table, &sidecar)?;
+            return Ok(written(tally, resumed));
+        }
         let text = TextTable::new(self.plan, self.format);
         let part = part_path(&table);
-        let mut tally = Tally::default();
-        let mut end = 0;
-        match Sidecar::read(&table)? {
-            Some(old) if old == sidecar => {
-                // a finished shard is kept, so that a scheduler may start it again
-                if !self.shard.is_whole() && table.exists() && !part.exists() {
-                    let (tally, _) = read_rows(&table, &text, &sidecar)?;
-                    if tally.rows == sidecar.layout().rows() {
-                        return Ok(Written { table, resumed: tally.rows, tally });
-                    }
-                }
-                if part.exists() {
-                    (tally, end) = read_rows(&part, &text, &sidecar)?;
-                }
+        let old = Sidecar::read(&table)?;
+        let is_same = old.as_ref() == Some(&sidecar);
+        if !is_same {
+            self.may_begin(old.is_some(), &table, &part)?;
+            // the table comes before its sidecar, so that no sidecar stands beside another table without a part
+            let path = sidecar_path(&table);
+            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        } else if !part.exists() && self.is_complete(&name, &table) {
+            // kept, so that a scheduler may start a shard again and a run that was stopped while pictures were drawn goes on
+            let (tally, _) = read_rows(&table, &text, &sidecar)?;
+            if tally.rows == sidecar.layout().rows() {
+                let resumed = tally.rows;
+                return Ok(written(tally, resumed));
             }
-            Some(_) if part.exists() || (!self.shard.is_whole() && table.exists()) => {
-                let what = if part.exists() { "unfinished rows" } else { "a shard" };
-                return Err(SweepError::Changed { sidecar: sidecar_path(&table), table, what });
-            }
-            _ => {}
         }
-        sidecar.write(&table)?;
+        let (mut tally, end) =
+            if is_same && part.exists() { read_rows(&part, &text, &sidecar)? } else { (Tally::default(), 0) };
         let resumed = tally.rows;
         let unwritable = SweepError::file("cannot be written", &part);
-        let mut file = open(&part, end).map_err(&unwritable)?;
+        let mut file = NewFile::resume(&table, part.clone(), end).map_err(OutputError::at(&part))?;
+        sync_folder(self.directory.path()).map_err(&unwritable)?;
+        sidecar.write(&table)?;
         if end == 0 {
             file.write_all(&text.header()).map_err(&unwritable)?;
         }
         self.append(&mut file, &part, &text, &sidecar.layout(), &mut tally)?;
         file.write_all(text.footer()).map_err(&unwritable)?;
-        fs::rename(&part, &table).map_err(SweepError::file("cannot be renamed", &part))?;
-        if self.shard.is_whole() {
-            let path = sidecar_path(&table);
-            fs::remove_file(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        self.directory.put_table(file)?;
+        Ok(written(tally, resumed))
+    }
+
+    /// Whether a table without a part is the one of this sidecar: a shard always is, and others are in the directory's list.
+    fn is_complete(&self, name: &str, table: &Path) -> bool {
+        table.exists() && (!self.shard.is_whole() || self.directory.has_own(name))
+    }
+
+    /// Refuses to begin where rows of something else would be lost.
+    fn may_begin(&self, has_sidecar: bool, table: &Path, part: &Path) -> Result<(), SweepError> {
+        let what = if part.symlink_metadata().is_ok_and(|data| data.len() > 0) {
+            "unfinished rows"
+        } else if !self.shard.is_whole() && table.exists() {
+            "a shard"
+        } else {
+            return Ok(());
+        };
+        if has_sidecar {
+            Err(SweepError::Changed { sidecar: sidecar_path(table), table: table.to_owned(), what })
+        } else {
+            let problem = format!("holds {what} without a sidecar that says of what; move or delete it to start over");
+            let path = if what == "a shard" { table } else { part };
+            Err(SweepError::Damaged { path: path.to_owned(), problem })
         }
-        Ok(Written { table, tally, resumed })
     }
 
     fn total(&self) -> u64 {
@@ -144,7 +194,7 @@ impl Job<'_> {
     /// Computes the rows after those of `tally` and appends them.
     fn append(
         &self,
-        file: &mut File,
+        file: &mut NewFile,
         part: &Path,
         text: &TextTable,
         layout: &Layout,
@@ -154,26 +204,29 @@ impl Job<'_> {
         let total = layout.rows();
         let resumed = tally.rows;
         let is_monte_carlo = self.plan.is_monte_carlo();
+        let report = |rows| (self.progress)(Progress { rows: resumed + rows, total, resumed });
+        let pace = Pace::new(self.is_cancelled, &report);
+        let threads = rayon::current_num_threads() as u64;
         let mut next = tally.rows;
         let mut ready: Vec<Chunk> = Vec::new();
-        // one chunk a thread first, so that the first rows are there at once
-        let mut group = rayon::current_num_threads() as u64 * CHUNK;
+        let mut group = threads * FIRST;
         loop {
-            let end = if self.is_cancelled.load(Ordering::Relaxed) { next } else { total.min(next + group) };
+            let begun = Instant::now();
+            let rows = next..total.min(next + group);
             let (written, computed) = rayon::join(
                 || ready.iter().try_for_each(|chunk| file.write_all(&chunk.text)),
-                || chunks(&evaluator, text, layout, next..end),
+                || chunks(&evaluator, text, layout, rows, &pace),
             );
             written.map_err(SweepError::file("cannot be written (free space, then the same command goes on)", part))?;
             for count in ready.iter().flat_map(|chunk| &chunk.counts) {
                 tally.push(*count, is_monte_carlo);
             }
-            (self.progress)(Progress { rows: tally.rows, total, resumed });
             if computed.is_empty() {
                 break;
             }
-            (ready, next) = (computed, end);
-            group = rayon::current_num_threads() as u64 * CHUNKS_A_THREAD * CHUNK;
+            next += computed.iter().map(|chunk| chunk.counts.len() as u64).sum::<u64>();
+            ready = computed;
+            group = next_group(group, begun.elapsed()).clamp(threads, threads * CHUNKS_A_THREAD * CHUNK);
         }
         if tally.rows < total {
             return Err(SweepError::Interrupted { rows: tally.rows, total, part: part.to_owned() });
@@ -182,56 +235,76 @@ impl Job<'_> {
     }
 
     #[cfg(feature = "parquet")]
-    fn run_parquet(&self, table: &Path) -> Result<Written, SweepError> {
+    fn run_parquet(&self, table: &Path, sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
         if !self.shard.is_whole() {
             return Err(SweepError::Unsupported(
                 "shards are written as csv or json; Parquet files are neither resumed nor merged",
             ));
         }
-        let tally = super::parquet::write(self, table, self.total())?;
-        Ok(Written { table: table.to_owned(), tally, resumed: 0 })
+        let name = table_name(self.shard, self.format);
+        if Sidecar::read(table)?.as_ref() == Some(sidecar) && self.is_complete(&name, table) {
+            let tally = super::parquet::count(table, sidecar.is_monte_carlo)?;
+            let resumed = tally.rows;
+            return Ok((tally, resumed));
+        }
+        sidecar.write(table)?;
+        let written = super::parquet::write(self, table, self.total());
+        if written.is_err() {
+            let path = sidecar_path(table);
+            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
+        }
+        Ok((written?, 0))
     }
 
     #[cfg(not(feature = "parquet"))]
     #[allow(clippy::unused_self)] // has the form of its other half
-    fn run_parquet(&self, _table: &Path) -> Result<Written, SweepError> {
+    fn run_parquet(&self, _table: &Path, _sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
         Err(SweepError::Unsupported(
             "this build writes csv and json; for Parquet build with `cargo build --release --features parquet`",
         ))
     }
 }
 
-/// Opens the unfinished table to append at `end`; what is behind is a torn line.
-fn open(part: &Path, end: u64) -> io::Result<File> {
-    let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(part)?;
-    file.set_len(end)?;
-    file.seek(SeekFrom::Start(end))?;
-    Ok(file)
+/// How many rows the next turn computes, when these took so long.
+#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts far below 2^53
+fn next_group(group: u64, took: Duration) -> u64 {
+    let factor = TURN.as_secs_f64() / took.as_secs_f64().max(1e-9);
+    (group as f64 * factor.clamp(1.0 / 64.0, 4.0)) as u64
 }
 
-/// The rows of this range as text, in chunks.
-fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<u64>) -> Vec<Chunk> {
-    let starts: Vec<u64> = rows.clone().step_by(usize::try_from(CHUNK).unwrap_or(usize::MAX)).collect();
-    starts
-        .into_par_iter()
+/// The rows of this range as text, in chunks; where they are stopped, those before.
+fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<u64>, pace: &Pace) -> Vec<Chunk> {
+    let tasks = rayon::current_num_threads() as u64 * CHUNKS_A_THREAD;
+    let length = (rows.end - rows.start).div_ceil(tasks).clamp(1, CHUNK);
+    let starts: Vec<u64> = rows.clone().step_by(usize::try_from(length).unwrap_or(usize::MAX)).collect();
+    let mut chunks: Vec<Chunk> = starts
+        .par_iter()
         .map(|start| {
-            let end = rows.end.min(start + CHUNK);
-            let computed = compute(evaluator, layout, start..end);
+            let computed = compute(evaluator, layout, *start..rows.end.min(start + length), pace);
+            let end = start + computed.cases.len() as u64;
             // numbers take up to 24 characters
             let mut lines = Vec::with_capacity(computed.cases.len() * 192);
             text.write(&computed, end == layout.rows(), &mut lines);
             let counts = computed.results.iter().map(Count::of).collect();
             Chunk { text: lines, counts }
         })
-        .collect()
+        .collect();
+    let is_short = |(start, chunk): (&u64, &Chunk)| start + (chunk.counts.len() as u64) < rows.end.min(start + length);
+    if let Some(first) = starts.iter().zip(&chunks).position(is_short) {
+        chunks.truncate(first + 1);
+        chunks.retain(|chunk| !chunk.counts.is_empty());
+    }
+    chunks
 }
 
-/// The rows of this range as numbers.
+/// The rows of this range as numbers; where they are stopped, the first of them.
 #[must_use]
-pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>) -> Rows {
+pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>, pace: &Pace) -> Rows {
     let mut computed = Rows::with_capacity(rows.end - rows.start, evaluator.n_swept());
-    for cases in layout.cases(rows) {
-        evaluator.rows(cases, &mut computed);
-    }
+    pace.walk(rows, |piece| {
+        for cases in layout.cases(piece) {
+            evaluator.rows(cases, &mut computed);
+        }
+    });
     computed
 }

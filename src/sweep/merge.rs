@@ -9,14 +9,15 @@ use super::SweepError;
 use super::plan::Plan;
 use super::sidecar::{Sidecar, Tally, VERSION, part_path, sidecar_path};
 use super::table::{Format, TextTable, read_line};
+use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
 use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";
 /// What the command writes beside a merged table, with the pictures.
 const SUMMARY: &str = "summary.json";
 
-/// A merged table.
-#[derive(Debug, Clone)]
+/// A merged table, locked until it is dropped.
+#[derive(Debug)]
 pub struct Merged {
     /// What the shards say of themselves.
     pub sidecar: Sidecar,
@@ -24,6 +25,7 @@ pub struct Merged {
     pub plan: Plan,
     /// Rows, failures, distribution of e.
     pub tally: Tally,
+    _lock: Lock,
 }
 
 /// The tables of shards in `inputs`: files, or directories of them.
@@ -121,25 +123,31 @@ fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
     plan.ok_or_else(|| damaged("its scenario has no table".to_owned()))
 }
 
-/// Merges the shards in `inputs` (files or directories) into `out`, which appears when it is complete.
+/// Merges the shards in `inputs` (files or directories) into `out`, a file of `directory` that appears when it is complete.
+/// With `is_forced` it replaces what is not known to be a result of the same shards.
 ///
 /// # Errors
 /// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard, [`SweepError::Place`] for an `out`
-/// that would take the place of a shard or is no name of a table; file errors. Then nothing is left of the table.
-pub fn merge(inputs: &[PathBuf], out: &Path) -> Result<Merged, SweepError> {
+/// that would take the place of a shard or is no name of a table; [`SweepError::Output`]; file errors. Then nothing is left of the table.
+pub fn merge(
+    inputs: &[PathBuf],
+    directory: &mut OutputDirectory,
+    out: &Path,
+    is_forced: bool,
+) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
     check_place(out, &shards)?;
     let plan = plan(&sidecar, &shards)?;
-    let part = part_path(out);
-    let written = write(&sidecar, &plan, &shards, &part);
-    let merged = written.and_then(|tally| {
-        fs::rename(&part, out).map_err(SweepError::file("cannot be renamed", &part))?;
-        Ok(Merged { sidecar, plan, tally })
-    });
-    if merged.is_err() {
-        drop(fs::remove_file(&part));
-    }
-    merged
+    let name = Path::new(out.file_name().unwrap_or_default());
+    let lock = directory.lock(name)?;
+    let from = inputs.first().map_or(Path::new(""), PathBuf::as_path);
+    directory.claim(Origin::File(from, &sidecar.scenario_sha256), is_forced)?;
+    directory.check(name.to_str().into_iter().chain([SUMMARY]))?;
+    remove_stale(out).map_err(SweepError::file("cannot be written", out))?;
+    let mut table = NewFile::create(out).map_err(SweepError::file("cannot be written", out))?;
+    let tally = write(&sidecar, &plan, &shards, &mut table)?;
+    directory.put_table(table)?;
+    Ok(Merged { sidecar, plan, tally, _lock: lock })
 }
 
 fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
@@ -159,7 +167,7 @@ fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
 }
 
 /// The rows of all shards in their order.
-fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], part: &Path) -> Result<Tally, SweepError> {
+fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], table: &mut NewFile) -> Result<Tally, SweepError> {
     let is_json = sidecar.format == Format::Json.name();
     let header = TextTable::new(plan, if is_json { Format::Json } else { Format::Csv }).header();
     // 64 MB for all shards together, however many
@@ -176,8 +184,9 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], part: &Path) -> Res
         }
         readers.push((reader, table));
     }
-    let unwritable = SweepError::file("cannot be written", part);
-    let mut writer = BufWriter::with_capacity(1 << 20, File::create(part).map_err(&unwritable)?);
+    let place = table.place().to_owned();
+    let unwritable = SweepError::file("cannot be written", &place);
+    let mut writer = BufWriter::with_capacity(1 << 20, table);
     let mut line = Vec::new();
     writer.write_all(&header).map_err(&unwritable)?;
     let mut tally = Tally::default();
@@ -200,7 +209,6 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], part: &Path) -> Res
     if is_json {
         writer.write_all(b"]\n").map_err(&unwritable)?;
     }
-    let file = writer.into_inner().map_err(|error| unwritable(error.into_error()))?;
-    file.sync_all().map_err(&unwritable)?;
+    writer.flush().map_err(&unwritable)?;
     Ok(tally)
 }

@@ -4,23 +4,27 @@ mod columns;
 mod group;
 
 use std::collections::HashMap;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::Path;
-use std::sync::Mutex;
-use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex};
 
 use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::types::SchemaDescriptor;
+use parquet::record::Field;
+use parquet::schema::types::{SchemaDescriptor, Type};
 
 use self::columns::{columns, properties, schema};
 use self::group::{Encoder, Group};
 use super::SweepError;
+use super::count::Count;
 use super::driver::{Job, Progress};
 use super::ordered::in_order;
-use super::plan::Evaluator;
-use super::sidecar::{Tally, part_path};
+use super::pace::Pace;
+use super::plan::{Evaluator, Failure};
+use super::sidecar::Tally;
+use crate::output::NewFile;
 
 /// Rows computed and encoded at a time: few enough to stay in the cache.
 const BATCH: usize = 4096;
@@ -37,20 +41,21 @@ fn row_group(total: u64) -> u64 {
 }
 
 /// Writes the table of a job; it appears when it is complete. A Parquet file ends with its table of contents, so an
-/// unfinished one cannot be resumed.
+/// unfinished one cannot be resumed; one that is complete is kept when its summary is not there yet.
 pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepError> {
-    let part = part_path(table);
-    let unwritable = SweepError::file("cannot be written", &part);
+    let unwritable = SweepError::file("cannot be written", table);
     let failed = |error: ParquetError| unwritable(io::Error::other(error));
     let columns = columns(job.plan);
     let schema = schema(job.plan, &columns).map_err(failed)?;
     let descriptor = SchemaDescriptor::new(schema.clone());
     let properties = properties(&columns, &descriptor);
-    let file = File::create(&part).map_err(&unwritable)?;
+    let file = NewFile::create(table).map_err(&unwritable)?;
     let file = BufWriter::with_capacity(WRITE, file);
     let mut writer = SerializedFileWriter::new(file, schema, properties.clone()).map_err(failed)?;
 
+    let report = |rows| (job.progress)(Progress { rows, total, resumed: 0 });
     let encoder = Encoder {
+        pace: Pace::new(job.is_cancelled, &report),
         evaluator: Evaluator::new(job.plan),
         columns: &columns,
         descriptor: &descriptor,
@@ -60,14 +65,11 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
     };
     let length = row_group(total);
     let mut tally = Tally::default();
-    let is_cancelled = || job.is_cancelled.load(Ordering::Relaxed);
-    let written = in_order(
+    in_order(
         total.div_ceil(length),
         |index| {
-            if is_cancelled() {
-                return Err(interrupted());
-            }
-            encoder.group(index * length..total.min((index + 1) * length)).map_err(failed)
+            let group = encoder.group(index * length..total.min((index + 1) * length)).map_err(failed)?;
+            group.ok_or(SweepError::Dropped)
         },
         |group: Group| {
             append(&mut writer, &group).map_err(failed)?;
@@ -75,29 +77,44 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
             for value in group.restitutions {
                 tally.statistics.push(value);
             }
-            (job.progress)(Progress { rows: tally.rows, total, resumed: 0 });
             Ok(())
         },
-    );
-    if let Err(error) = written {
-        if is_cancelled() {
-            drop(writer);
-            fs::remove_file(&part).map_err(SweepError::file("cannot be removed", &part))?;
-        }
-        return Err(error);
-    }
+    )?;
     let file = writer.into_inner().map_err(failed)?.into_inner();
-    let file = file.map_err(|error| unwritable(error.into_error()))?;
-    file.sync_all().map_err(&unwritable)?;
-    fs::rename(&part, table).map_err(SweepError::file("cannot be renamed", &part))?;
+    job.directory.put_table(file.map_err(|error| unwritable(error.into_error()))?)?;
     Ok(tally)
 }
 
-fn interrupted() -> SweepError {
-    SweepError::Unsupported("interrupted; a Parquet table starts over, csv and json can be resumed")
+/// Counts the rows of a complete table.
+pub(super) fn count(table: &Path, is_monte_carlo: bool) -> Result<Tally, SweepError> {
+    let unreadable = SweepError::file("cannot be read", table);
+    let failed = |error: ParquetError| unreadable(io::Error::other(error));
+    let reader = SerializedFileReader::new(File::open(table).map_err(&unreadable)?).map_err(failed)?;
+    let fields = reader.metadata().file_metadata().schema().get_fields().iter();
+    let wanted = fields.filter(|field| ["restitution", "status"].contains(&field.name())).map(Arc::clone).collect();
+    let projection = Type::group_type_builder("table").with_fields(wanted).build().map_err(failed)?;
+    let mut tally = Tally::default();
+    for row in reader.get_row_iter(Some(projection)).map_err(failed)? {
+        let (mut restitution, mut is_ok, mut is_outside) = (None, false, false);
+        for (_, field) in row.map_err(failed)?.get_column_iter() {
+            match field {
+                Field::Double(value) => restitution = Some(*value),
+                Field::Str(status) => (is_ok, is_outside) = (status == "ok", status == Failure::OutsideLaw.name()),
+                _ => {}
+            }
+        }
+        let count = match restitution {
+            Some(value) if is_ok => Count::Restitution(value),
+            None if is_ok => Count::AtRest,
+            _ if is_outside => Count::OutsideLaw,
+            _ => Count::Failure,
+        };
+        tally.push(count, is_monte_carlo);
+    }
+    Ok(tally)
 }
 
-fn append(writer: &mut SerializedFileWriter<BufWriter<File>>, group: &Group) -> Result<(), ParquetError> {
+fn append(writer: &mut SerializedFileWriter<BufWriter<NewFile>>, group: &Group) -> Result<(), ParquetError> {
     let mut row_group = writer.next_row_group()?;
     for (bytes, close) in &group.columns {
         row_group.append_column(bytes, close.clone())?;

@@ -21,25 +21,28 @@ const LONG: u64 = 8;
 /// Bars of a histogram.
 const BARS: usize = 60;
 
+/// Names of pictures that tables have.
+pub const PICTURES: [&str; 3] = ["restitution.png", "restitution_map.png", "restitution_histogram.png"];
+
 /// The pictures of a plan, by file name.
 ///
 /// # Errors
 /// [`PlotError`].
 pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Vec<u8>)>, PlotError> {
     let Cases::Grid(axes) = &plan.cases else {
-        return Ok(histogram(tally)?.map(|png| ("restitution_histogram.png", png)).into_iter().collect());
+        return Ok(histogram(tally)?.map(|png| (PICTURES[2], png)).into_iter().collect());
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
     match axes.as_slice() {
-        [first, ..] if is_drawable(first) => pictures.push(("restitution.png", curves(plan, axes)?)),
+        [first, ..] if is_drawable(first) => pictures.push((PICTURES[0], curves(plan, axes)?)),
         _ => {}
     }
     match axes.as_slice() {
         [first, second, ..]
             if is_drawable(first) && is_drawable(second) && first.len() >= LONG && second.len() >= LONG =>
         {
-            pictures.push(("restitution_map.png", map(plan, axes)?));
+            pictures.push((PICTURES[1], map(plan, axes)?));
         }
         _ => {}
     }

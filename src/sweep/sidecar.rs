@@ -2,7 +2,7 @@
 //! reading of a table that was left unfinished.
 
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -12,6 +12,7 @@ use super::count::Count;
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable, read_line};
+use crate::output::{PART, replace, with_suffix};
 use crate::scenario::Source;
 
 /// Version of the program, which makes the rows and what is written beside them.
@@ -79,28 +80,14 @@ impl Sidecar {
     pub fn write(&self, table: &Path) -> Result<(), SweepError> {
         let path = sidecar_path(table);
         let text = serde_json::to_vec_pretty(self).map_err(io::Error::from);
-        text.and_then(|text| replace(&path, |file| file.write_all(&text)))
-            .map_err(SweepError::file("cannot be written", &path))
+        text.and_then(|text| replace(&path, &text)).map_err(SweepError::file("cannot be written", &path))
     }
-}
-
-/// Writes a file under a neighbouring name and renames it.
-fn replace(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
-    let part = part_path(path);
-    write(&mut File::create(&part)?)?;
-    fs::rename(part, path)
-}
-
-fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(suffix);
-    name.into()
 }
 
 /// Where a table lies while it is unfinished.
 #[must_use]
 pub fn part_path(table: &Path) -> PathBuf {
-    with_suffix(table, ".part")
+    with_suffix(table, PART)
 }
 
 /// Where its sidecar lies.

@@ -1,6 +1,5 @@
 //! How many rows a second this machine computes and writes.
 
-use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -8,9 +7,11 @@ use rayon::prelude::*;
 
 use super::SweepError;
 use super::driver::{CHUNK, Job, compute};
+use super::pace::Pace;
 use super::plan::{Evaluator, Plan};
 use super::shard::{Layout, Shard};
 use super::table::Format;
+use crate::output::OutputDirectory;
 use crate::scenario::Source;
 
 /// Rows a second, each the best of the rounds.
@@ -28,7 +29,7 @@ pub struct Throughput {
 ///
 /// # Errors
 /// [`SweepError`] if a table cannot be written.
-pub fn throughput(plan: &Plan, directory: &Path, rounds: u32) -> Result<Throughput, SweepError> {
+pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Result<Throughput, SweepError> {
     let mut best = Throughput { compute: 0.0, csv: 0.0, parquet: None };
     for _ in 0..rounds {
         best.compute = best.compute.max(compute_rate(plan));
@@ -49,10 +50,12 @@ pub fn compute_rate(plan: &Plan) -> f64 {
     let started = Instant::now();
     let layout = Layout::new(total, Shard::WHOLE);
     let evaluator = Evaluator::new(plan);
+    let is_cancelled = AtomicBool::new(false);
+    let pace = Pace::new(&is_cancelled, &|_| ());
     let sum: f64 = (0..total.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
-            let rows = compute(&evaluator, &layout, chunk * CHUNK..total.min((chunk + 1) * CHUNK));
+            let rows = compute(&evaluator, &layout, chunk * CHUNK..total.min((chunk + 1) * CHUNK), &pace);
             rows.results.iter().flatten().map(|row| row.restitution).sum::<f64>()
         })
         .sum();
@@ -65,7 +68,7 @@ pub fn compute_rate(plan: &Plan) -> f64 {
 /// # Errors
 /// [`SweepError`] if the table cannot be written.
 #[allow(clippy::cast_precision_loss)]
-pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, SweepError> {
+pub fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Result<f64, SweepError> {
     let started = Instant::now();
     let job = Job {
         plan,
@@ -77,5 +80,6 @@ pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, 
         is_cancelled: &AtomicBool::new(false),
     };
     let written = job.run()?;
+    written.close()?;
     Ok(written.tally.rows as f64 / started.elapsed().as_secs_f64())
 }

@@ -29,11 +29,11 @@ impl Desk {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// Names of what is in a directory.
+    /// Names of what is in a directory, but for the list that the program keeps there.
     pub fn files(&self, directory: &str) -> Vec<String> {
         let entries = fs::read_dir(self.path(directory)).unwrap();
-        let mut names: Vec<String> =
-            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
+        let mut names: Vec<String> = names.filter(|name| name != ".plm-impact.json").collect();
         names.sort();
         names
     }

@@ -16,6 +16,7 @@ use super::BATCH;
 use super::columns::Column;
 use crate::sweep::axis::Values;
 use crate::sweep::count::Count;
+use crate::sweep::pace::Pace;
 use crate::sweep::plan::{Evaluator, Rows};
 use crate::sweep::sidecar::Tally;
 
@@ -33,6 +34,7 @@ pub(super) struct Group {
 
 /// Encodes row groups.
 pub(super) struct Encoder<'a> {
+    pub(super) pace: Pace<'a>,
     pub(super) evaluator: Evaluator<'a>,
     pub(super) columns: &'a [Column],
     pub(super) descriptor: &'a SchemaDescriptor,
@@ -61,7 +63,8 @@ struct Batch {
 }
 
 impl<'a> Encoder<'a> {
-    pub(super) fn group(&self, cases: Range<u64>) -> Result<Group, ParquetError> {
+    /// The group of these cases; `None` where it is stopped.
+    pub(super) fn group(&self, cases: Range<u64>) -> Result<Option<Group>, ParquetError> {
         let count = usize::try_from(cases.end - cases.start).unwrap_or(0);
         // eight bytes a number, and a little for the head of a page
         let sink = || TrackedWrite::new(Vec::with_capacity(count * 8 + (count / BATCH + 1) * 128));
@@ -78,7 +81,10 @@ impl<'a> Encoder<'a> {
         let (mut rows, mut batch) = (Rows::default(), Batch::default());
         for start in cases.clone().step_by(BATCH) {
             forget(&mut rows);
-            self.evaluator.rows(start..cases.end.min(start + BATCH as u64), &mut rows);
+            let batch_cases = start..cases.end.min(start + BATCH as u64);
+            if !self.pace.walk(batch_cases, |piece| self.evaluator.rows(piece, &mut rows)) {
+                return Ok(None);
+            }
             for (column, filling) in self.columns.iter().zip(&mut fillings) {
                 match filling {
                     Filling::Numbers(writer) => self.numbers(column, &rows, &mut batch, writer)?,
@@ -105,7 +111,7 @@ impl<'a> Encoder<'a> {
             (Ok(_), None) => Err(mismatch()),
             (Err(chunk), _) => Ok(chunk),
         });
-        Ok(Group { columns: chunks.collect::<Result<_, _>>()?, tally, restitutions })
+        Ok(Some(Group { columns: chunks.collect::<Result<_, _>>()?, tally, restitutions }))
     }
 
     /// A writer of column `i` into memory.

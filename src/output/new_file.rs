@@ -1,0 +1,257 @@
+//! One file: made under another name, written, brought to the disk, then renamed.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::hash::{BuildHasher as _, RandomState};
+use std::io::{self, Seek as _, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// Where a temporary name ends, and that of a table which is unfinished.
+pub const PART: &str = ".part";
+
+/// A file on its way to its place. Unless it is put there it is removed, but for rows that can be gone on from.
+#[derive(Debug)]
+pub struct NewFile {
+    file: File,
+    temporary: PathBuf,
+    place: PathBuf,
+    is_kept: bool,
+}
+
+impl NewFile {
+    /// Begins a file under a random name beside its place. Nothing is followed and nothing overwritten.
+    ///
+    /// # Errors
+    /// Those of the file system; that something else than a file is at the place.
+    pub fn create(place: &Path) -> io::Result<Self> {
+        refuse_special(place)?;
+        let temporary = temporary(place)?;
+        let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
+        Ok(Self { file, temporary, place: place.to_owned(), is_kept: false })
+    }
+
+    /// Goes on at `end` with rows that an earlier run left in `part`, or begins them there; they stay if this run fails.
+    /// What lies behind `end` is cut off. The place has to be locked.
+    ///
+    /// # Errors
+    /// Those of the file system; a `part` that is a link.
+    pub fn resume(place: &Path, part: PathBuf, end: u64) -> io::Result<Self> {
+        refuse_special(place)?;
+        let mut options = OpenOptions::new();
+        options.write(true);
+        let mut file = match options.clone().create_new(true).open(&part) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                refuse_link(&part)?;
+                options.open(&part)?
+            }
+            result => result?,
+        };
+        file.set_len(end)?;
+        file.seek(SeekFrom::Start(end))?;
+        Ok(Self { file, temporary: part, place: place.to_owned(), is_kept: true })
+    }
+
+    /// Where it will be.
+    #[must_use]
+    pub fn place(&self) -> &Path {
+        &self.place
+    }
+
+    /// Where it is so far.
+    #[must_use]
+    pub fn temporary(&self) -> &Path {
+        &self.temporary
+    }
+
+    /// Brings all of it to the disk. Closing a file then has no errors left to report.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    pub fn sync(&self) -> io::Result<()> {
+        self.file.sync_all()
+    }
+
+    /// Puts it in its place, over an older file; to be followed by [`sync_folder`].
+    ///
+    /// # Errors
+    /// Those of the file system; that something else than a file is at the place.
+    pub fn rename(&mut self) -> io::Result<()> {
+        refuse_special(&self.place)?;
+        fs::rename(&self.temporary, &self.place)?;
+        self.is_kept = true;
+        Ok(())
+    }
+}
+
+impl Write for NewFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Drop for NewFile {
+    fn drop(&mut self) {
+        if !self.is_kept {
+            drop(fs::remove_file(&self.temporary));
+        }
+    }
+}
+
+/// Writes a file by itself: whole, on the disk and in its place, or not at all.
+///
+/// # Errors
+/// Those of the file system.
+pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = NewFile::create(place)?;
+    file.write_all(bytes)?;
+    file.sync()?;
+    file.rename()?;
+    sync_folder(folder(place))
+}
+
+/// Removes a file of the program's own for good.
+///
+/// # Errors
+/// Those of the file system.
+pub fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(error),
+        Ok(()) => sync_folder(folder(path)),
+    }
+}
+
+/// Brings the names in a folder to the disk.
+///
+/// # Errors
+/// Those of the file system.
+pub fn sync_folder(path: &Path) -> io::Result<()> {
+    // only Unix opens folders
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    match File::open(path)?.sync_all() {
+        // some network file systems have nothing to sync in a folder
+        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
+        result => result,
+    }
+}
+
+/// The folder that a path is in.
+#[must_use]
+pub fn folder(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// A path with something behind its name.
+#[must_use]
+pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(suffix);
+    name.into()
+}
+
+/// Refuses what is neither new nor an ordinary file: directories, links, devices, pipes.
+///
+/// # Errors
+/// Says what it is.
+pub fn refuse_special(path: &Path) -> io::Result<()> {
+    let kind = match path.symlink_metadata() {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) => return Err(error),
+        Ok(data) if data.is_file() => return Ok(()),
+        Ok(data) => data.file_type(),
+    };
+    if kind.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    }
+    let what = if kind.is_symlink() { "a link" } else { "a device or a pipe" };
+    Err(io::Error::new(io::ErrorKind::InvalidInput, format!("it is {what}, and only ordinary files are written")))
+}
+
+/// Refuses a file that has another name too, and what is no file.
+fn refuse_link(path: &Path) -> io::Result<()> {
+    refuse_special(path)?;
+    if links(path)? > 1 {
+        let problem = "it is a hard link, and what it is linked to would change; remove it to start over";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+    }
+    Ok(())
+}
+
+#[cfg(unix)]
+fn links(path: &Path) -> io::Result<u64> {
+    path.symlink_metadata().map(|data| std::os::unix::fs::MetadataExt::nlink(&data))
+}
+
+#[cfg(not(unix))]
+fn links(_: &Path) -> io::Result<u64> {
+    Ok(1)
+}
+
+/// Whether an open file is the one at this path.
+#[cfg(unix)]
+pub(super) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+    use std::os::unix::fs::MetadataExt as _;
+    let opened = file.metadata()?;
+    match path.symlink_metadata() {
+        Ok(there) => Ok(there.ino() == opened.ino() && there.dev() == opened.dev()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether an open file is the one at this path: elsewhere than on Unix a locked file cannot be replaced.
+#[cfg(not(unix))]
+pub(super) fn is_at(_: &File, path: &Path) -> io::Result<bool> {
+    path.try_exists()
+}
+
+/// 64 random bits from the operating system, so that no two processes have the same, on whatever machines.
+fn random() -> u64 {
+    RandomState::new().hash_one(std::process::id())
+}
+
+fn name(place: &Path) -> io::Result<OsString> {
+    let nameless = || io::Error::new(io::ErrorKind::InvalidInput, "it is not the name of a file");
+    place.file_name().map(OsString::from).ok_or_else(nameless)
+}
+
+/// A name beside `place` that nobody else has.
+pub(super) fn temporary(place: &Path) -> io::Result<PathBuf> {
+    let mut hidden = OsString::from(".");
+    hidden.push(name(place)?);
+    hidden.push(format!(".{:016x}{PART}", random()));
+    Ok(folder(place).join(hidden))
+}
+
+/// Removes what killed runs left of this output. The place has to be locked.
+///
+/// # Errors
+/// Those of the file system.
+pub fn remove_stale(place: &Path) -> io::Result<()> {
+    let mut before = OsString::from(".");
+    before.push(name(place)?);
+    before.push(".");
+    for entry in fs::read_dir(folder(place))? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let number = name.as_encoded_bytes().strip_prefix(before.as_encoded_bytes());
+        let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
+        if !number.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit)) {
+            continue;
+        }
+        // of a directory: what `bench` measured in
+        let is_directory = entry.file_type()?.is_dir();
+        let removed = if is_directory { fs::remove_dir_all(entry.path()) } else { fs::remove_file(entry.path()) };
+        match removed {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            result => result?,
+        }
+    }
+    Ok(())
+}

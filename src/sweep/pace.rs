@@ -1,0 +1,55 @@
+//! How far threads compute before they look up: whether they are to stop, and to say how far they are.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// Rows of the first piece, and of the longest one: short enough to be over soon where rows are suddenly slow, long against
+/// what it costs to begin one.
+const FIRST: u64 = 16;
+const LONGEST: u64 = 1024;
+/// How long a piece is to take, at least and at most.
+const SHORT: Duration = Duration::from_millis(5);
+const LONG: Duration = Duration::from_millis(50);
+
+/// The pace of all threads of a table.
+pub struct Pace<'a> {
+    is_cancelled: &'a AtomicBool,
+    report: &'a (dyn Fn(u64) + Sync),
+    /// Rows of the next piece.
+    piece: AtomicU64,
+    /// Rows computed.
+    done: AtomicU64,
+}
+
+impl<'a> Pace<'a> {
+    /// Stops when `is_cancelled` is set; tells `report` how many rows are computed.
+    #[must_use]
+    pub fn new(is_cancelled: &'a AtomicBool, report: &'a (dyn Fn(u64) + Sync)) -> Self {
+        Self { is_cancelled, report, piece: AtomicU64::new(FIRST), done: AtomicU64::new(0) }
+    }
+
+    /// Calls `compute` with piece after piece of the rows, until they are done or it is cancelled; which of both.
+    pub fn walk(&self, rows: Range<u64>, mut compute: impl FnMut(Range<u64>)) -> bool {
+        let mut next = rows.start;
+        while next < rows.end {
+            if self.is_cancelled.load(Ordering::Relaxed) {
+                return false;
+            }
+            let piece = self.piece.load(Ordering::Relaxed);
+            let end = rows.end.min(next + piece);
+            let begun = Instant::now();
+            compute(next..end);
+            let took = begun.elapsed();
+            if took < SHORT && end - next == piece && piece < LONGEST {
+                self.piece.store(piece * 2, Ordering::Relaxed);
+            } else if took > LONG {
+                self.piece.store(((end - next) / 2).max(1), Ordering::Relaxed);
+            }
+            let done = self.done.fetch_add(end - next, Ordering::Relaxed) + end - next;
+            (self.report)(done);
+            next = end;
+        }
+        true
+    }
+}
