@@ -11,9 +11,10 @@ use rayon::prelude::*;
 use super::SweepError;
 use super::count::Count;
 use super::plan::{Evaluator, Plan, Rows};
+use super::seal::Sealed;
 use super::shard::{Layout, Shard};
-use super::sidecar::{Sidecar, Tally, VERSION, part_path, read_rows, sidecar_path, table_name};
-use super::table::{Format, TextTable, column_names};
+use super::sidecar::{Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::table::{Format, TextTable};
 use crate::scenario::Source;
 
 /// Rows a task computes and writes as text: large against the cost of a task, small against memory.
@@ -25,8 +26,8 @@ const CHUNKS_A_THREAD: u64 = 8;
 pub struct Job<'a> {
     /// What is swept.
     pub plan: &'a Plan,
-    /// Which part of it.
-    pub shard: Shard,
+    /// Which part of it; `None`: all, with nothing to be merged.
+    pub shard: Option<Shard>,
     /// What is written.
     pub format: Format,
     /// Where.
@@ -78,45 +79,71 @@ impl Job<'_> {
         if self.format == Format::Parquet {
             return self.run_parquet(&table);
         }
-        let sidecar = self.sidecar();
+        let sidecar = Sidecar::new(self.source, self.format, self.shard.unwrap_or(Shard::WHOLE));
+        let layout = Layout::new(self.total(), self.shard.unwrap_or(Shard::WHOLE));
         let text = TextTable::new(self.plan, self.format);
         let part = part_path(&table);
-        let mut tally = Tally::default();
-        let mut end = 0;
+        let mut read = Read::default();
+        let is_shard = self.shard.is_some();
         match Sidecar::read(&table)? {
-            Some(old) if old == sidecar => {
-                // a finished shard is kept, so that a scheduler may start it again
-                if !self.shard.is_whole() && table.exists() && !part.exists() {
-                    let (tally, _) = read_rows(&table, &text, &sidecar)?;
-                    if tally.rows == sidecar.layout().rows() {
+            Some(old) if old.is_of_same(&sidecar) => {
+                if part.exists() {
+                    read = read_rows(&part, &text, &layout, self.plan.is_monte_carlo())?;
+                } else if is_shard && table.exists() {
+                    // a finished shard is kept, so that a scheduler may start it again
+                    if let Some(tally) = self.kept(&table, &text, &layout, old)? {
                         return Ok(Written { table, resumed: tally.rows, tally });
                     }
                 }
-                if part.exists() {
-                    (tally, end) = read_rows(&part, &text, &sidecar)?;
-                }
             }
-            Some(_) if part.exists() || (!self.shard.is_whole() && table.exists()) => {
+            Some(_) if part.exists() || (is_shard && table.exists()) => {
                 let what = if part.exists() { "unfinished rows" } else { "a shard" };
                 return Err(SweepError::Changed { sidecar: sidecar_path(&table), table, what });
             }
             _ => {}
         }
         sidecar.write(&table)?;
-        let resumed = tally.rows;
+        let Read { mut tally, sum, .. } = read;
+        let (resumed, end) = (tally.rows, sum.seal().bytes);
         let unwritable = SweepError::file("cannot be written", &part);
-        let mut file = open(&part, end).map_err(&unwritable)?;
+        let mut file = Sealed::new(open(&part, end).map_err(&unwritable)?, sum);
         if end == 0 {
             file.write_all(&text.header()).map_err(&unwritable)?;
         }
-        self.append(&mut file, &part, &text, &sidecar.layout(), &mut tally)?;
+        self.append(&mut file, &part, &text, &layout, &mut tally)?;
         file.write_all(text.footer()).map_err(&unwritable)?;
+        let finished = Some(file.seal());
         fs::rename(&part, &table).map_err(SweepError::file("cannot be renamed", &part))?;
-        if self.shard.is_whole() {
+        if is_shard {
+            Sidecar { finished, ..sidecar }.write(&table)?;
+        } else {
             let path = sidecar_path(&table);
             fs::remove_file(&path).map_err(SweepError::file("cannot be removed", &path))?;
         }
         Ok(Written { table, tally, resumed })
+    }
+
+    /// The rows of a finished shard, if the file is as it was written. Of a run that was stopped just before it completed the
+    /// sidecar, only the rows can be checked; the sidecar is then completed.
+    fn kept(
+        &self,
+        table: &Path,
+        text: &TextTable,
+        layout: &Layout,
+        sidecar: Sidecar,
+    ) -> Result<Option<Tally>, SweepError> {
+        let Read { tally, finished: Some(seal), .. } = (match read_rows(table, text, layout, self.plan.is_monte_carlo())
+        {
+            Err(SweepError::Damaged { .. }) => return Ok(None),
+            read => read?,
+        }) else {
+            return Ok(None);
+        };
+        match sidecar.finished {
+            Some(written) => return Ok((written == seal).then_some(tally)),
+            None => Sidecar { finished: Some(seal), ..sidecar }.write(table)?,
+        }
+        Ok(Some(tally))
     }
 
     fn total(&self) -> u64 {
@@ -124,27 +151,10 @@ impl Job<'_> {
         self.plan.count().unwrap_or(u64::MAX)
     }
 
-    fn sidecar(&self) -> Sidecar {
-        let layout = Layout::new(self.total(), self.shard);
-        let names = column_names(self.plan);
-        Sidecar {
-            version: VERSION.to_owned(),
-            scenario_sha256: self.source.sha256(),
-            scenario: self.source.clone(),
-            format: self.format.name().to_owned(),
-            cases: layout.total,
-            block: layout.block,
-            shard: self.shard.index,
-            shards: self.shard.count,
-            restitution_column: names.iter().position(|name| name == "restitution").unwrap_or(0),
-            is_monte_carlo: self.plan.is_monte_carlo(),
-        }
-    }
-
     /// Computes the rows after those of `tally` and appends them.
     fn append(
         &self,
-        file: &mut File,
+        file: &mut (impl Write + Send),
         part: &Path,
         text: &TextTable,
         layout: &Layout,
@@ -183,7 +193,7 @@ impl Job<'_> {
 
     #[cfg(feature = "parquet")]
     fn run_parquet(&self, table: &Path) -> Result<Written, SweepError> {
-        if !self.shard.is_whole() {
+        if self.shard.is_some() {
             return Err(SweepError::Unsupported(
                 "shards are written as csv or json; Parquet files are neither resumed nor merged",
             ));

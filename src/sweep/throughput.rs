@@ -69,7 +69,7 @@ pub fn write_rate(plan: &Plan, directory: &Path, format: Format) -> Result<f64, 
     let started = Instant::now();
     let job = Job {
         plan,
-        shard: Shard::WHOLE,
+        shard: None,
         format,
         directory,
         source: &Source::default(),
