@@ -177,7 +177,12 @@ fn all_sidecars_with_fewer_shards_or_cases_give_no_short_table() {
         }
     };
     edit("\"shards\": 3", "\"shards\": 2");
+    is_refused(shards.path(), "table-2-of-3.csv");
+    let third = ["", ".sidecar.json"].map(|suffix| shards.path().join(name(2, "csv") + suffix));
+    let away = third.clone().map(|path| (fs::read(&path).unwrap(), fs::remove_file(path).unwrap()).0);
+    // two shards that say there are two: dealt out in blocks of 2 cases, and not of 1
     is_refused(shards.path(), "table-0-of-3.csv");
+    third.iter().zip(away).for_each(|(path, bytes)| fs::write(path, bytes).unwrap());
     edit("\"shards\": 2", "\"shards\": 3");
     edit("points = 40", "points = 30");
     is_refused(shards.path(), "table-0-of-3.csv");
