@@ -8,6 +8,7 @@ mod laws;
 mod merge;
 mod run;
 mod sweep;
+mod threads;
 mod validate;
 
 use std::fmt::Display;

@@ -17,6 +17,7 @@ pub mod parquet;
 pub mod pictures;
 pub mod plan;
 pub mod random;
+pub mod seal;
 pub mod shard;
 pub mod sidecar;
 pub mod statistics;
@@ -61,7 +62,7 @@ pub enum SweepError {
     },
     /// An unfinished table, or a shard, of something else.
     #[error(
-        "{}: holds {what} of another scenario, version or division (sidecar {}); go on with the scenario it was begun with, name another --out, or delete both files to start over",
+        "{}: holds {what} of another scenario or division (sidecar {}); go on with the scenario it was begun with, name another --out, or delete both files to start over",
         .table.display(), .sidecar.display()
     )]
     Changed {
@@ -71,6 +72,17 @@ pub enum SweepError {
         sidecar: PathBuf,
         /// `unfinished rows` or `a shard`.
         what: &'static str,
+    },
+    /// A table that another version wrote.
+    #[error(
+        "{}: {versions}; go on with that version, name another --out, or delete this file and its table to start over",
+        .sidecar.display()
+    )]
+    Version {
+        /// The table's sidecar.
+        sidecar: PathBuf,
+        /// Which version wrote it, and which this is.
+        versions: String,
     },
     /// Stopped on request.
     #[error("interrupted after {rows} of {total} rows; the same command goes on from there ({})", .part.display())]
@@ -115,6 +127,7 @@ impl SweepError {
             Self::Interrupted { .. } | Self::Dropped => 130,
             Self::Output(error) => error.exit_code(),
             Self::Changed { .. }
+            | Self::Version { .. }
             | Self::Unsupported(_)
             | Self::Place { .. }
             | Self::Shards(_)

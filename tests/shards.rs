@@ -245,8 +245,8 @@ fn merge_refuses_shards_of_another_version_and_damaged_ones() {
     // one whose scenario was edited
     let edited = |text: &str| text.replace("100 m/s", "200 m/s");
     refused("table-0-of-3.csv.sidecar.json", &edited, "its scenario has another hash");
-    let header = |text: &str| text.replacen("restitution", "e", 1);
-    refused("table-2-of-3.csv", &header, "its first line is not that of this table");
+    let header = |text: &str| text.replacen("restitution", "Restitution", 1);
+    refused("table-2-of-3.csv", &header, "its first line is not what was written");
     assert_eq!(code(&merge(&shards, &merged)), 0);
 }
 
@@ -268,7 +268,7 @@ fn merge_names_missing_double_and_foreign_shards() {
     let output = merge(&shards, &directory.path().join("merged.csv"));
     assert_eq!(code(&output), 2);
     let text = stderr(&output);
-    assert!(text.contains("missing: shard 1, 3 of 4"), "{text}");
+    assert!(text.contains("missing: shards 1, 3 of 4"), "{text}");
     assert!(text.contains("table-copy.csv: double: shard 0"), "{text}");
     assert!(text.contains("table-1-of-4.csv: foreign: its scenario"), "{text}");
 }
@@ -305,7 +305,7 @@ fn a_merge_takes_the_place_of_no_shard_and_leaves_nothing_half_written() {
     fs::write(&second, &text[..text.len() / 2]).unwrap();
     let damaged = merge(&shards, &shards.join("whole.csv"));
     assert_eq!(code(&damaged), 2);
-    assert!(stderr(&damaged).contains("is not where it belongs"), "{}", stderr(&damaged));
+    assert!(stderr(&damaged).contains("table-1-of-2.csv: damaged: it has"), "{}", stderr(&damaged));
     assert_eq!(names(), before);
     fs::write(&second, &text).unwrap();
     assert_eq!(code(&merge(&shards, &shards.join("whole.csv"))), 0);

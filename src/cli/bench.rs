@@ -86,7 +86,7 @@ fn table_rates(directory: &OutputDirectory, is_quick: bool) -> anyhow::Result<St
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = scenario.plan()?.context("the table of the bench is a sweep")?;
-        let rates = throughput(&plan, &tables, if is_quick { 1 } else { 7 })?;
+        let rates = super::threads::with(None, || throughput(&plan, &tables, if is_quick { 1 } else { 7 }))??;
         let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
         let count = column_names(&plan).len();
         Ok(format!("| {count} | {:.2e} | {:.2e} | {parquet} |\n", rates.compute, rates.csv))

@@ -52,7 +52,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let warnings = table::warnings(&plan);
     warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
-    let directory = if arguments.sweep.shard()?.is_whole() {
+    let directory = if arguments.sweep.shard()?.is_none() {
         arguments.prepare(scenario)?
     } else {
         // each shard is looked after by itself

@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal as _};
 
 use anyhow::Context as _;
-use clap::{Args, ValueEnum, value_parser};
+use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
@@ -47,7 +47,7 @@ pub struct Options {
     #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
     shard_env: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(0..=1024))]
+    #[arg(long, value_name = "N", value_parser = super::threads::allowed())]
     threads: Option<u16>,
 }
 
@@ -68,12 +68,12 @@ impl Options {
         }
     }
 
-    /// Which part of the table is written.
-    pub fn shard(&self) -> Result<Shard, Error> {
+    /// Which part of the table is written; `None`: all.
+    pub fn shard(&self) -> Result<Option<Shard>, Error> {
         match (&self.shard, &self.shard_env) {
-            (Some(text), _) => Ok(Shard::parse(text)?),
-            (None, Some(text)) => Ok(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?),
-            (None, None) => Ok(Shard::WHOLE),
+            (Some(text), _) => Ok(Some(Shard::parse(text)?)),
+            (None, Some(text)) => Ok(Some(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?)),
+            (None, None) => Ok(None),
         }
     }
 }
@@ -88,11 +88,8 @@ pub fn run(
     is_quiet: bool,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
-    if let Some(threads) = options.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().context("--threads")?;
-    }
     let format = options.format.map_or(sweep::Format::Csv, sweep::Format::from);
-    if shard.is_whole() {
+    if shard.is_none() {
         let table = table_name(shard, format);
         directory.check([table.as_str(), SUMMARY].into_iter().chain(PICTURES)).map_err(Error::from)?;
     }
@@ -111,11 +108,11 @@ pub fn run(
         },
         is_cancelled: &interrupt.is_set,
     };
-    let written = job.run();
+    let written = super::threads::with(options.threads, || job.run());
     bar.finish_and_clear();
-    let written = written.map_err(|error| interrupt.explain(error))?;
+    let written = written?.map_err(|error| interrupt.explain(error))?;
     let mut names = vec![written.table.display().to_string()];
-    if shard.is_whole() {
+    if shard.is_none() {
         let provenance = report::sweep::Provenance {
             version: env!("CARGO_PKG_VERSION"),
             scenario_sha256: &source.sha256(),

@@ -44,7 +44,8 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
         },
     ];
     if !arguments.no_pictures {
-        files.extend(validation::pictures(coefficients).map_err(Error::from)?);
+        let pictures = super::threads::with(None, || validation::pictures(coefficients))?;
+        files.extend(pictures.map_err(Error::from)?);
     }
     let out = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;

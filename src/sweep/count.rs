@@ -23,8 +23,13 @@ impl Count {
         match result {
             Ok(row) if row.has_speed() => Self::Restitution(row.restitution),
             Ok(_) => Self::AtRest,
-            Err(Failure::OutsideLaw) => Self::OutsideLaw,
-            Err(_) => Self::Failure,
+            Err(failure) => (*failure).into(),
         }
+    }
+}
+
+impl From<Failure> for Count {
+    fn from(failure: Failure) -> Self {
+        if failure == Failure::OutsideLaw { Self::OutsideLaw } else { Self::Failure }
     }
 }

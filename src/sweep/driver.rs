@@ -12,9 +12,10 @@ use super::SweepError;
 use super::count::Count;
 use super::pace::Pace;
 use super::plan::{Evaluator, Plan, Rows};
+use super::seal::Sealed;
 use super::shard::{Layout, Shard};
-use super::sidecar::{Sidecar, Tally, VERSION, part_path, read_rows, sidecar_path, table_name};
-use super::table::{Format, TextTable, column_names};
+use super::sidecar::{Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
 use crate::scenario::Source;
 
@@ -31,8 +32,8 @@ const CHUNKS_A_THREAD: u64 = 8;
 pub struct Job<'a> {
     /// What is swept.
     pub plan: &'a Plan,
-    /// Which part of it.
-    pub shard: Shard,
+    /// Which part of it; `None`: all, with nothing to be merged.
+    pub shard: Option<Shard>,
     /// What is written.
     pub format: Format,
     /// Where.
@@ -105,57 +106,69 @@ impl Job<'_> {
             table: table.clone(),
             tally,
             resumed,
-            is_whole: self.shard.is_whole(),
+            is_whole: self.shard.is_none(),
             _lock: lock,
         };
-        let sidecar = self.sidecar();
+        let shard = self.shard.unwrap_or(Shard::WHOLE);
+        let sidecar = Sidecar::new(self.source, self.format, shard);
         if self.format == Format::Parquet {
             let (tally, resumed) = self.run_parquet(&table, &sidecar)?;
             return Ok(written(tally, resumed));
         }
+        let layout = Layout::new(self.total(), shard);
         let text = TextTable::new(self.plan, self.format);
+        let is_monte_carlo = self.plan.is_monte_carlo();
         let part = part_path(&table);
         let old = Sidecar::read(&table)?;
-        let is_same = old.as_ref() == Some(&sidecar);
-        if !is_same {
-            self.may_begin(old.is_some(), &table, &part)?;
-            // the table comes before its sidecar, so that no sidecar stands beside another table without a part
-            let path = sidecar_path(&table);
-            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
-        } else if !part.exists() && self.is_complete(&name, &table) {
-            // kept, so that a scheduler may start a shard again and a run that was stopped while pictures were drawn goes on
-            let (tally, _) = read_rows(&table, &text, &sidecar)?;
-            if tally.rows == sidecar.layout().rows() {
-                let resumed = tally.rows;
-                return Ok(written(tally, resumed));
+        let same = old.clone().filter(|old| old.is_of_same(&sidecar));
+        let mut read = Read::default();
+        match same {
+            None => {
+                self.may_begin(old.is_some(), &table, &part)?;
+                // the table comes before its sidecar, so that no sidecar stands beside another table without a part
+                let path = sidecar_path(&table);
+                remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
             }
+            Some(_) if part.exists() => read = read_rows(&part, &text, &layout, is_monte_carlo)?,
+            // kept, so that a scheduler may start a shard again and a run that was stopped while pictures were drawn goes on
+            Some(old) if self.is_complete(&name, &table) => {
+                if let Some(tally) = self.kept(&table, &text, &layout, old)? {
+                    let resumed = tally.rows;
+                    return Ok(written(tally, resumed));
+                }
+            }
+            Some(_) => {}
         }
-        let (mut tally, end) =
-            if is_same && part.exists() { read_rows(&part, &text, &sidecar)? } else { (Tally::default(), 0) };
-        let resumed = tally.rows;
+        let Read { mut tally, sum, .. } = read;
+        let (resumed, end) = (tally.rows, sum.seal().bytes);
         let unwritable = SweepError::file("cannot be written", &part);
-        let mut file = NewFile::resume(&table, part.clone(), end).map_err(OutputError::at(&part))?;
+        let file = NewFile::resume(&table, part.clone(), end).map_err(OutputError::at(&part))?;
         sync_folder(self.directory.path()).map_err(&unwritable)?;
         sidecar.write(&table)?;
+        let mut file = Sealed::new(file, sum);
         if end == 0 {
             file.write_all(&text.header()).map_err(&unwritable)?;
         }
-        self.append(&mut file, &part, &text, &sidecar.layout(), &mut tally)?;
+        self.append(&mut file, &part, &text, &layout, &mut tally)?;
         file.write_all(text.footer()).map_err(&unwritable)?;
-        self.directory.put_table(file)?;
+        let finished = Some(file.seal());
+        self.directory.put_table(file.into_inner())?;
+        if self.shard.is_some() {
+            Sidecar { finished, ..sidecar }.write(&table)?;
+        }
         Ok(written(tally, resumed))
     }
 
     /// Whether a table without a part is the one of this sidecar: a shard always is, and others are in the directory's list.
     fn is_complete(&self, name: &str, table: &Path) -> bool {
-        table.exists() && (!self.shard.is_whole() || self.directory.has_own(name))
+        table.exists() && (self.shard.is_some() || self.directory.has_own(name))
     }
 
     /// Refuses to begin where rows of something else would be lost.
     fn may_begin(&self, has_sidecar: bool, table: &Path, part: &Path) -> Result<(), SweepError> {
         let what = if part.symlink_metadata().is_ok_and(|data| data.len() > 0) {
             "unfinished rows"
-        } else if !self.shard.is_whole() && table.exists() {
+        } else if self.shard.is_some() && table.exists() {
             "a shard"
         } else {
             return Ok(());
@@ -169,32 +182,38 @@ impl Job<'_> {
         }
     }
 
+    /// The rows of a finished shard, if the file is as it was written. Of a run that was stopped just before it completed the
+    /// sidecar, only the rows can be checked; the sidecar is then completed.
+    fn kept(
+        &self,
+        table: &Path,
+        text: &TextTable,
+        layout: &Layout,
+        sidecar: Sidecar,
+    ) -> Result<Option<Tally>, SweepError> {
+        let Read { tally, finished: Some(seal), .. } = (match read_rows(table, text, layout, self.plan.is_monte_carlo())
+        {
+            Err(SweepError::Damaged { .. }) => return Ok(None),
+            read => read?,
+        }) else {
+            return Ok(None);
+        };
+        match sidecar.finished {
+            Some(written) => return Ok((written == seal).then_some(tally)),
+            None => Sidecar { finished: Some(seal), ..sidecar }.write(table)?,
+        }
+        Ok(Some(tally))
+    }
+
     fn total(&self) -> u64 {
         // a plan of more than 2^63 cases is refused while the scenario is read
         self.plan.count().unwrap_or(u64::MAX)
     }
 
-    fn sidecar(&self) -> Sidecar {
-        let layout = Layout::new(self.total(), self.shard);
-        let names = column_names(self.plan);
-        Sidecar {
-            version: VERSION.to_owned(),
-            scenario_sha256: self.source.sha256(),
-            scenario: self.source.clone(),
-            format: self.format.name().to_owned(),
-            cases: layout.total,
-            block: layout.block,
-            shard: self.shard.index,
-            shards: self.shard.count,
-            restitution_column: names.iter().position(|name| name == "restitution").unwrap_or(0),
-            is_monte_carlo: self.plan.is_monte_carlo(),
-        }
-    }
-
     /// Computes the rows after those of `tally` and appends them.
     fn append(
         &self,
-        file: &mut NewFile,
+        file: &mut (impl Write + Send),
         part: &Path,
         text: &TextTable,
         layout: &Layout,
@@ -236,14 +255,14 @@ impl Job<'_> {
 
     #[cfg(feature = "parquet")]
     fn run_parquet(&self, table: &Path, sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
-        if !self.shard.is_whole() {
+        if self.shard.is_some() {
             return Err(SweepError::Unsupported(
                 "shards are written as csv or json; Parquet files are neither resumed nor merged",
             ));
         }
         let name = table_name(self.shard, self.format);
         if Sidecar::read(table)?.as_ref() == Some(sidecar) && self.is_complete(&name, table) {
-            let tally = super::parquet::count(table, sidecar.is_monte_carlo)?;
+            let tally = super::parquet::count(table, self.plan.is_monte_carlo())?;
             let resumed = tally.rows;
             return Ok((tally, resumed));
         }

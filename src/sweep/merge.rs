@@ -1,14 +1,19 @@
 //! Shards to one table, byte for byte that of the undivided run.
 
+mod reader;
+
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::fs;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use self::reader::Reader;
 use super::SweepError;
 use super::plan::Plan;
-use super::sidecar::{Sidecar, Tally, VERSION, part_path, sidecar_path};
-use super::table::{Format, TextTable, read_line};
+use super::seal::Seal;
+use super::shard::{Layout, Shard};
+use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
+use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
 use crate::scenario::Scenario;
 
@@ -49,11 +54,19 @@ fn tables(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, SweepError> {
     Ok(tables)
 }
 
-/// The shards by their number, if they make one table.
-fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
+/// A finished shard.
+#[derive(Debug)]
+struct Finished {
+    table: PathBuf,
+    seal: Seal,
+}
+
+/// The shards in their order, if they make one table, and the sidecar of one of them.
+fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<Finished>), SweepError> {
     let mut problems = Vec::new();
     let mut first: Option<(Sidecar, &Path)> = None;
-    let mut shards: BTreeMap<u64, &PathBuf> = BTreeMap::new();
+    let mut found: BTreeMap<u64, &PathBuf> = BTreeMap::new();
+    let mut finished = BTreeMap::new();
     for table in tables {
         let name = table.display();
         let sidecar = match Sidecar::read(table) {
@@ -66,56 +79,74 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<PathBuf>), SweepError> {
                 problems.push(format!("{name}: foreign: its sidecar {} {problem}", path.display()));
                 continue;
             }
+            // what is written beside the table has to come from the version that made the rows
+            Err(SweepError::Version { versions, .. }) => {
+                problems.push(format!(
+                    "{name}: foreign: {versions}; merge with the version that wrote the shards, or delete it and run its command again"
+                ));
+                continue;
+            }
             Err(error) => return Err(error),
         };
-        // what is written beside the table has to come from the version that made the rows
-        if sidecar.version != VERSION {
-            let version = &sidecar.version;
-            problems.push(format!(
-                "{name}: foreign: its version is {version}, and this program's {VERSION}; merge with the version that wrote the shards"
-            ));
-            continue;
-        }
         let (reference, reference_name) = first.get_or_insert_with(|| (sidecar.clone(), table));
-        let like = Sidecar { shard: reference.shard, ..sidecar.clone() };
-        if like != *reference {
-            let which = [
-                (sidecar.scenario_sha256 != reference.scenario_sha256, "scenario"),
-                (sidecar.format != reference.format, "format"),
-                (sidecar.shards != reference.shards, "number of shards"),
-            ];
-            let which = which.iter().find(|(differs, _)| *differs).map_or("division", |(_, which)| which);
+        let which = [
+            (sidecar.scenario != reference.scenario, "scenario"),
+            (sidecar.format != reference.format, "format"),
+            (sidecar.shards != reference.shards, "number of shards"),
+        ];
+        if let Some((_, which)) = which.iter().find(|(differs, _)| *differs) {
             problems.push(format!("{name}: foreign: its {which} is not that of {}", reference_name.display()));
             continue;
         }
-        if let Some(other) = shards.insert(sidecar.shard, table) {
+        if let Some(other) = found.insert(sidecar.shard, table) {
             problems.push(format!("{name}: double: shard {} is in {} too", sidecar.shard, other.display()));
         }
-        if !table.exists() {
-            let part = part_path(table);
-            let why = if part.exists() { "unfinished: run its command again" } else { "missing: run its command" };
-            problems.push(format!("{name}: {why}"));
+        let bytes = fs::metadata(table).ok().map(|file| file.len());
+        match (sidecar.finished, bytes) {
+            (Some(seal), Some(bytes)) if bytes == seal.bytes => {
+                drop(finished.insert(sidecar.shard, Finished { table: table.clone(), seal }));
+            }
+            (Some(seal), Some(bytes)) => problems.push(format!(
+                "{name}: damaged: it has {bytes} bytes, and {} were written: run its command again, which makes it anew",
+                seal.bytes
+            )),
+            (None, None) if !part_path(table).exists() => problems.push(format!("{name}: missing: run its command")),
+            (Some(_), None) => problems.push(format!("{name}: missing: run its command again")),
+            (None, _) => problems.push(format!("{name}: unfinished: run its command again")),
         }
     }
     let Some((reference, _)) = first else {
         problems.push("no shards (tables with a sidecar) are there".to_owned());
         return Err(SweepError::Shards(problems));
     };
-    let missing: Vec<String> =
-        (0..reference.shards).filter(|shard| !shards.contains_key(shard)).map(|shard| shard.to_string()).collect();
-    if !missing.is_empty() {
-        problems.push(format!("missing: shard {} of {}", missing.join(", "), reference.shards));
+    if let Some(missing) = missing(&found, reference.shards) {
+        problems.push(format!("missing: {missing} of {}: run its command", reference.shards));
     }
     if problems.is_empty() {
-        Ok((reference, shards.into_values().cloned().collect()))
+        Ok((reference, finished.into_values().collect()))
     } else {
         Err(SweepError::Shards(problems))
     }
 }
 
+/// Those of so many shards that were not found: `shard 3`, `shards 1, 4-7`.
+fn missing(found: &BTreeMap<u64, &PathBuf>, shards: u64) -> Option<String> {
+    let (mut ranges, mut next) = (Vec::new(), 0);
+    for shard in found.keys().copied().chain([shards]) {
+        match shard - next {
+            0 => {}
+            1 => ranges.push(next.to_string()),
+            _ => ranges.push(format!("{next}-{}", shard - 1)),
+        }
+        next = shard + 1;
+    }
+    let is_one = ranges.len() == 1 && !ranges[0].contains('-');
+    (!ranges.is_empty()).then(|| format!("{} {}", if is_one { "shard" } else { "shards" }, ranges.join(", ")))
+}
+
 /// What the shards were run from.
-fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
-    let path = shards.first().map_or_else(PathBuf::new, |table| sidecar_path(table));
+fn plan(sidecar: &Sidecar, shards: &[Finished]) -> Result<Plan, SweepError> {
+    let path = shards.first().map_or_else(PathBuf::new, |shard| sidecar_path(&shard.table));
     let name = path.display().to_string();
     let damaged = |problem: String| SweepError::Damaged { path: path.clone(), problem };
     let scenario = Scenario::from_source(&name, &sidecar.scenario);
@@ -127,7 +158,7 @@ fn plan(sidecar: &Sidecar, shards: &[PathBuf]) -> Result<Plan, SweepError> {
 /// With `is_forced` it replaces what is not known to be a result of the same shards.
 ///
 /// # Errors
-/// [`SweepError::Shards`] naming every missing, double, unfinished and foreign shard, [`SweepError::Place`] for an `out`
+/// [`SweepError::Shards`] naming every missing, double, unfinished, foreign and damaged shard, [`SweepError::Place`] for an `out`
 /// that would take the place of a shard or is no name of a table; [`SweepError::Output`]; file errors. Then nothing is left of the table.
 pub fn merge(
     inputs: &[PathBuf],
@@ -150,7 +181,7 @@ pub fn merge(
     Ok(Merged { sidecar, plan, tally, _lock: lock })
 }
 
-fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
+fn check_place(out: &Path, shards: &[Finished]) -> Result<(), SweepError> {
     let is_out = |path: &Path| out.canonicalize().is_ok_and(|out| path.canonicalize().is_ok_and(|path| path == out));
     let problem = if out.is_dir() {
         "is a directory"
@@ -158,7 +189,7 @@ fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
         "is the name of the summary, which goes beside the table"
     } else if out.extension().is_some_and(|extension| extension == "png") {
         "is the name of a picture, which goes beside the table"
-    } else if shards.iter().any(|table| is_out(table) || is_out(&sidecar_path(table))) {
+    } else if shards.iter().any(|shard| is_out(&shard.table) || is_out(&sidecar_path(&shard.table))) {
         "is one of the shards"
     } else {
         return Ok(());
@@ -167,47 +198,50 @@ fn check_place(out: &Path, shards: &[PathBuf]) -> Result<(), SweepError> {
 }
 
 /// The rows of all shards in their order.
-fn write(sidecar: &Sidecar, plan: &Plan, shards: &[PathBuf], table: &mut NewFile) -> Result<Tally, SweepError> {
-    let is_json = sidecar.format == Format::Json.name();
-    let header = TextTable::new(plan, if is_json { Format::Json } else { Format::Csv }).header();
-    // 64 MB for all shards together, however many
-    let buffer = ((64 << 20) / shards.len()).clamp(1 << 16, 1 << 20);
-    let mut readers = Vec::new();
-    for table in shards {
-        let file = File::open(table).map_err(SweepError::file("cannot be read", table))?;
-        let mut reader = BufReader::with_capacity(buffer, file);
-        let mut first = Vec::new();
-        reader.read_until(b'\n', &mut first).map_err(SweepError::file("cannot be read", table))?;
-        if first != header {
-            let problem = "its first line is not that of this table; delete the shard and run it again".to_owned();
-            return Err(SweepError::Damaged { path: table.clone(), problem });
-        }
-        readers.push((reader, table));
-    }
-    let place = table.place().to_owned();
+fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile) -> Result<Tally, SweepError> {
+    let is_json = sidecar.format == Format::Json;
+    let table = TextTable::new(plan, sidecar.format);
+    let layout = |index| {
+        // a plan of more than 2^63 cases is refused while the scenario is read
+        Layout::new(plan.count().unwrap_or(u64::MAX), Shard { index, count: sidecar.shards })
+    };
+    // 64 MB for all shards together; of the most that there may be, 100 MB
+    let buffer = ((64 << 20) / shards.len()).clamp(1 << 10, 1 << 20);
+    let readers = (0..).zip(shards).map(|(index, shard)| Reader::open(&shard.table, &table, &layout(index), buffer));
+    let mut readers = readers.collect::<Result<Vec<_>, _>>()?;
+    let place = out.place().to_owned();
     let unwritable = SweepError::file("cannot be written", &place);
-    let mut writer = BufWriter::with_capacity(1 << 20, table);
-    let mut line = Vec::new();
-    writer.write_all(&header).map_err(&unwritable)?;
+    let mut writer = BufWriter::with_capacity(1 << 20, out);
+    writer.write_all(&table.header()).map_err(&unwritable)?;
+    let is_monte_carlo = plan.is_monte_carlo();
+    let Layout { total, block, .. } = layout(0);
     let mut tally = Tally::default();
-    while tally.rows < sidecar.cases {
-        let shard = usize::try_from(tally.rows / sidecar.block % sidecar.shards).unwrap_or(usize::MAX);
-        let (reader, table) = &mut readers[shard];
-        line.clear();
-        reader.read_until(b'\n', &mut line).map_err(SweepError::file("cannot be read", table))?;
-        let body = line.strip_suffix(b"\n").unwrap_or(&line);
-        let body = body.strip_suffix(b",").unwrap_or(body);
-        let row =
-            read_line(body, sidecar.restitution_column).filter(|row| row.case == tally.rows).ok_or_else(|| {
-                let problem = format!("case {} is not where it belongs; delete the shard and run it again", tally.rows);
-                SweepError::Damaged { path: (*table).clone(), problem }
-            })?;
-        tally.push(row.count, sidecar.is_monte_carlo);
-        let end: &[u8] = if is_json && tally.rows < sidecar.cases { b",\n" } else { b"\n" };
-        writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;
+    while tally.rows < total {
+        // a block of each shard in turn
+        for reader in &mut readers {
+            for case in tally.rows..total.min(tally.rows + block) {
+                let (count, line) = reader.row(case)?;
+                // the last row of a shard's array has no comma, and that of the whole table neither
+                let line = line.strip_suffix(b"\n").unwrap_or(line);
+                let body = if is_json { line.strip_suffix(b",").unwrap_or(line) } else { line };
+                let end: &[u8] = if is_json && case + 1 < total { b",\n" } else { b"\n" };
+                writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;
+                tally.push(count, is_monte_carlo);
+            }
+        }
     }
-    if is_json {
-        writer.write_all(b"]\n").map_err(&unwritable)?;
+    writer.write_all(table.footer()).map_err(&unwritable)?;
+    let mut problems = Vec::new();
+    for (reader, Finished { table, seal }) in readers.into_iter().zip(shards) {
+        if !reader.is_whole(*seal)? {
+            problems.push(format!(
+                "{}: damaged: its checksum is not that of what was written: run its command again, which makes it anew",
+                table.display()
+            ));
+        }
+    }
+    if !problems.is_empty() {
+        return Err(SweepError::Shards(problems));
     }
     writer.flush().map_err(&unwritable)?;
     Ok(tally)

@@ -13,6 +13,10 @@ pub struct Shard {
     pub count: u64,
 }
 
+/// Merging takes a buffer for every shard, and no job scheduler is asked for larger arrays: an indexed job of Kubernetes has
+/// at most so many parts.
+pub const MOST_SHARDS: u64 = 100_000;
+
 /// A shard that does not exist.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ShardError {
@@ -22,6 +26,9 @@ pub enum ShardError {
     /// None at all.
     #[error("there are no shards of 0: write i/n with n of 1 or more, such as 0/16")]
     None,
+    /// Too many.
+    #[error("{0} shards: at most {MOST_SHARDS} are allowed; give each more cases")]
+    Many(u64),
     /// No such shard.
     #[error("shard {index}/{count}: shards are counted from 0, so the last of {count} is {}; with a one-based array index subtract 1", .count.saturating_sub(1))]
     Range {
@@ -38,16 +45,18 @@ pub enum ShardError {
 }
 
 impl Shard {
-    /// All of it.
+    /// All of it, as an undivided table has it.
     pub const WHOLE: Self = Self { index: 0, count: 1 };
 
     /// Shard `index` of `count`.
     ///
     /// # Errors
-    /// [`ShardError::None`] for a count of 0, [`ShardError::Range`] unless index < count.
+    /// [`ShardError::None`] for a count of 0, [`ShardError::Many`] above [`MOST_SHARDS`], [`ShardError::Range`] unless
+    /// index < count.
     pub fn new(index: u64, count: u64) -> Result<Self, ShardError> {
         match count {
             0 => Err(ShardError::None),
+            _ if count > MOST_SHARDS => Err(ShardError::Many(count)),
             _ if index < count => Ok(Self { index, count }),
             _ => Err(ShardError::Range { index, count }),
         }
@@ -72,12 +81,6 @@ impl Shard {
         let (variable, count) = text.split_once('/').ok_or_else(|| ShardError::Form(text.to_owned()))?;
         let index = environment(variable).ok_or_else(|| ShardError::Unset(variable.to_owned()))?;
         Self::parse(&format!("{}/{count}", index.trim()))
-    }
-
-    /// Whether there is only this one.
-    #[must_use]
-    pub fn is_whole(self) -> bool {
-        self.count == 1
     }
 }
 
@@ -118,7 +121,7 @@ impl Layout {
     /// The cases of a range of rows, as few ranges as possible.
     #[must_use]
     pub fn cases(&self, rows: Range<u64>) -> Vec<Range<u64>> {
-        if self.shard.is_whole() {
+        if self.shard.count == 1 {
             return vec![rows];
         }
         let mut ranges = Vec::new();

@@ -1,60 +1,86 @@
 //! The file beside a table that says what the table is, so that only what belongs together is continued or merged; and the
 //! reading of a table that was left unfinished.
 
+use std::fmt::Display;
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader};
+use std::io::{self, BufRead, BufReader, Read as _};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::SweepError;
 use super::count::Count;
+use super::seal::{Seal, Sum};
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
-use super::table::{Format, TextTable, read_line};
+use super::table::{Format, TextTable};
 use crate::output::{PART, replace, with_suffix};
 use crate::scenario::Source;
 
 /// Version of the program, which makes the rows and what is written beside them.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What a table is.
+/// Version of the numbers in tables. Raise it when any number of a table changes, be it in its last digit, or when rows are
+/// dealt out to shards in another way: rows of different versions are not put into one table.
+pub const NUMBERS: u64 = 1;
+
+/// What a table is. All else follows from the scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sidecar {
-    /// Version of the program.
+    /// [`VERSION`] of the program.
     pub version: String,
+    /// [`NUMBERS`] of the program.
+    pub numbers: u64,
     /// Hash of the scenario.
     pub scenario_sha256: String,
     /// The scenario itself, for what is written beside the whole table.
     pub scenario: Source,
-    /// `csv` or `json`.
-    pub format: String,
-    /// Cases of all shards together.
-    pub cases: u64,
-    /// Cases a block.
-    pub block: u64,
+    /// CSV or JSON.
+    pub format: Format,
     /// Which shard, from 0 on.
     pub shard: u64,
     /// Of how many.
     pub shards: u64,
-    /// Place of e among the columns.
-    pub restitution_column: usize,
-    /// Whether the values are random, so that e has a distribution.
-    pub is_monte_carlo: bool,
+    /// The table as it was written; `None` while it is unfinished.
+    pub finished: Option<Seal>,
+}
+
+/// The part of a sidecar that is read first, because another version may have other entries.
+#[derive(Deserialize)]
+struct Stamp {
+    version: String,
+    /// Older versions had none.
+    #[serde(default)]
+    numbers: u64,
 }
 
 impl Sidecar {
-    /// How its rows are dealt out.
+    /// That of a table which is being written.
     #[must_use]
-    pub fn layout(&self) -> Layout {
-        Layout { total: self.cases, block: self.block, shard: Shard { index: self.shard, count: self.shards } }
+    pub fn new(scenario: &Source, format: Format, shard: Shard) -> Self {
+        Self {
+            version: VERSION.to_owned(),
+            numbers: NUMBERS,
+            scenario_sha256: scenario.sha256(),
+            scenario: scenario.clone(),
+            format,
+            shard: shard.index,
+            shards: shard.count,
+            finished: None,
+        }
+    }
+
+    /// Whether both are of the same part of the same table.
+    #[must_use]
+    pub fn is_of_same(&self, other: &Self) -> bool {
+        Self { finished: other.finished, ..self.clone() } == *other
     }
 
     /// Reads the sidecar of a table; `None` if there is none.
     ///
     /// # Errors
-    /// [`SweepError`] if it cannot be read or is none.
+    /// [`SweepError`] if it cannot be read, is none, or is of another version.
     pub fn read(table: &Path) -> Result<Option<Self>, SweepError> {
         let path = sidecar_path(table);
         let text = match fs::read(&path) {
@@ -62,15 +88,25 @@ impl Sidecar {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(source) => return Err(SweepError::file("cannot be read", &path)(source)),
         };
-        let sidecar = serde_json::from_slice(&text).map_err(|error| error.to_string());
-        let sidecar = sidecar.and_then(|sidecar: Self| {
-            let is_its = sidecar.scenario.sha256() == sidecar.scenario_sha256;
-            if is_its { Ok(sidecar) } else { Err("its scenario has another hash".to_owned()) }
-        });
-        sidecar.map(Some).map_err(|why| {
-            let problem = format!("is damaged, or of another version ({why}); delete it and its table to start over");
-            SweepError::Damaged { path, problem }
-        })
+        let damaged = |why: &dyn Display| {
+            let problem = format!("is damaged ({why}); delete it and its table, and run its command again");
+            SweepError::Damaged { path: path.clone(), problem }
+        };
+        let stamp: Stamp = serde_json::from_slice(&text).map_err(|error| damaged(&error))?;
+        if (stamp.version.as_str(), stamp.numbers) != (VERSION, NUMBERS) {
+            let versions = format!(
+                "its version is {} (table numbers {}), and this program's {VERSION} (table numbers {NUMBERS})",
+                stamp.version.escape_debug(),
+                stamp.numbers
+            );
+            return Err(SweepError::Version { sidecar: path, versions });
+        }
+        let sidecar: Self = serde_json::from_slice(&text).map_err(|error| damaged(&error))?;
+        Shard::new(sidecar.shard, sidecar.shards).map_err(|error| damaged(&error))?;
+        if sidecar.scenario.sha256() != sidecar.scenario_sha256 {
+            return Err(damaged(&"its scenario has another hash"));
+        }
+        Ok(Some(sidecar))
     }
 
     /// Writes it beside a table.
@@ -96,14 +132,13 @@ pub fn sidecar_path(table: &Path) -> PathBuf {
     with_suffix(table, ".sidecar.json")
 }
 
-/// The name of a shard's table.
+/// The name of a shard's table, or of an undivided one.
 #[must_use]
-pub fn table_name(shard: Shard, format: Format) -> String {
+pub fn table_name(shard: Option<Shard>, format: Format) -> String {
     let extension = format.name();
-    if shard.is_whole() {
-        format!("table.{extension}")
-    } else {
-        format!("table-{}-of-{}.{extension}", shard.index, shard.count)
+    match shard {
+        None => format!("table.{extension}"),
+        Some(Shard { index, count }) => format!("table-{index}-of-{count}.{extension}"),
     }
 }
 
@@ -141,16 +176,25 @@ impl Tally {
     }
 }
 
-/// Reads the complete rows of a table, and where they end in bytes; a torn last line is left out. Without a complete
-/// header both are zero.
+/// The complete rows of a table.
+#[derive(Debug, Clone, Default)]
+pub struct Read {
+    /// What they come to.
+    pub tally: Tally,
+    /// Of header and rows.
+    pub sum: Sum,
+    /// The whole file, if it has all its rows and ends where it should.
+    pub finished: Option<Seal>,
+}
+
+/// Reads the complete rows of a table; a torn last line is left out, and a torn header is none.
 ///
 /// # Errors
 /// [`SweepError::Damaged`] where a row is not the one that belongs there.
-pub fn read_rows(path: &Path, table: &TextTable, sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
+pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, is_monte_carlo: bool) -> Result<Read, SweepError> {
     let failed = SweepError::file("cannot be read", path);
     let mut reader = BufReader::with_capacity(1 << 20, File::open(path).map_err(&failed)?);
-    let layout = sidecar.layout();
-    let (mut tally, mut line) = (Tally::default(), Vec::new());
+    let (mut read, mut line) = (Read::default(), Vec::new());
     let header = table.header();
     reader.read_until(b'\n', &mut line).map_err(&failed)?;
     if !header.starts_with(&line) {
@@ -158,22 +202,30 @@ pub fn read_rows(path: &Path, table: &TextTable, sidecar: &Sidecar) -> Result<(T
         return Err(SweepError::Damaged { path: path.to_owned(), problem });
     }
     if line != header {
-        return Ok((tally, 0));
+        return Ok(read);
     }
-    let mut end = line.len() as u64;
+    read.sum.update(&line);
     let rows = layout.rows();
-    while tally.rows < rows {
+    while read.tally.rows < rows {
         line.clear();
         reader.read_until(b'\n', &mut line).map_err(&failed)?;
-        let Some(complete) = line.strip_suffix(b"\n") else { break };
-        let expected = layout.case(tally.rows);
-        let row =
-            read_line(complete, sidecar.restitution_column).filter(|row| row.case == expected).ok_or_else(|| {
-                let problem = format!("row {} is not case {expected}; delete it to start over", tally.rows + 1);
-                SweepError::Damaged { path: path.to_owned(), problem }
-            })?;
-        tally.push(row.count, sidecar.is_monte_carlo);
-        end += line.len() as u64;
+        let Some(complete) = line.strip_suffix(b"\n") else { return Ok(read) };
+        let (expected, row) = (layout.case(read.tally.rows), read.tally.rows + 1);
+        let found = table.read(complete, row == rows).filter(|row| row.case == expected).ok_or_else(|| {
+            let problem = format!("row {row} is damaged, or is not case {expected}; delete it to start over");
+            SweepError::Damaged { path: path.to_owned(), problem }
+        })?;
+        read.tally.push(found.count, is_monte_carlo);
+        read.sum.update(&line);
     }
-    Ok((tally, end))
+    // one byte more than the end of a table has, so that what was appended is seen
+    let footer = table.footer();
+    let mut rest = Vec::new();
+    reader.take(footer.len() as u64 + 1).read_to_end(&mut rest).map_err(&failed)?;
+    if rest == footer {
+        let mut whole = read.sum.clone();
+        whole.update(footer);
+        read.finished = Some(whole.seal());
+    }
+    Ok(read)
 }

@@ -2,13 +2,16 @@
 //!
 //! Digits are written straight into the block's buffer. No field needs a quote: they are numbers and snake_case names.
 
+use serde::{Deserialize, Serialize};
+
 use super::axis::{Axis, Setting, Values};
 use super::count::Count;
 use super::plan::{Cases, Failure, Plan, Rows};
 use crate::impact::Essentials;
 
 /// What a table is written as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Format {
     /// Comma-separated, one header line.
     Csv,
@@ -122,6 +125,8 @@ pub struct TextTable {
     /// What stands before every field.
     before: Vec<Vec<u8>>,
     results: Vec<ResultColumn>,
+    /// Place of e among the columns.
+    restitution: usize,
     /// Of every axis of a grid: how its values are written.
     swept: Vec<Swept>,
 }
@@ -159,7 +164,9 @@ impl TextTable {
             Cases::MonteCarlo { variables, .. } => variables.iter().map(|_| Swept::Number).collect(),
             Cases::Grid(axes) => axes.iter().map(|axis| swept(axis, is_json)).collect(),
         };
-        Self { is_json, names, before, results: result_columns(plan), swept }
+        // it is in every table, behind the case
+        let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
+        Self { is_json, names, before, results: result_columns(plan), restitution, swept }
     }
 
     /// What the file begins with, ending in a line end.
@@ -214,7 +221,7 @@ impl TextTable {
                 }
             }
             next(text);
-            let status = result.as_ref().map_or_else(|failure| failure.name(), |_| "ok");
+            let status = result.as_ref().map_or_else(|failure| failure.name(), |_| OK);
             if self.is_json {
                 text.push(b'"');
                 text.extend_from_slice(status.as_bytes());
@@ -251,20 +258,48 @@ pub struct Line {
     pub count: Count,
 }
 
-/// Reads a line of a table (without its line end) whose restitution is in column `restitution`; `None` if it is no row.
-#[must_use]
-pub fn read_line(line: &[u8], restitution: usize) -> Option<Line> {
-    let line = line.strip_suffix(b",").unwrap_or(line);
-    let line = line.strip_prefix(b"{").map_or(Some(line), |rest| rest.strip_suffix(b"}"))?;
-    let mut fields = std::str::from_utf8(line).ok()?.split(',').map(|field| field.rsplit(':').next().unwrap_or(field));
-    let case = fields.next()?.parse().ok()?;
-    let value = fields.nth(restitution.checked_sub(1)?)?;
-    let status = fields.next_back()?.trim_matches('"');
-    let count = match status {
-        "ok" if matches!(value, "" | "null") => Count::AtRest,
-        "ok" => Count::Restitution(value.parse().ok()?),
-        _ if status == Failure::OutsideLaw.name() => Count::OutsideLaw,
-        _ => Count::Failure,
-    };
-    Some(Line { case, count })
+/// What stands for the status of a row with a result.
+const OK: &str = "ok";
+
+impl TextTable {
+    /// Reads a line (without its line end); `None` if it is no row of this table. `is_end`: it is the last row of the file.
+    /// Checks what is cheap: that all fields are there and of plain characters, the case, e and the status.
+    #[must_use]
+    pub fn read(&self, line: &[u8], is_end: bool) -> Option<Line> {
+        let (line, quote): (_, &[u8]) = if self.is_json {
+            let object = if is_end { line } else { line.strip_suffix(b",")? };
+            (object.strip_suffix(b"}")?, b"\"")
+        } else {
+            (line, b"")
+        };
+        // without an early end, so that the compiler takes many bytes at once
+        let is_plain = line.iter().fold(true, |is_plain, byte| is_plain & byte.is_ascii_graphic());
+        let commas: usize =
+            line.chunks(255).map(|part| usize::from(part.iter().map(|b| u8::from(*b == b',')).sum::<u8>())).sum();
+        if !is_plain || commas + 1 != self.before.len() {
+            return None;
+        }
+        let mut rest = line;
+        let mut field = |before: &[u8]| {
+            rest = rest.strip_prefix(before)?;
+            let (field, after) = rest.split_at(rest.iter().position(|byte| *byte == b',').unwrap_or(rest.len()));
+            rest = after;
+            std::str::from_utf8(field).ok()
+        };
+        let case = field(self.before.first()?)?.parse().ok()?;
+        let mut restitution = "";
+        for before in self.before.get(1..=self.restitution)? {
+            restitution = field(before)?;
+        }
+        let last = rest.get(rest.iter().rposition(|byte| *byte == b',')?..)?;
+        let status = last.strip_prefix(self.before.last()?.as_slice())?.strip_prefix(quote)?.strip_suffix(quote)?;
+        let count = if status != OK.as_bytes() {
+            Failure::from_name(status)?.into()
+        } else if restitution == if self.is_json { "null" } else { "" } {
+            Count::AtRest
+        } else {
+            Count::Restitution(restitution.parse().ok()?)
+        };
+        Some(Line { case, count })
+    }
 }

@@ -72,7 +72,7 @@ pub fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> R
     let started = Instant::now();
     let job = Job {
         plan,
-        shard: Shard::WHOLE,
+        shard: None,
         format,
         directory,
         source: &Source::default(),

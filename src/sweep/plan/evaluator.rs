@@ -27,6 +27,21 @@ pub enum Failure {
 }
 
 impl Failure {
+    const ALL: [Self; 6] = [
+        Self::OutOfFloatRange,
+        Self::StepUnderflow,
+        Self::TooManySteps,
+        Self::NotFinite,
+        Self::OutsideLaw,
+        Self::NoClosedForm,
+    ];
+
+    /// Of that name.
+    #[must_use]
+    pub fn from_name(name: &[u8]) -> Option<Self> {
+        Self::ALL.into_iter().find(|failure| failure.name().as_bytes() == name)
+    }
+
     /// As in the column `status`.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -1,0 +1,60 @@
+//! The threads of a command: as many as are asked for, or as the system gives.
+
+use clap::builder::RangedI64ValueParser;
+use clap::value_parser;
+use plm_impact::error::Error;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// More stop a machine.
+const MOST: u16 = 1024;
+/// Says how many threads where no option does.
+const VARIABLE: &str = "RAYON_NUM_THREADS";
+
+/// Numbers that `--threads` takes; 0 is one a core.
+pub fn allowed() -> RangedI64ValueParser<u16> {
+    value_parser!(u16).range(0..=i64::from(MOST))
+}
+
+/// Does the work on so many threads: those of the option, of the environment, or one a core. Where the system starts fewer,
+/// on fewer.
+///
+/// # Errors
+/// [`Error::Option`] for a number in the environment that is not allowed, or where there is not one thread.
+pub fn with<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+    let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let wanted = match option.map_or_else(from_environment, Ok)? {
+        0 => cores(),
+        threads => usize::from(threads),
+    };
+    Ok(start(wanted)?.install(work))
+}
+
+fn from_environment() -> Result<u16, Error> {
+    let Some(text) = std::env::var_os(VARIABLE).filter(|text| !text.is_empty()) else { return Ok(0) };
+    let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MOST);
+    threads.ok_or_else(|| {
+        let text = text.to_string_lossy();
+        Error::Option(format!("{VARIABLE}={}: a number of threads is 0 to {MOST}", text.escape_debug()))
+    })
+}
+
+/// As many threads as the system starts, by halves; one is the thread at hand, for which nothing has to be started.
+fn start(wanted: usize) -> Result<ThreadPool, Error> {
+    let mut threads = wanted;
+    loop {
+        let builder = ThreadPoolBuilder::new().num_threads(threads);
+        let builder = if threads == 1 { builder.use_current_thread() } else { builder };
+        match builder.build() {
+            Ok(pool) => {
+                if threads < wanted {
+                    super::note(format_args!(
+                        "warning: the system did not start {wanted} threads; going on with {threads} of {wanted} threads"
+                    ));
+                }
+                return Ok(pool);
+            }
+            Err(_) if threads > 1 => threads /= 2,
+            Err(error) => return Err(Error::Option(format!("no thread to work on: {error}"))),
+        }
+    }
+}

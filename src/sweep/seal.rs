@@ -1,0 +1,82 @@
+//! Length and checksum of a file, counted while it is written or read, whatever writes or reads it.
+
+use std::io::{self, Read, Write};
+
+use serde::{Deserialize, Serialize};
+
+/// What a finished file is known by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Seal {
+    /// Length in bytes.
+    pub bytes: u64,
+    /// CRC-32 (IEEE) of all bytes, which finds every change within four neighbouring bytes, and of others all but one in
+    /// 4·10⁹.
+    pub crc32: u32,
+}
+
+/// The seal of what has passed so far.
+#[derive(Debug, Clone, Default)]
+pub struct Sum {
+    bytes: u64,
+    crc32: crc32fast::Hasher,
+}
+
+impl Sum {
+    /// Takes the next bytes.
+    pub fn update(&mut self, bytes: &[u8]) {
+        self.bytes += bytes.len() as u64;
+        self.crc32.update(bytes);
+    }
+
+    /// The seal of a file that ends here.
+    #[must_use]
+    pub fn seal(&self) -> Seal {
+        Seal { bytes: self.bytes, crc32: self.crc32.clone().finalize() }
+    }
+}
+
+/// A writer or a reader that keeps the seal of what passes through it.
+#[derive(Debug)]
+pub struct Sealed<T> {
+    inner: T,
+    sum: Sum,
+}
+
+impl<T> Sealed<T> {
+    /// Goes on after what `sum` has taken.
+    pub fn new(inner: T, sum: Sum) -> Self {
+        Self { inner, sum }
+    }
+
+    /// What is written to or read from.
+    pub fn into_inner(self) -> T {
+        self.inner
+    }
+
+    /// The seal of all that has passed.
+    #[must_use]
+    pub fn seal(&self) -> Seal {
+        self.sum.seal()
+    }
+}
+
+impl<T: Write> Write for Sealed<T> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.inner.write(bytes)?;
+        self.sum.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
+impl<T: Read> Read for Sealed<T> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let read = self.inner.read(bytes)?;
+        self.sum.update(&bytes[..read]);
+        Ok(read)
+    }
+}
