@@ -9,6 +9,7 @@ use super::with_forces::UnderForces;
 use super::{Contact, ImpactError, Method};
 use crate::integrate::Work;
 use crate::law::{Law, Peak, Unloading};
+use crate::power::max_or_nan;
 
 /// The outcome of an impact in dimensionless form, however it was obtained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -183,7 +184,7 @@ impl Impact {
             .iter()
             .map(|row| row.energy_drift)
             .chain([at_peak, at_separation])
-            .fold(0.0, |worst: f64, d| worst.max(d.abs()));
+            .fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
         let mut impact =
             Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
         impact.energy.drift = drift;

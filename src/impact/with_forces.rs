@@ -15,7 +15,7 @@ use crate::integrate::pulled::Pulled;
 use crate::integrate::{IntegrationError, Work};
 use crate::law::{Law, Peak};
 use crate::material::{OutOfFloatRange, normal};
-use crate::power::power_turn;
+use crate::power::{max_or_nan, power_turn};
 
 /// What only an impact under gravity or damping has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -207,7 +207,7 @@ impl Contact {
         );
         impact.trace = points.iter().map(|point| ledger.row(point, scales, self.pair().sphere_compliance)).collect();
         let rows = impact.trace.iter().map(|row| row.energy_drift);
-        let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst: f64, d| worst.max(d.abs()));
+        let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
         let energy = scales.energy();
         impact.energy.plastic = self.pair().yield_point.map(|_| law.plastic(&outcome.unloading) * energy);
         impact.energy.drift = drift;

@@ -4,7 +4,7 @@
 //! contact force may vanish before the piece does, and a sphere may stay where it is.
 
 use super::{IntegrationError, Path, Restoring, Sampler, State, Work};
-use crate::power::power;
+use crate::power::{max_or_nan, power};
 
 /// How the contact resists motion, beside the restoring force g(d).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +95,7 @@ fn root_slope(restoring: &Restoring, distance: f64) -> f64 {
             (coefficient * exponent).sqrt() * power(distance.abs(), 0.5 * (exponent - 1.0))
         }
         Restoring::Straight { slope, .. } => slope.sqrt(),
-        Restoring::Smooth { force, start, factor } => (factor * force.slope(start, distance)).max(0.0).sqrt(),
+        Restoring::Smooth { force, start, factor } => max_or_nan(factor * force.slope(start, distance), 0.0).sqrt(),
     }
 }
 

@@ -34,7 +34,7 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct OdeSolvers {
     method: Method,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     work: Work,
 }
 

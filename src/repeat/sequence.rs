@@ -4,6 +4,7 @@ use std::mem::discriminant;
 
 use super::flight::Flight;
 use crate::impact::{Fate, Impact, Method, Warning};
+use crate::power::max_or_nan;
 
 /// Why a series ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,13 +133,13 @@ impl Sequence {
     /// The deepest dent \[m\].
     #[must_use]
     pub fn deepest_dent(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, f64::max)
+        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
     /// Largest drift of the ledgers of the impacts.
     #[must_use]
     pub fn drift(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.drift).fold(0.0, f64::max)
+        self.hits.iter().map(|hit| hit.drift).fold(0.0, max_or_nan)
     }
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {

@@ -282,6 +282,20 @@ impl Run {
         Progress::Moved { length: h }
     }
 
+    /// Whether a turn at y is none: at rest the piece would push the sphere on. A creep under strong drag is slower than the
+    /// error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong sign.
+    fn is_false_turn<P: Piece>(&self, piece: P, y: f64) -> bool {
+        self.direction * piece.rates(y, 0.0)[1] > 0.0
+    }
+
+    /// Half of a step of length `h` that had been accepted, in place of it.
+    fn take_back(&mut self, h: f64) -> Progress {
+        self.work.steps -= 1;
+        self.work.rejected += 1;
+        (self.aim, self.length) = (Aim::March, 0.5 * h);
+        Progress::Again
+    }
+
     /// A first guess of the step that ends at `event`, which the step of length `h` to `passed` has passed.
     #[inline(never)]
     fn land<P: Piece>(&mut self, piece: P, event: Event, passed: &Step, h: f64) -> Progress {
@@ -320,10 +334,14 @@ impl Run {
         }
         let (length, mut to) = (self.length, next.node);
         let landing = match event {
+            Event::End if self.direction * to[1] <= 0.0 && self.is_false_turn(piece, self.end) => {
+                return self.take_back(most);
+            }
             Event::End => {
                 to[0] = self.end;
                 ForcedLanding::End
             }
+            Event::Turning if self.is_false_turn(piece, to[0]) => return self.take_back(most),
             Event::Turning => {
                 to[1] = 0.0;
                 if self.direction < 0.0 || to[0] <= self.end {
