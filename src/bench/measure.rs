@@ -92,7 +92,8 @@ impl Measurement {
     /// Whether e is within the threshold, contact time and peak force within 30 times it.
     #[must_use]
     pub fn reaches(&self, threshold: f64) -> bool {
-        self.restitution_error <= threshold && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
+        self.restitution_error <= threshold
+            && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
     }
 }
 

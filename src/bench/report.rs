@@ -66,7 +66,9 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
         let points = measurements
             .iter()
             .filter(|m| m.contender == contender)
-            .map(|m| (max_or_nan(max_or_nan(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact))
+            .map(|m| {
+                (max_or_nan(max_or_nan(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact)
+            })
             .collect();
         Series::marked_line(contender.name(), points)
     });

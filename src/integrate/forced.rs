@@ -18,6 +18,12 @@ pub enum Drag {
 }
 
 impl Drag {
+    /// Whether the contact force can vanish before the restoring force does.
+    #[must_use]
+    pub fn lifts_off(self) -> bool {
+        matches!(self, Self::OfStiffness(eta) if eta > 0.0)
+    }
+
     /// (χ, η), the one that is not given 0.
     #[must_use]
     pub fn coefficients(self) -> (f64, f64) {
@@ -77,7 +83,7 @@ impl ForcedPath {
     /// Whether the contact force can vanish before the restoring force does.
     #[must_use]
     pub fn can_lift_off(&self) -> bool {
-        matches!(self.drag, Drag::OfStiffness(eta) if eta > 0.0)
+        self.drag.lifts_off()
     }
 
     /// Whether this state counts as rest.

@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use nalgebra::Vector3;
 use ode_solvers::System;
 
-use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
 use super::motions::cubic_minimum;
 use super::ode_solvers::{Method, OdeSolvers};
 use super::{IntegrationError, Leg, Sampler, State, Work};
@@ -117,7 +117,10 @@ impl Equations<'_> {
     /// Whether at rest in this place the sphere would be pushed on, so that it cannot have turned there.
     fn is_pushed_on(&self, d: f64) -> bool {
         let sign = if self.path.path.leg == Leg::Back { -1.0 } else { 1.0 };
-        sign * self.accelerations(d, 0.0).0 > 0.0
+        // next to its place of rest a turn is as good as rest
+        let distance = d * self.path.path.sizes.distance;
+        let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
+        sign * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
     }
 
     /// Whether a speed of the wrong sign is an error of the speed only, as in a creep that is slower than this error: not even
@@ -181,8 +184,13 @@ impl OdeForced {
     fn after(&mut self, path: &ForcedPath, node: Node, time: f64) -> Result<Node, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
-        let end =
-            self.solver.drive(equations, &evaluations, node[0], node[0] + time, Vector3::new(node[1], node[2], node[3]))?;
+        let end = self.solver.drive(
+            equations,
+            &evaluations,
+            node[0],
+            node[0] + time,
+            Vector3::new(node[1], node[2], node[3]),
+        )?;
         Ok([node[0] + time, end[0], end[1], end[2]])
     }
 
@@ -301,6 +309,7 @@ impl ForcedIntegrator for OdeForced {
         let super::Sizes { distance, speed } = path.path.sizes;
         let unit_of_time = distance / speed;
         let begun = state.state;
+        self.solver.begin_leg();
         self.solver.tolerance = if path.rest.is_some() { self.tolerance.min(LOOSEST_CREEP) } else { self.tolerance };
         let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
         let nodes = RefCell::new(vec![start]);

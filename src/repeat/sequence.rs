@@ -66,6 +66,8 @@ pub struct Hit {
     pub plastic: Option<f64>,
     /// Taken by damping \[J\], if there is any.
     pub damping: Option<f64>,
+    /// Elastic energy left at separation under viscous damping \[J\].
+    pub stored_at_separation: Option<f64>,
     /// Error of the impact's own ledger \[1\].
     pub drift: f64,
     /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
@@ -115,6 +117,7 @@ impl Hit {
             recovered: energy.recovered,
             plastic: energy.plastic,
             damping: under_forces.and_then(|forces| forces.damping_loss),
+            stored_at_separation: under_forces.and_then(|forces| forces.stored_at_separation),
             drift: energy.drift,
             static_indentation: under_forces.and_then(|forces| forces.static_indentation),
             is_captured: under_forces.is_some_and(|forces| forces.fate == Fate::Captured),
