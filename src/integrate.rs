@@ -125,6 +125,10 @@ pub struct Work {
     pub force_evaluations: u64,
 }
 
+/// More steps than any leg needs, accepted and rejected, unless its drag is hundreds of times beyond critical: explicit steps
+/// are no longer than the fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
+pub(crate) const MOST_STEPS: u64 = 1_000_000;
+
 /// Why an integration stopped.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IntegrationError {
@@ -139,9 +143,7 @@ pub enum IntegrationError {
         step: f64,
     },
     /// More steps than any impact needs.
-    #[error(
-        "no landing within {steps} steps; loosen the tolerance, or use method = \"rk8\" (or \"closed_form\", where nothing damps)"
-    )]
+    #[error("no landing within {steps} steps; take another tolerance, less damping, or another method")]
     TooManySteps {
         /// The limit.
         steps: u64,

@@ -11,6 +11,13 @@ pub fn power(distance: f64, exponent: f64) -> f64 {
     if exponent == 1.5 { distance * size.sqrt() } else { distance.signum() * size.powf(exponent) }
 }
 
+/// The larger of two numbers; not a number if one of them is none, which `f64::max` would pass over.
+#[inline(always)]
+#[must_use]
+pub fn max_or_nan(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
 /// 1/(n + 1), the share of force times distance that is the work; n = 3/2 without a division.
 #[inline(always)]
 #[must_use]
@@ -180,4 +187,20 @@ pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 
         z = next;
     }
     both * z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::max_or_nan;
+
+    #[test]
+    fn a_row_that_is_no_number_shows_in_the_largest_of_all() {
+        let largest = |rows: [f64; 3]| rows.into_iter().fold(0.0, max_or_nan);
+        assert_eq!(largest([1.0, 3.0, 2.0]), 3.0);
+        for row in 0..3 {
+            let mut rows = [1.0, 3.0, 2.0];
+            rows[row] = f64::NAN;
+            assert!(largest(rows).is_nan(), "{row}");
+        }
+    }
 }

@@ -261,3 +261,14 @@ fn damped_rows_in_lock_step_are_those_by_themselves() {
         assert_eq!(row.unwrap(), contact.essentials_by(*speed, &plan.scene.solver).unwrap());
     }
 }
+
+/// What is no number is said so, by lanes as by the stepper alone, and does not disturb the lanes beside it.
+#[test]
+fn a_lane_whose_state_is_no_number_says_so() {
+    let law = Scene::steel().law();
+    let cases = [(&law, 5.0), (&law, f64::NAN), (&law, 20.0)];
+    let got = together(&cases, 1e-9);
+    assert!(matches!(got[1], Err(IntegrationError::NotFinite { .. })), "{:?}", got[1]);
+    assert!(matches!(alone(&law, f64::NAN, 1e-9), Err(IntegrationError::NotFinite { .. })));
+    assert_eq!((&got[0], &got[2]), (&alone(&law, 5.0, 1e-9), &alone(&law, 20.0, 1e-9)));
+}

@@ -51,7 +51,12 @@ fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     // ½ m v² + m g δ = recovered + plastic + damping at separation
     let energy = |key: &str| summary["energy"][key].as_f64().unwrap();
     let put_in = energy("kinetic_in_J") + energy("gravity_work_J");
-    let gone = energy("recovered_J") + energy("plastic_J") + energy("damping_J");
+    let gone = energy("recovered_J") + energy("plastic_J") + energy("damping_J") + energy("stored_at_separation_J");
+    // the law's own force at separation holds elastic energy: (2/5) F (δ − δ_r) on the branch of exponent 3/2
+    let impact = run(&scenario("[damping]\nviscous = 0.1\n", &[]), "test").unwrap().impact;
+    let last = impact.trace.last().unwrap();
+    let held = 0.4 * last.elastic_force.unwrap() * (last.indentation - impact.residual_indentation);
+    assert!(held > 0.0 && (energy("stored_at_separation_J") / held - 1.0).abs() < 1e-9, "{held}");
     assert!((gone / put_in - 1.0).abs() < 1e-9, "{gone} {put_in}");
 }
 
@@ -139,4 +144,33 @@ fn axes_that_contradict_the_scene_are_refused() {
         let message = refusal(more).to_string();
         assert!(message.contains(wanted), "{message}");
     }
+}
+
+#[test]
+fn damping_beyond_what_can_be_followed_is_refused_with_its_range() {
+    let refused = |zeta: &str| {
+        let scenario = Scenario::from_text("drop.toml", &(drop() + "[damping]\nviscous = " + zeta + "\n"), &[]);
+        scenario.and_then(|scenario| scenario.resolve().map(|_| ())).map_err(|error| error.to_string())
+    };
+    assert_eq!(refused("1000"), Ok(()));
+    let text = refused("1e20").unwrap_err();
+    assert!(text.contains("damping.viscous") && text.contains("1000"), "{text}");
+}
+
+#[test]
+fn a_table_by_a_closed_form_that_is_none_is_refused_before_it_runs() {
+    let sweep = "[sweep]\n\"impact.speed\" = { from = \"1 m/s\", to = \"3 m/s\", steps = 3 }\n";
+    let plan = |damping: &str, solver: &str, base: String| {
+        let text = base + damping + "[solver]\nmethod = \"" + solver + "\"\n" + sweep;
+        Scenario::from_text("table.toml", &text, &[]).unwrap().plan().map(|_| ()).map_err(|error| error.to_string())
+    };
+    let fall = || STEEL.to_owned() + "[gravity]\nacceleration = \"9.81 m/s^2\"\n";
+    let (viscous, hunt_crossley) = ("[damping]\nviscous = 0.1\n", "[damping]\nhunt_crossley = \"0.1 s/m\"\n");
+    for (damping, base) in [(viscous, STEEL.to_owned()), (viscous, fall()), (hunt_crossley, fall())] {
+        let text = plan(damping, "closed_form", base.clone()).unwrap_err();
+        assert!(text.contains("solver.method") && text.contains("closed_form"), "{text}");
+        assert_eq!(plan(damping, "rk8", base), Ok(()));
+    }
+    assert_eq!(plan(hunt_crossley, "closed_form", STEEL.to_owned()), Ok(()));
+    assert_eq!(plan("", "closed_form", fall()), Ok(()));
 }

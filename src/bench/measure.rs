@@ -9,6 +9,7 @@ use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::law::Law;
+use crate::power::max_or_nan;
 
 /// What is measured: the methods of the scenarios, and the batch form of rk8.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,7 +92,8 @@ impl Measurement {
     /// Whether e is within the threshold, contact time and peak force within 30 times it.
     #[must_use]
     pub fn reaches(&self, threshold: f64) -> bool {
-        self.restitution_error <= threshold && self.contact_time_error.max(self.peak_force_error) <= 30.0 * threshold
+        self.restitution_error <= threshold
+            && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
     }
 }
 
@@ -184,7 +186,7 @@ fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 3
             relative(outcome.unloading.peak.force, exact.unloading.peak.force),
         ];
         for (worst, error) in worst.iter_mut().zip(errors) {
-            *worst = worst.max(error);
+            *worst = max_or_nan(*worst, error);
         }
     }
     Some(worst)

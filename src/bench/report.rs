@@ -11,6 +11,7 @@ use crate::output::OutputFile;
 use crate::plot::PlotError;
 use crate::plot::axis::Axis;
 use crate::plot::lines::{Lines, Series};
+use crate::power::max_or_nan;
 
 /// One problem with everything measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
@@ -65,7 +66,9 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
         let points = measurements
             .iter()
             .filter(|m| m.contender == contender)
-            .map(|m| (m.restitution_error.max(m.contact_time_error).max(ROUNDING), 1e-3 * m.ns_per_impact))
+            .map(|m| {
+                (max_or_nan(max_or_nan(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact)
+            })
             .collect();
         Series::marked_line(contender.name(), points)
     });
@@ -200,7 +203,7 @@ pub fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
             let (outcome, _) = run(&case.law, case.speed, &exact, &solver, None)?;
             let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
             let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
-            let _ = write!(text, " {:.0e} |", of_restitution.max(of_time));
+            let _ = write!(text, " {:.0e} |", max_or_nan(of_restitution, of_time));
         }
         text.push('\n');
     }

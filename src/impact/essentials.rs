@@ -4,6 +4,7 @@ use super::outcome::{Impact, Outcome};
 use super::scales::Scales;
 use super::waves;
 use super::{Contact, ImpactError};
+use crate::integrate::IntegrationError;
 use crate::law::Law;
 use crate::material::{OutOfFloatRange, normal};
 
@@ -58,6 +59,10 @@ impl Essentials {
         outcome: &Outcome,
     ) -> Result<Self, ImpactError> {
         let peak = outcome.unloading.peak;
+        let Outcome { restitution, loading_time, .. } = *outcome;
+        if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
+            return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
+        }
         let residual = law.dent(&peak).residual();
         let lost = law.plastic(&outcome.unloading);
         // under gravity it may be more than the kinetic energy; without one there is no share

@@ -5,6 +5,7 @@ use super::scales::ACCELERATION;
 use crate::integrate::forced::{Drag, ForcedState};
 use crate::integrate::{Sampler, State};
 use crate::law::{Law, Peak, Unloading};
+use crate::power::max_or_nan;
 
 /// A point of a trace, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +55,16 @@ impl ForcedRecorder {
     }
 }
 
+/// What drag adds to the force of the law, in units of Φ, where the law has this force and slope. A formula may slope down by
+/// its rounding where it should be level: it is level there.
+pub(super) fn drag_force(drag: Drag, force: f64, slope: f64, speed: f64) -> f64 {
+    match drag {
+        Drag::None => 0.0,
+        Drag::OfForce(chi) => force * chi * speed,
+        Drag::OfStiffness(eta) => eta * (max_or_nan(slope, 0.0) / ACCELERATION).sqrt() * speed,
+    }
+}
+
 /// A branch of the law that points lie on.
 pub(super) enum On<'a> {
     Piece { law: &'a Law, index: usize, drag: Drag },
@@ -78,15 +89,24 @@ impl On<'_> {
                 (unloading.peak.residual() + distance, force, slope, distance, drag, true)
             }
         };
-        let of_drag = match drag {
-            Drag::None => 0.0,
-            Drag::OfForce(chi) => force * chi * speed,
-            Drag::OfStiffness(eta) => eta * (slope / ACCELERATION).sqrt() * speed,
-        };
         let state = State { time, distance: x, speed };
         // where it lifts off the total is zero up to rounding
-        let total_force = (force + of_drag).max(0.0);
+        let total_force = max_or_nan(force + drag_force(drag, force, slope, speed), 0.0);
         let loss = at.loss / ACCELERATION;
         ForcedPoint { state, force, total_force, elastic_approach, loss, is_unloading, event: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
+        let viscous = Drag::OfStiffness(0.2);
+        assert_eq!(drag_force(viscous, 1.0, -1e-17, 3.0), 0.0);
+        assert!(drag_force(viscous, 1.0, f64::NAN, 3.0).is_nan());
+        // 2 ζ √((4/5) df/dx) u
+        assert_eq!(drag_force(viscous, 1.0, 1.25, 3.0), 0.2 * 3.0);
     }
 }

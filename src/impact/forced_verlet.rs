@@ -2,12 +2,12 @@
 
 use super::course::Event;
 use super::forced::{Fate, ForcedOutcome, Load, equilibrium};
-use super::forced_trace::{ForcedPoint, ForcedRecorder, On};
-use super::forces::Damping;
+use super::forced_trace::{ForcedPoint, ForcedRecorder, On, drag_force};
 use super::scales::ACCELERATION;
 use crate::integrate::forced::ForcedState;
 use crate::integrate::{IntegrationError, State, Work};
 use crate::law::{Law, Unloading};
+use crate::power::max_or_nan;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory.
 struct Remembering<'a> {
@@ -39,12 +39,7 @@ impl Remembering<'_> {
             let distance = (x - unloading.peak.residual()).max(0.0);
             (unloading.force(x), unloading.slope_after(distance))
         };
-        let of_damping = match self.load.damping {
-            None => 0.0,
-            Some(Damping::HuntCrossley(chi)) => force * chi * speed,
-            Some(Damping::Viscous(zeta)) => 2.0 * zeta * (slope / ACCELERATION).sqrt() * speed,
-        };
-        (force, of_damping)
+        (force, drag_force(self.load.drag(), force, slope, speed))
     }
 }
 
@@ -87,14 +82,14 @@ pub fn march(
         let (force, of_damping) = law_with_memory.at(distance, half);
         work.steps += 1;
         work.force_evaluations += 1;
-        let total = (force + of_damping).max(0.0);
+        let total = max_or_nan(force + of_damping, 0.0);
         acceleration = ACCELERATION * (load.weight - total);
         loss += ACCELERATION * (total - force) * half * step;
         state = State { time, distance, speed: half + 0.5 * step * acceleration };
         if distance > peak.state.distance {
             peak = ForcedState { state: State { time, distance, speed: 0.0 }, loss };
         }
-        if !distance.is_finite() {
+        if !(distance.is_finite() && state.speed.is_finite()) {
             return Err(IntegrationError::NotFinite { time });
         }
         let is_back = time > peak.state.time;

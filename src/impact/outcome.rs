@@ -7,8 +7,9 @@ use super::scales::Scales;
 use super::validity::{self, Warning};
 use super::with_forces::UnderForces;
 use super::{Contact, ImpactError, Method};
-use crate::integrate::Work;
+use crate::integrate::{IntegrationError, Work};
 use crate::law::{Law, Peak, Unloading};
+use crate::power::max_or_nan;
 
 /// The outcome of an impact in dimensionless form, however it was obtained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,7 +185,10 @@ impl Impact {
             .iter()
             .map(|row| row.energy_drift)
             .chain([at_peak, at_separation])
-            .fold(0.0, |worst: f64, d| worst.max(d.abs()));
+            .fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
+        if !drift.is_finite() {
+            return Err(not_finite(&trace, scales.time(), outcome.contact_time));
+        }
         let mut impact =
             Self::of_essentials(contact, speed, method, scales, law, &unloading, loading_time, &essentials);
         impact.energy.drift = drift;
@@ -274,6 +278,12 @@ impl Impact {
     pub fn has_dent(&self) -> bool {
         self.dent_radius.is_some()
     }
+}
+
+/// Why an impact whose ledger is no number has no result: from the first row of its trace on, or from its end \[1\].
+pub(super) fn not_finite(trace: &[TraceRow], unit_of_time: f64, end: f64) -> ImpactError {
+    let row = trace.iter().find(|row| !row.energy_drift.is_finite());
+    IntegrationError::NotFinite { time: row.map_or(end, |row| row.time / unit_of_time) }.into()
 }
 
 /// The energy ledger of one impact, in units of Φ L.

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::{Contact, Impact};
 use crate::law::{Law, Peak};
+use crate::power::max_or_nan;
 use crate::units::four_digits;
 
 /// A doubt about a result. The text says what is doubtful and what to do.
@@ -185,7 +186,7 @@ fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
 
 /// Adds a warning if the run is further from the closed form than its tolerance allows.
 pub(super) fn check_accuracy(impact: &mut Impact, tolerance: f64) {
-    let error = impact.accuracy.restitution_error.max(impact.accuracy.contact_time_error);
+    let error = max_or_nan(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
     if error > 100.0 * tolerance || error.is_nan() {
         impact.warnings.push(Warning::Inaccurate { error, tolerance });
     }

@@ -4,7 +4,7 @@ use super::essentials::Essentials;
 use super::forced::{self, Fate, ForcedOutcome, Load};
 use super::forced_trace::{ForcedPoint, ForcedRecorder};
 use super::forces::Damping;
-use super::outcome::{Branch, Impact, TraceRow};
+use super::outcome::{Branch, Impact, TraceRow, not_finite};
 use super::scales::Scales;
 use super::validity;
 use super::{Contact, ImpactError, Method, Solver, balance};
@@ -15,7 +15,7 @@ use crate::integrate::pulled::Pulled;
 use crate::integrate::{IntegrationError, Work};
 use crate::law::{Law, Peak};
 use crate::material::{OutOfFloatRange, normal};
-use crate::power::power_turn;
+use crate::power::{max_or_nan, power_turn};
 
 /// What only an impact under gravity or damping has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,9 +28,11 @@ pub struct UnderForces {
     pub end_indentation: f64,
     /// δ at which the unloading branch carries the weight \[m\]: where a captured sphere comes to rest.
     pub static_indentation: Option<f64>,
-    /// Taken by damping \[J\], with what is stored when the sphere lifts off a contact that has not yet recovered: no
-    /// force is left then, so the contact's own damping takes that too. Of a captured sphere until the end of the run.
+    /// Taken by damping \[J\] until separation, or until the end of the run of a captured sphere.
     pub damping_loss: Option<f64>,
+    /// Elastic energy left \[J\] where the sphere lifts off a contact that has not yet recovered, as it does under viscous
+    /// damping: no force is left then, so the contact's own damping takes it afterwards. `None` where there is none by rule.
+    pub stored_at_separation: Option<f64>,
     /// m g times the way since first touch \[J\].
     pub gravity_work: Option<f64>,
 }
@@ -207,19 +209,25 @@ impl Contact {
         );
         impact.trace = points.iter().map(|point| ledger.row(point, scales, self.pair().sphere_compliance)).collect();
         let rows = impact.trace.iter().map(|row| row.energy_drift);
-        let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst: f64, d| worst.max(d.abs()));
+        let drift =
+            rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
+        if !drift.is_finite() {
+            return Err(not_finite(&impact.trace, scales.time(), outcome.end.time));
+        }
+        drop_twin_of_end(&mut impact.trace);
         let energy = scales.energy();
         impact.energy.plastic = self.pair().yield_point.map(|_| law.plastic(&outcome.unloading) * energy);
         impact.energy.drift = drift;
         let is_captured = outcome.fate == Fate::Captured;
-        let left = if is_captured { 0.0 } else { outcome.unloading.stored(outcome.end.distance) };
+        let lifts_off = !is_captured && load.drag().lifts_off();
         let at_rest = load.static_indentation(law, &outcome.unloading);
         impact.under_forces = Some(UnderForces {
             fate: outcome.fate,
             end_time: outcome.end.time * scales.time(),
             end_indentation: outcome.end.distance * scales.length,
             static_indentation: is_captured.then_some(at_rest * scales.length),
-            damping_loss: self.forces().damping.map(|_| (outcome.loss + left) * energy),
+            damping_loss: self.forces().damping.map(|_| outcome.loss * energy),
+            stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end.distance) * energy),
             gravity_work: self.forces().gravity.map(|_| load.weight * (outcome.end.distance - law.touch()) * energy),
         });
         impact.accuracy = match exact {
@@ -236,6 +244,15 @@ impl Contact {
         };
         impact.warnings = validity::warnings(self, &impact, law, &outcome.unloading.peak);
         Ok(impact)
+    }
+}
+
+/// A sample, or a peak, at the very time at which the run ends says nothing beside the end.
+fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
+    while let [.., before, end] = trace.as_slice()
+        && before.time == end.time
+    {
+        trace.remove(trace.len() - 2);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::{Indentation, IndentationError, Indenter, StaticContact, Step, Target};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Pair};
+use crate::power::max_or_nan;
 
 /// A half-space that is indented, with its name and how well its numbers are known.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,8 +102,8 @@ impl Specimen {
             let span = |value: fn(&Step) -> f64| {
                 let values = corners.iter().chain([middle]).map(|one| value(&one.steps[step]));
                 values.fold(Span { low: f64::INFINITY, high: f64::NEG_INFINITY }, |span, value| Span {
-                    low: span.low.min(value),
-                    high: span.high.max(value),
+                    low: -max_or_nan(-span.low, -value),
+                    high: max_or_nan(span.high, value),
                 })
             };
             Spans {

@@ -4,7 +4,7 @@
 //! contact force may vanish before the piece does, and a sphere may stay where it is.
 
 use super::{IntegrationError, Path, Restoring, Sampler, State, Work};
-use crate::power::power;
+use crate::power::{max_or_nan, power};
 
 /// How the contact resists motion, beside the restoring force g(d).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,12 @@ pub enum Drag {
 }
 
 impl Drag {
+    /// Whether the contact force can vanish before the restoring force does.
+    #[must_use]
+    pub fn lifts_off(self) -> bool {
+        matches!(self, Self::OfStiffness(eta) if eta > 0.0)
+    }
+
     /// (χ, η), the one that is not given 0.
     #[must_use]
     pub fn coefficients(self) -> (f64, f64) {
@@ -77,7 +83,7 @@ impl ForcedPath {
     /// Whether the contact force can vanish before the restoring force does.
     #[must_use]
     pub fn can_lift_off(&self) -> bool {
-        matches!(self.drag, Drag::OfStiffness(eta) if eta > 0.0)
+        self.drag.lifts_off()
     }
 
     /// Whether this state counts as rest.
@@ -95,7 +101,7 @@ fn root_slope(restoring: &Restoring, distance: f64) -> f64 {
             (coefficient * exponent).sqrt() * power(distance.abs(), 0.5 * (exponent - 1.0))
         }
         Restoring::Straight { slope, .. } => slope.sqrt(),
-        Restoring::Smooth { force, start, factor } => (factor * force.slope(start, distance)).max(0.0).sqrt(),
+        Restoring::Smooth { force, start, factor } => max_or_nan(factor * force.slope(start, distance), 0.0).sqrt(),
     }
 }
 

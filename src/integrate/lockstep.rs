@@ -112,6 +112,13 @@ impl Lockstep {
         self.rows.landed.iter().any(|landed| *landed != 0.0)
     }
 
+    /// Whether the state of a lane is a number.
+    #[must_use]
+    pub fn is_number(&self, lane: usize) -> bool {
+        let rows = &*self.rows;
+        [rows.y[lane], rows.u[lane], rows.t[lane], rows.h[lane]].iter().all(|part| part.is_finite())
+    }
+
     /// Takes the landing of a lane, if the last step landed it; the lane is then idle.
     pub fn take_landing(&mut self, lane: usize) -> Option<(Landing, State)> {
         if self.rows.landed[lane] == 0.0 {

@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use nalgebra::Vector3;
 use ode_solvers::System;
 
-use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
+use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
 use super::motions::cubic_minimum;
 use super::ode_solvers::{Method, OdeSolvers};
 use super::{IntegrationError, Leg, Sampler, State, Work};
@@ -16,13 +16,16 @@ use crate::root::next_guess;
 
 /// `ode_solvers` for motions with drag.
 #[derive(Debug, Clone)]
-pub struct OdeForced(OdeSolvers);
+pub struct OdeForced {
+    solver: OdeSolvers,
+    tolerance: f64,
+}
 
 impl OdeForced {
     /// An integrator with this relative tolerance.
     #[must_use]
     pub fn new(method: Method, tolerance: f64) -> Self {
-        Self(OdeSolvers::new(method, tolerance))
+        Self { solver: OdeSolvers::new(method, tolerance), tolerance }
     }
 }
 
@@ -46,6 +49,10 @@ impl Event {
         }
     }
 }
+
+/// The loosest tolerance of a leg that may end in a creep. The error of the speed is measured against the largest speed of the
+/// impact, beside which that of a creep is small: at looser tolerances its steps may even come to a halt before its end.
+const LOOSEST_CREEP: f64 = 1e-5;
 
 /// Times nearer to each other than this, in units of size one, are one time.
 const RESOLUTION: f64 = 1e-14;
@@ -94,17 +101,39 @@ impl Equations<'_> {
         }
     }
 
-    fn passed(&self, node: Node) -> Option<Event> {
+    /// The event between two nodes; at the start of a leg they are one.
+    fn passed(&self, last: Node, node: Node) -> Option<Event> {
         let is_past = |event| self.event(event, node).0 <= 0.0;
         let is_back = self.path.path.leg == Leg::Back;
         if is_back && self.path.can_lift_off() && is_past(Event::LiftOff) {
             return Some(Event::LiftOff);
         }
-        let starts = is_back && node[0] == 0.0;
-        if !starts && is_past(Event::Turning) && (is_back || node[0] > 0.0) {
+        if node[0] > 0.0 && is_past(Event::Turning) && !self.cannot_turn(last, node) {
             return Some(Event::Turning);
         }
         is_past(Event::End).then_some(Event::End)
+    }
+
+    /// Whether at rest in this place the sphere would be pushed on, so that it cannot have turned there.
+    fn is_pushed_on(&self, d: f64) -> bool {
+        let sign = if self.path.path.leg == Leg::Back { -1.0 } else { 1.0 };
+        // next to its place of rest a turn is as good as rest
+        let distance = d * self.path.path.sizes.distance;
+        let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
+        sign * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
+    }
+
+    /// Whether a speed of the wrong sign is an error of the speed only, as in a creep that is slower than this error: not even
+    /// without drag does the sphere come from `last` to where it could turn.
+    fn cannot_turn(&self, last: Node, node: Node) -> bool {
+        let sign = if self.path.path.leg == Leg::Back { -1.0 } else { 1.0 };
+        let time = node[0] - last[0];
+        // on the way out only the pull speeds it up, on the way back only the law, the less the farther it has come
+        let sizes = &self.path.path.sizes;
+        let push = if sign > 0.0 { self.path.pull } else { self.path.path.restoring.at(last[1] * sizes.distance) };
+        let push = push * sizes.distance / (sizes.speed * sizes.speed);
+        let way = ((sign * last[2]).max(0.0) + push * time) * time;
+        self.is_pushed_on(last[1] + sign * way)
     }
 }
 
@@ -136,7 +165,8 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     fn solout(&mut self, time: f64, y: &Vector3<f64>, _dy: &Vector3<f64>) -> bool {
         let Some(nodes) = self.nodes else { return false };
         let node = [time, y[0], y[1], y[2]];
-        if self.passed(node).is_some() || self.dips_before(node) {
+        let last = nodes.borrow().last().copied().unwrap_or(node);
+        if self.passed(last, node).is_some() || self.dips_before(node) {
             return true;
         }
         nodes.borrow_mut().push(node);
@@ -154,8 +184,13 @@ impl OdeForced {
     fn after(&mut self, path: &ForcedPath, node: Node, time: f64) -> Result<Node, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
-        let end =
-            self.0.drive(equations, &evaluations, node[0], node[0] + time, Vector3::new(node[1], node[2], node[3]))?;
+        let end = self.solver.drive(
+            equations,
+            &evaluations,
+            node[0],
+            node[0] + time,
+            Vector3::new(node[1], node[2], node[3]),
+        )?;
         Ok([node[0] + time, end[0], end[1], end[2]])
     }
 
@@ -171,6 +206,9 @@ impl OdeForced {
         for event in candidates {
             let limit = first.map_or(f64::INFINITY, |(_, at)| at[0] - node[0]);
             let Some(at) = self.reach(&equations(), path, event, node, limit)? else { continue };
+            if event == Event::Turning && equations().is_pushed_on(at[1]) {
+                continue;
+            }
             if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
                 first = Some((event, at));
             }
@@ -271,6 +309,8 @@ impl ForcedIntegrator for OdeForced {
         let super::Sizes { distance, speed } = path.path.sizes;
         let unit_of_time = distance / speed;
         let begun = state.state;
+        self.solver.begin_leg();
+        self.solver.tolerance = if path.rest.is_some() { self.tolerance.min(LOOSEST_CREEP) } else { self.tolerance };
         let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
         let nodes = RefCell::new(vec![start]);
         let (evaluations, resting) = (Cell::new(0), Cell::new(None));
@@ -278,7 +318,7 @@ impl ForcedIntegrator for OdeForced {
         for _ in 0..MOST_ATTEMPTS {
             let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
             let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
-            self.0.drive(equations, &evaluations, t, LONG, Vector3::new(d, u, loss))?;
+            self.solver.drive(equations, &evaluations, t, LONG, Vector3::new(d, u, loss))?;
             let last = nodes.borrow().last().copied().unwrap_or(start);
             landed = match resting.get() {
                 Some(landing) => Some((landing, last)),
@@ -289,11 +329,14 @@ impl ForcedIntegrator for OdeForced {
             }
             let further = self.after(path, last, STRETCH)?;
             let equations = Equations { path, nodes: None, landing: &resting, evaluations: &evaluations };
-            if let Some(event) = equations.passed(further)
+            if let Some(event) = equations.passed(last, further)
                 && equations.event(event, last).0 > 0.0
             {
-                landed = Some(event.landing(self.between(&equations, event, last, STRETCH)?));
-                break;
+                let at = self.between(&equations, event, last, STRETCH)?;
+                if event != Event::Turning || !equations.is_pushed_on(at[1]) {
+                    landed = Some(event.landing(at));
+                    break;
+                }
             }
             nodes.borrow_mut().push(further);
         }
@@ -323,6 +366,6 @@ impl ForcedIntegrator for OdeForced {
 
     fn work(&self) -> Work {
         use super::Integrator as _;
-        self.0.work()
+        self.solver.work()
     }
 }

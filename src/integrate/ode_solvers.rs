@@ -20,7 +20,7 @@ use nalgebra::{DefaultAllocator, Dim, OVector, Vector2, Vector3, allocator::Allo
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
 
-use super::{IntegrationError, Integrator, Landing, Leg, Path, Sampler, State, Work};
+use super::{IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Sampler, State, Work};
 
 /// Which of the crate's two adaptive methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,8 +35,10 @@ pub enum Method {
 #[derive(Debug, Clone)]
 pub struct OdeSolvers {
     method: Method,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     work: Work,
+    /// Steps of the legs before this one.
+    taken_before_leg: u64,
 }
 
 /// Independent variable of a landing.
@@ -102,7 +104,12 @@ impl OdeSolvers {
     /// An integrator with this relative tolerance.
     #[must_use]
     pub fn new(method: Method, tolerance: f64) -> Self {
-        Self { method, tolerance, work: Work::default() }
+        Self { method, tolerance, work: Work::default(), taken_before_leg: 0 }
+    }
+
+    /// A leg begins: its steps are counted from here.
+    pub(super) fn begin_leg(&mut self) {
+        self.taken_before_leg = self.work.steps + self.work.rejected;
     }
 
     fn run<D: Dim>(
@@ -135,9 +142,14 @@ impl OdeSolvers {
     {
         /// Largest step in units of size one: no step may jump over a turning point (a quarter period is about 1.5).
         const LARGEST_STEP: f64 = 0.5;
-        const MOST_STEPS: u32 = 1_000_000;
         if from == to {
             return Ok(start);
+        }
+        // the steps of one leg, however many calls they come in
+        let taken = self.work.steps + self.work.rejected - self.taken_before_leg;
+        let most_steps = u32::try_from(MOST_STEPS.saturating_sub(taken)).unwrap_or(u32::MAX);
+        if most_steps == 0 {
+            return Err(IntegrationError::TooManySteps { steps: MOST_STEPS });
         }
         macro_rules! integrate {
             ($stepper:ident, $beta:expr, $shrink:expr, $grow:expr) => {{
@@ -155,7 +167,7 @@ impl OdeSolvers {
                     $grow,
                     LARGEST_STEP,
                     0.0,
-                    MOST_STEPS,
+                    most_steps,
                     u32::MAX,
                     OutputType::Sparse,
                 );
@@ -168,8 +180,8 @@ impl OdeSolvers {
         };
         self.work.force_evaluations += evaluations.take();
         let stats = result.map_err(|error| match error {
-            ode_solvers::dop_shared::IntegrationError::MaxNumStepReached { n_step, .. } => {
-                IntegrationError::TooManySteps { steps: u64::from(n_step) }
+            ode_solvers::dop_shared::IntegrationError::MaxNumStepReached { .. } => {
+                IntegrationError::TooManySteps { steps: MOST_STEPS }
             }
             ode_solvers::dop_shared::IntegrationError::StepSizeUnderflow { x }
             | ode_solvers::dop_shared::IntegrationError::StiffnessDetected { x } => {
@@ -244,6 +256,7 @@ impl Integrator for OdeSolvers {
     ) -> Result<Landing, IntegrationError> {
         /// Longer than any leg: a quarter period is about 1.5 in units of size one.
         const LONG: f64 = 1e3;
+        self.begin_leg();
         let super::Sizes { distance, speed } = path.sizes;
         let unit_of_time = distance / speed;
         let start = [0.0, state.distance / distance, state.speed / speed];

@@ -23,7 +23,7 @@ use super::field::{Field, Hertz, OfRoot, Plain, Power, Straight, Variables};
 use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
-use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use super::{IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
 use crate::smooth::Variable;
 
 /// The stepper.
@@ -116,9 +116,6 @@ impl Rk8 {
         (Constants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
     }
 }
-
-/// More steps than a leg needs at any tolerance.
-pub(super) const MOST_STEPS: u64 = 100_000;
 
 /// What stays the same along a leg.
 #[derive(Debug, Clone, Copy)]

@@ -4,6 +4,7 @@ use std::mem::discriminant;
 
 use super::flight::Flight;
 use crate::impact::{Fate, Impact, Method, Warning};
+use crate::power::max_or_nan;
 
 /// Why a series ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +66,8 @@ pub struct Hit {
     pub plastic: Option<f64>,
     /// Taken by damping \[J\], if there is any.
     pub damping: Option<f64>,
+    /// Elastic energy left at separation under viscous damping \[J\].
+    pub stored_at_separation: Option<f64>,
     /// Error of the impact's own ledger \[1\].
     pub drift: f64,
     /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
@@ -114,6 +117,7 @@ impl Hit {
             recovered: energy.recovered,
             plastic: energy.plastic,
             damping: under_forces.and_then(|forces| forces.damping_loss),
+            stored_at_separation: under_forces.and_then(|forces| forces.stored_at_separation),
             drift: energy.drift,
             static_indentation: under_forces.and_then(|forces| forces.static_indentation),
             is_captured: under_forces.is_some_and(|forces| forces.fate == Fate::Captured),
@@ -132,13 +136,13 @@ impl Sequence {
     /// The deepest dent \[m\].
     #[must_use]
     pub fn deepest_dent(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, f64::max)
+        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
     /// Largest drift of the ledgers of the impacts.
     #[must_use]
     pub fn drift(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.drift).fold(0.0, f64::max)
+        self.hits.iter().map(|hit| hit.drift).fold(0.0, max_or_nan)
     }
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {

@@ -29,7 +29,7 @@ pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
 type Column = (&'static str, fn(&Hit) -> Option<f64>);
 
 /// `impacts.csv`: one row per impact. `time_s` is there for a bouncing sphere, `plastic_J` for a half-space that can
-/// yield, `damping_J` with damping; the contact of a captured sphere has no time.
+/// yield, `damping_J` with damping, `stored_at_separation_J` with viscous damping; the contact of a captured sphere has no time.
 ///
 /// # Errors
 /// [`ReportError::Csv`], which a buffer in memory does not give.
@@ -37,7 +37,7 @@ pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
     let first = sequence.hits.first();
     let (is_timed, can_yield) =
         (first.is_some_and(|hit| hit.time.is_some()), first.is_some_and(|hit| hit.plastic.is_some()));
-    let columns: [Column; 14] = [
+    let columns: [Column; 15] = [
         ("time_s", |hit| hit.time),
         ("impact_speed_m_per_s", |hit| Some(hit.speed)),
         ("restitution", |hit| Some(hit.restitution)),
@@ -51,12 +51,14 @@ pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
         ("recovered_J", |hit| Some(hit.recovered)),
         ("plastic_J", |hit| hit.plastic),
         ("damping_J", |hit| hit.damping),
+        ("stored_at_separation_J", |hit| hit.stored_at_separation),
         ("energy_drift", |hit| Some(hit.drift)),
     ];
     let is_written = |name: &str| match name {
         "time_s" => is_timed,
         "residual_indentation_m" | "dent_growth_m" | "plastic_J" => can_yield,
         "damping_J" => first.is_some_and(|hit| hit.damping.is_some()),
+        "stored_at_separation_J" => sequence.hits.iter().any(|hit| hit.stored_at_separation.is_some()),
         _ => true,
     };
     let columns: Vec<Column> = columns.into_iter().filter(|(name, _)| is_written(name)).collect();

@@ -104,6 +104,8 @@ struct Energy {
     plastic: Option<f64>,
     #[serde(rename = "damping_J", skip_serializing_if = "Option::is_none")]
     damping: Option<f64>,
+    #[serde(rename = "stored_at_separation_J", skip_serializing_if = "Option::is_none")]
+    stored_at_separation: Option<f64>,
     #[serde(rename = "gravity_work_J", skip_serializing_if = "Option::is_none")]
     gravity_work: Option<f64>,
     drift: f64,
@@ -232,6 +234,7 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
             recovered: energy.recovered,
             plastic: energy.plastic,
             damping: impact.under_forces.and_then(|under| under.damping_loss),
+            stored_at_separation: impact.under_forces.and_then(|under| under.stored_at_separation),
             gravity_work: impact.under_forces.and_then(|under| under.gravity_work),
             drift: energy.drift,
         },

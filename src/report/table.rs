@@ -109,6 +109,9 @@ fn of_forces(impact: &Impact, under: &UnderForces) -> String {
     if let Some(loss) = under.damping_loss {
         part(loss, "into damping");
     }
+    if let Some(stored) = under.stored_at_separation {
+        part(stored, "left in the contact");
+    }
     parts.join(", ")
 }
 

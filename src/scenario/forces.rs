@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::quantity::{Quantity, not_negative, positive};
+use super::quantity::{Bound, Quantity, not_negative, number, positive};
 use super::values::{Acceleration, HuntCrossley, ViscousFraction};
 use super::{Scenario, ScenarioError, Scene};
 use crate::impact::{Damping, Forces, drop_speed};
@@ -20,7 +20,13 @@ pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Lengt
 /// χ of Hunt and Crossley.
 pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
 /// Fraction of critical damping.
-pub const VISCOUS: Quantity = not_negative("a fraction of critical damping", Dimension::Ratio, "0.05");
+///
+/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only creeps, and
+/// the number of steps that follow a creep goes with the square of this fraction: more than any run takes.
+pub const VISCOUS: Quantity = Quantity {
+    hint: "beyond that a contact only creeps",
+    ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
+};
 
 /// `[gravity]`
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -8,7 +8,7 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error};
 use super::keys::{KEYS, Key};
 use super::quantity::Quantity;
 use super::{Kind, Scenario, ScenarioError};
-use crate::impact::Method;
+use crate::impact::{ImpactError, Method};
 use crate::law::LawChoice;
 use crate::nearest::nearest;
 use crate::sweep::axis::{Axis, Values};
@@ -94,6 +94,11 @@ impl Scenario {
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
             return refuse(&format!("{table}.{path}"), problem.to_owned());
+        }
+        if plan.lacks_closed_form() {
+            let is_swept = plan.paths().contains(&"solver.method");
+            let key = if is_swept { format!("{table}.solver.method") } else { "solver.method".to_owned() };
+            return refuse(&key, ImpactError::NoClosedForm.to_string());
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases
             && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)

@@ -4,7 +4,7 @@ mod evaluator;
 
 use super::axis::{Axis, Setting};
 use super::random::Variable;
-use crate::impact::Method;
+use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
 use crate::scenario::Scene;
 pub use evaluator::{Evaluator, Failure, Rows};
@@ -121,6 +121,29 @@ impl Plan {
             };
             Some((path, problem))
         })
+    }
+
+    /// Whether the method `closed_form` is asked of a scene that has none: with viscous damping, or that of Hunt and Crossley
+    /// under gravity.
+    #[must_use]
+    pub fn lacks_closed_form(&self) -> bool {
+        let asks = match &self.cases {
+            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
+                Setting::Method(methods) => Some(methods.contains(&Method::ClosedForm)),
+                Setting::Number { .. } | Setting::Law(_) => None,
+            }),
+            Cases::MonteCarlo { .. } => None,
+        };
+        // a swept damping may begin at 0
+        let varies = |path: &str| self.paths().contains(&path);
+        let is_damped = match self.scene.forces.damping {
+            None => false,
+            Some(Damping::Viscous(zeta)) => zeta > 0.0 || varies("damping.viscous"),
+            Some(Damping::HuntCrossley(chi)) => {
+                (chi > 0.0 || varies("damping.hunt_crossley")) && self.scene.forces.gravity.is_some()
+            }
+        };
+        is_damped && asks.unwrap_or(self.scene.solver.method == Method::ClosedForm)
     }
 
     /// Whether any case is under the law that a key belongs to.

@@ -4,6 +4,7 @@
 mod at_rest;
 #[path = "../common/mod.rs"]
 mod common;
+mod creep;
 mod error_control;
 mod properties;
 

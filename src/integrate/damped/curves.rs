@@ -2,6 +2,7 @@
 
 use super::Piece;
 use crate::integrate::dop853::{Motion, Quad};
+use crate::power::max_or_nan;
 use crate::smooth::Smooth;
 
 /// d'' = γ − f (1 + χ u) − η √f' u with f = factor × formula.
@@ -19,13 +20,13 @@ pub(super) struct Curve {
 impl Curve {
     /// γ − f − drag, and drag × u, where the force is f and its slope in d is s.
     fn pulls(&self, f: f64, s: f64, u: f64) -> (f64, f64) {
-        let drag = (f * self.chi + self.eta * s.max(0.0).sqrt()) * u;
+        let drag = (f * self.chi + self.eta * max_or_nan(s, 0.0).sqrt()) * u;
         (self.pull - f - drag, drag * u)
     }
 
     /// Contact force f + η √s u and its derivative along a way on which f, s and u change at these rates.
     fn contact(&self, f: [f64; 2], s: [f64; 2], u: [f64; 2]) -> (f64, f64) {
-        let root = s[0].max(0.0).sqrt();
+        let root = max_or_nan(s[0], 0.0).sqrt();
         let of_root = if root > 0.0 { 0.5 * s[1] / root } else { 0.0 };
         (f[0] + self.eta * root * u[0], f[1] + self.eta * (root * u[1] + of_root * u[0]))
     }

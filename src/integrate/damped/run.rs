@@ -12,12 +12,8 @@ use super::super::dop853::{EVALUATIONS, Quad, Step};
 use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
 use super::super::lanes::Lane;
 use super::super::motions::{Piece, cubic_minimum};
-use super::super::{IntegrationError, Leg, State, Work};
+use super::super::{IntegrationError, Leg, MOST_STEPS, State, Work};
 use crate::root::next_guess;
-
-/// More steps than a leg needs unless its drag is hundreds of times beyond critical: explicit steps are no longer than the
-/// fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
-const MOST_STEPS: u64 = 1_000_000;
 
 /// Repeats of a landing step,
 const MOST_ROUNDS: u32 = 12;
@@ -130,6 +126,7 @@ pub(super) struct Run {
     pub(super) inverse_sizes: [f64; 3],
     /// See [`least_share`].
     pub(super) least: f64,
+    tolerance: f64,
     pub(super) work: Work,
     aim: Aim,
     end: f64,
@@ -164,7 +161,8 @@ impl Run {
         let rates = piece.rates(node[0], node[1]);
         let work = Work { force_evaluations: 1, ..Work::default() };
         let least = least_share(tolerance);
-        Some(Self { node, rates, length, inverse_sizes, least, work, aim: Aim::March, end, direction, path: *path })
+        let (aim, path) = (Aim::March, *path);
+        Some(Self { node, rates, length, inverse_sizes, least, tolerance, work, aim, end, direction, path })
     }
 
     /// Whether the next step is under error control: others need no verdict.
@@ -239,6 +237,9 @@ impl Run {
         if verdict.error > 1.0 || verdict.error.is_nan() {
             self.work.rejected += 1;
             self.length = h * verdict.pace.max(0.2);
+            if self.length < f64::MIN_POSITIVE && !self.rates.iter().all(|rate| rate.is_finite()) {
+                return Err(IntegrationError::NotFinite { time: self.node[2] });
+            }
             if self.length < f64::MIN_POSITIVE {
                 return Err(IntegrationError::StepUnderflow { time: self.node[2], step: self.length });
             }
@@ -282,6 +283,25 @@ impl Run {
         Progress::Moved { length: h }
     }
 
+    /// Whether a turn at y is none: at rest the piece would push the sphere on. A creep under strong drag is slower than the
+    /// error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong sign.
+    fn is_false_turn<P: Piece>(&self, piece: P, y: f64) -> bool {
+        self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.is_next_to_rest(P::distance_at(y))
+    }
+
+    /// Whether the tolerance does not tell a place from that of rest: a turn there is as good as rest.
+    fn is_next_to_rest(&self, distance: f64) -> bool {
+        self.path.rest.is_some_and(|rest| (distance - rest.distance).abs() <= self.tolerance * rest.distance)
+    }
+
+    /// Half of a step of length `h` that had been accepted, in place of it.
+    fn take_back(&mut self, h: f64) -> Progress {
+        self.work.steps -= 1;
+        self.work.rejected += 1;
+        (self.aim, self.length) = (Aim::March, 0.5 * h);
+        Progress::Again
+    }
+
     /// A first guess of the step that ends at `event`, which the step of length `h` to `passed` has passed.
     #[inline(never)]
     fn land<P: Piece>(&mut self, piece: P, event: Event, passed: &Step, h: f64) -> Progress {
@@ -320,10 +340,14 @@ impl Run {
         }
         let (length, mut to) = (self.length, next.node);
         let landing = match event {
+            Event::End if self.direction * to[1] <= 0.0 && self.is_false_turn(piece, self.end) => {
+                return self.take_back(most);
+            }
             Event::End => {
                 to[0] = self.end;
                 ForcedLanding::End
             }
+            Event::Turning if self.is_false_turn(piece, to[0]) => return self.take_back(most),
             Event::Turning => {
                 to[1] = 0.0;
                 if self.direction < 0.0 || to[0] <= self.end {
