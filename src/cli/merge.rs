@@ -28,13 +28,14 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let parent = arguments.out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let directory = OutputDirectory::prepare(parent)?;
     let merged = merge::merge(&arguments.inputs, &arguments.out).map_err(Error::from)?;
-    super::run::warn(&table::warnings(&merged.plan));
+    let warnings = table::warnings(&merged.plan);
+    super::run::warn(&warnings);
     let provenance = report::sweep::Provenance {
         version: &merged.sidecar.version,
         scenario_sha256: &merged.sidecar.scenario_sha256,
         command: &super::run::command_line(),
     };
-    let files = table::files(&merged.plan, &merged.tally, provenance)?;
+    let files = table::files(&merged.plan, &merged.tally, &warnings, provenance)?;
     directory.write(&files)?;
     if !arguments.quiet {
         super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;

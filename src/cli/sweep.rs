@@ -80,6 +80,7 @@ pub fn run(
     options: &Options,
     scenario: &Scenario,
     plan: &Plan,
+    warnings: &[String],
     directory: OutputDirectory,
     command: &str,
     is_quiet: bool,
@@ -116,7 +117,7 @@ pub fn run(
             scenario_sha256: &source.sha256(),
             command,
         };
-        let files = table::files(plan, &written.tally, provenance)?;
+        let files = table::files(plan, &written.tally, warnings, provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
         directory.write(&files)?;
     }

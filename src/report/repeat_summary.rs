@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::ReportError;
+use super::inputs::Inputs;
 use super::repeat::end_text;
-use super::summary::{Inputs, Provenance};
+use super::summary::Provenance;
 use crate::impact::Contact;
 use crate::repeat::{Drive, Repeat, Sequence};
 
@@ -25,14 +26,14 @@ struct Summary<'a> {
     bouncing: Option<Bouncing>,
     energy: Energy,
     traced_impacts: usize,
-    warnings: Vec<String>,
+    warnings: &'a [String],
     #[serde(rename = "effective_modulus_Pa")]
     effective_modulus: f64,
     sphere_compliance: f64,
     sphere_mass_kg: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     yield_speed_m_per_s: Option<f64>,
-    inputs: Inputs,
+    inputs: &'a Inputs,
     #[serde(skip_serializing_if = "Option::is_none")]
     shot_speeds_m_per_s: Option<&'a [f64]>,
     provenance: &'a Provenance,
@@ -76,6 +77,8 @@ pub fn summary(
     contact: &Contact,
     repeat: &Repeat,
     sequence: &Sequence,
+    warnings: &[String],
+    inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
     let hits = &sequence.hits;
@@ -116,12 +119,12 @@ pub fn summary(
             drift: sequence.drift(),
         },
         traced_impacts: sequence.traced.len(),
-        warnings: sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}")).collect(),
+        warnings,
         effective_modulus: contact.pair().effective_modulus,
         sphere_compliance: contact.pair().sphere_compliance,
         sphere_mass_kg: contact.mass(),
         yield_speed_m_per_s: contact.yield_speed(),
-        inputs: Inputs::of(contact, first.map_or(0.0, |hit| hit.speed)),
+        inputs,
         shot_speeds_m_per_s: match &repeat.drive {
             Drive::Shots(speeds) if speeds.len() <= LISTED => Some(speeds),
             _ => None,

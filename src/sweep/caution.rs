@@ -104,6 +104,6 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
         Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
-        Warning::UnusedKey { .. } => 0.0,
+        Warning::UnusedKey { .. } | Warning::UnusedLaw { .. } => 0.0,
     }
 }
