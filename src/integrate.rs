@@ -139,7 +139,7 @@ pub enum IntegrationError {
     },
     /// More steps than any impact needs.
     #[error(
-        "no landing within {steps} steps; loosen the tolerance, or use method = \"rk8\" (or \"closed_form\", where nothing damps)"
+        "no landing within {steps} steps; loosen the tolerance, lower the damping, or use method = \"auto\", which takes the closed form where there is one"
     )]
     TooManySteps {
         /// The limit.

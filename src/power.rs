@@ -181,3 +181,15 @@ pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 
     }
     both * z
 }
+
+/// The larger of two numbers; NaN if either is NaN (f64::max would drop it).
+#[must_use]
+pub fn max_or_nan(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+/// The one of two numbers that is farther from zero; NaN if either is NaN.
+#[must_use]
+pub fn farther_or_nan(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a.abs() >= b.abs() { a } else { b }
+}

@@ -105,5 +105,9 @@ pub fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationEr
     for source in SOURCES {
         all.extend(source(coefficients)?);
     }
+    if coefficients != PlmCoefficients::built_in() {
+        // what is on record was found of the built-in law
+        all.iter_mut().for_each(|check| check.known = None);
+    }
     Ok(all)
 }

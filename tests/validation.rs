@@ -67,6 +67,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
             let info = reader.next_frame(&mut pixels).unwrap();
             assert_eq!((info.width, info.height), (1600, 1000));
+            assert!(has_free_border(&fs::read(&path).unwrap()), "{}", path.display());
             // blue points of the reference, or of the first case
             let blue = pixels.chunks(3).filter(|pixel| *pixel == [0x00, 0x72, 0xb2]).count();
             assert!(blue > 100 || path.ends_with("error-restitution.png"), "{}: {blue}", path.display());

@@ -7,6 +7,7 @@ use super::inputs::Inputs;
 use super::repeat::end_text;
 use super::summary::Provenance;
 use crate::impact::Contact;
+use crate::power::max_or_nan;
 use crate::repeat::{Drive, Repeat, Sequence};
 
 #[derive(Serialize)]
@@ -83,7 +84,7 @@ pub fn summary(
 ) -> Result<String, ReportError> {
     let hits = &sequence.hits;
     let (first, last) = (hits.first(), hits.last());
-    let largest = |value: fn(&crate::repeat::Hit) -> f64| hits.iter().map(value).fold(0.0, f64::max);
+    let largest = |value: fn(&crate::repeat::Hit) -> f64| hits.iter().map(value).fold(0.0, max_or_nan);
     let can_yield = contact.pair().yield_point.is_some();
     let bouncing = match repeat.drive {
         Drive::Bouncing { gravity, drop_height, most, until, .. } => Some(Bouncing {
@@ -96,7 +97,7 @@ pub fn summary(
             remaining_time: "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
                              for all bounces to come and contact times left out (a lower bound where e rises as the speed \
                              falls); null if e = 1 or the sphere stays in its dent",
-            highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(f64::max),
+            highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(max_or_nan),
             static_indentation_m: last.and_then(|hit| hit.static_indentation),
         }),
         Drive::Shots(_) => None,

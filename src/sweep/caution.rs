@@ -42,7 +42,7 @@ pub fn cautions(plan: &Plan) -> Vec<String> {
             let place = || chosen.iter().map(|choice| choice.text.as_str()).collect::<Vec<_>>().join(", ");
             match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
                 None => worst.push((warning, place())),
-                Some(known) if doubt(&warning) > doubt(&known.0) => *known = (warning, place()),
+                Some(known) if is_worse(doubt(&warning), doubt(&known.0)) => *known = (warning, place()),
                 Some(_) => {}
             }
         }
@@ -92,6 +92,11 @@ fn warnings(scene: &Scene, chosen: &[&Choice]) -> Vec<Warning> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
     let Ok(contact) = scene.contact() else { return Vec::new() };
     contact.impact(scene.speed, &solver, None).map_or_else(|_| Vec::new(), |impact| impact.warnings)
+}
+
+/// A doubt that is no number is the worst.
+fn is_worse(new: f64, known: f64) -> bool {
+    new.is_nan() || new > known
 }
 
 /// How far beyond its limit a warning is, comparable within its kind.
