@@ -153,8 +153,7 @@ pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit
     let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
     let all: Vec<_> = deviations(curve, &law).collect();
     let spread = |values: Vec<(f64, f64)>| {
-        let largest =
-            values.iter().map(|(_, deviation)| *deviation).fold(0.0, farther_or_nan);
+        let largest = values.iter().map(|(_, deviation)| *deviation).fold(0.0, farther_or_nan);
         let total: f64 = values.iter().map(|(weight, _)| weight).sum();
         let square: f64 = values.iter().map(|(weight, deviation)| weight * deviation * deviation).sum();
         Spread { rms: (square / total).sqrt(), largest }

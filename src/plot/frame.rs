@@ -3,9 +3,9 @@
 use plotters::style::RGBColor;
 
 use super::PlotError;
+use super::SIZE;
 use super::axis::FittedAxis;
 use super::canvas::{Anchor, Canvas, Point, text_width, wrapped};
-use super::SIZE;
 use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, SOLID, Stroke, TITLE_SIZE};
 
 /// Distance between labels of an axis \[px\] that reads well.

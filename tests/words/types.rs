@@ -7,15 +7,61 @@ use crate::common::STEEL;
 
 /// Words of the parser, which no scenario has.
 const FOREIGN: [&str; 32] = [
-    "untagged", "enum", "variant", "invalid type", "invalid value", "invalid length", "did not match", "struct", "tuple",
-    "newtype", "sequence", " map", "u64", "u32", "u16", "i64", "i128", "f64", "usize", "boolean", "floating", "string",
-    "integer", "visitor", "identifier", "unit value", "missing field", "unknown field", "wanted", "deserializ", "Some(",
+    "untagged",
+    "enum",
+    "variant",
+    "invalid type",
+    "invalid value",
+    "invalid length",
+    "did not match",
+    "struct",
+    "tuple",
+    "newtype",
+    "sequence",
+    " map",
+    "u64",
+    "u32",
+    "u16",
+    "i64",
+    "i128",
+    "f64",
+    "usize",
+    "boolean",
+    "floating",
+    "string",
+    "integer",
+    "visitor",
+    "identifier",
+    "unit value",
+    "missing field",
+    "unknown field",
+    "wanted",
+    "deserializ",
+    "Some(",
     "expected any",
 ];
 
 const WRONG: [&str; 20] = [
-    "true", "3", "-3", "2.5", "nan", "inf", "\"word\"", "\"\"", "[]", "[true]", "[[1]]", "[{}]", "{}", "{ x = 1 }", "1979-05-27",
-    "12:30:00", "99999999999999999999", "\"3 kg\"", "[\"word\"]", "[1979-05-27]",
+    "true",
+    "3",
+    "-3",
+    "2.5",
+    "nan",
+    "inf",
+    "\"word\"",
+    "\"\"",
+    "[]",
+    "[true]",
+    "[[1]]",
+    "[{}]",
+    "{}",
+    "{ x = 1 }",
+    "1979-05-27",
+    "12:30:00",
+    "99999999999999999999",
+    "\"3 kg\"",
+    "[\"word\"]",
+    "[1979-05-27]",
 ];
 
 /// All that a scenario says of itself before it is run.
@@ -60,45 +106,98 @@ fn no_word_of_the_parser_reaches_a_user() {
         (
             STEEL,
             &[
-                "sphere=@", "half_space=@", "impact=@", "law=@", "solver=@", "output=@", "gravity=@", "damping=@", "sweep=@",
-                "monte_carlo=@", "repeat=@", "compare=@", "indentation=@", "sphere.radius=@", "sphere.diameter=@",
-                "sphere.youngs_modulus=@", "sphere.poissons_ratio=@", "sphere.density=@", "sphere.yield_strength=@",
-                "half_space.youngs_modulus=@", "half_space.poissons_ratio=@", "half_space.yield_strength=@",
-                "half_space.density=@", "impact.speed=@", "impact.drop_height=@", "gravity.acceleration=@",
-                "damping.viscous=@", "damping.hunt_crossley=@", "solver.method=@", "solver.tolerance=@",
-                "solver.steps_per_contact=@", "output.samples=@", "output.columns=@", "law.plm=@", "law.hertz=@",
-                "law.plm.unloading_exponent=@", "law.plm.coefficients=@", "law.thornton.yield_pressure=@",
-                "law.stronge.unloading_factor=@", "law.jackson_green.hardness=@", "law.jackson_green.jumps=@",
-                "law.ma_liu.transition_ratio=@", "law.mesarovic_johnson.area_factor=@",
-                "law.walton_braun.stiffness_ratio=@", "law.combined=@", "law.combined.loading=@", "law.combined={loading=@}",
+                "sphere=@",
+                "half_space=@",
+                "impact=@",
+                "law=@",
+                "solver=@",
+                "output=@",
+                "gravity=@",
+                "damping=@",
+                "sweep=@",
+                "monte_carlo=@",
+                "repeat=@",
+                "compare=@",
+                "indentation=@",
+                "sphere.radius=@",
+                "sphere.diameter=@",
+                "sphere.youngs_modulus=@",
+                "sphere.poissons_ratio=@",
+                "sphere.density=@",
+                "sphere.yield_strength=@",
+                "half_space.youngs_modulus=@",
+                "half_space.poissons_ratio=@",
+                "half_space.yield_strength=@",
+                "half_space.density=@",
+                "impact.speed=@",
+                "impact.drop_height=@",
+                "gravity.acceleration=@",
+                "damping.viscous=@",
+                "damping.hunt_crossley=@",
+                "solver.method=@",
+                "solver.tolerance=@",
+                "solver.steps_per_contact=@",
+                "output.samples=@",
+                "output.columns=@",
+                "law.plm=@",
+                "law.hertz=@",
+                "law.plm.unloading_exponent=@",
+                "law.plm.coefficients=@",
+                "law.thornton.yield_pressure=@",
+                "law.stronge.unloading_factor=@",
+                "law.jackson_green.hardness=@",
+                "law.jackson_green.jumps=@",
+                "law.ma_liu.transition_ratio=@",
+                "law.mesarovic_johnson.area_factor=@",
+                "law.walton_braun.stiffness_ratio=@",
+                "law.combined=@",
+                "law.combined.loading=@",
+                "law.combined={loading=@}",
             ],
         ),
         (
             &sweep,
             &[
-                "sweep.law=@", "sweep.\"solver.method\"=@", "sweep.\"impact.speed\"=@", "sweep.\"impact.speed\"=[1, @]",
-                "sweep.\"impact.speed\"={linspace=@, points=3}", "sweep.\"impact.speed\"={linspace=[1, @], points=3}",
-                "sweep.\"impact.speed\"={logspace=[1, 2], points=@}", "sweep.law=[@]", "sweep.\"solver.method\"=[@]",
+                "sweep.law=@",
+                "sweep.\"solver.method\"=@",
+                "sweep.\"impact.speed\"=@",
+                "sweep.\"impact.speed\"=[1, @]",
+                "sweep.\"impact.speed\"={linspace=@, points=3}",
+                "sweep.\"impact.speed\"={linspace=[1, @], points=3}",
+                "sweep.\"impact.speed\"={logspace=[1, 2], points=@}",
+                "sweep.law=[@]",
+                "sweep.\"solver.method\"=[@]",
                 "output.columns=@",
             ],
         ),
         (
             &random,
             &[
-                "monte_carlo.samples=@", "monte_carlo.seed=@", "monte_carlo.\"impact.speed\"=@",
-                "monte_carlo.\"impact.speed\"={uniform=@}", "monte_carlo.\"impact.speed\"={normal=@}",
+                "monte_carlo.samples=@",
+                "monte_carlo.seed=@",
+                "monte_carlo.\"impact.speed\"=@",
+                "monte_carlo.\"impact.speed\"={uniform=@}",
+                "monte_carlo.\"impact.speed\"={normal=@}",
                 "monte_carlo.\"impact.speed\"={normal={mean=@, sd=1}}",
                 "monte_carlo.\"impact.speed\"={lognormal={mean=1, sd=@}}",
             ],
         ),
-        (&bounce, &["repeat.impacts=@", "repeat.spot=@", "repeat.until=@", "repeat.until={speed=@}", "repeat.speeds=@"]),
+        (
+            &bounce,
+            &["repeat.impacts=@", "repeat.spot=@", "repeat.until=@", "repeat.until={speed=@}", "repeat.speeds=@"],
+        ),
         (
             &compare,
             &["compare.peak_indentation_ratio=@", "compare.peak_force=@", "compare.spent_work=@", "compare.laws=@"],
         ),
         (
             &press,
-            &["indentation.steps=@", "indentation.steps=[@]", "indentation.steps=[{load=@}]", "indentation.half_space=@"],
+            &[
+                "indentation.steps=@",
+                "indentation.steps=[@]",
+                "indentation.steps=[{load=@}]",
+                "indentation.half_space=@",
+            ],
         ),
         (
             &press.replace("[half_space]", "[[indentation.half_space]]"),
@@ -118,7 +217,8 @@ fn no_word_of_the_parser_reaches_a_user() {
 
 #[test]
 fn a_spread_of_a_wrong_kind_is_told_what_it_should_be() {
-    let random = format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ normal = {{ mean = 3, sd = true }} }}\n");
+    let random =
+        format!("{STEEL}[monte_carlo]\nsamples = 3\n\"impact.speed\" = {{ normal = {{ mean = 3, sd = true }} }}\n");
     let message = Scenario::from_text("steel.toml", &random, &[]).unwrap_err().to_string();
     assert!(message.contains("found `true`, expected a standard deviation (sd) such as \"3 m/s\""), "{message}");
 }
@@ -135,7 +235,10 @@ fn an_override_takes_the_place_of_the_law_of_the_file() {
     let law = |own: &str, changes: &[&str]| {
         let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
         let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &changes);
-        scenario.and_then(|scenario| scenario.resolve()).map(|scene| format!("{:?}", scene.law)).map_err(|e| e.to_string())
+        scenario
+            .and_then(|scenario| scenario.resolve())
+            .map(|scene| format!("{:?}", scene.law))
+            .map_err(|e| e.to_string())
     };
     let in_file = |own: &str| law(own, &[]).unwrap();
     let plm = "[law.plm]\nunloading_exponent = 1.6\n";
@@ -154,7 +257,10 @@ fn an_override_takes_the_place_of_the_law_of_the_file() {
     assert_eq!(law(thornton, &["law=thornton"]).unwrap(), in_file(thornton));
     // and what is no law is refused where it was given
     let message = law(plm, &["law=thorton"]).unwrap_err();
-    assert!(message.starts_with("--set law=thorton: law.thorton: unknown law `thorton`, did you mean `thornton`?"), "{message}");
+    assert!(
+        message.starts_with("--set law=thorton: law.thorton: unknown law `thorton`, did you mean `thornton`?"),
+        "{message}"
+    );
     let message = law(plm, &["law={ plm = {}, hertz = {} }"]).unwrap_err();
     assert!(message.contains("exactly one law, found plm and hertz"), "{message}");
     let message = law(plm, &["law=3"]).unwrap_err();
