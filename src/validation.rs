@@ -107,7 +107,9 @@ pub fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationEr
     }
     if coefficients != PlmCoefficients::built_in() {
         // what is on record was found of the built-in law
-        all.iter_mut().for_each(|check| check.known = None);
+        for check in &mut all {
+            check.known = None;
+        }
     }
     Ok(all)
 }

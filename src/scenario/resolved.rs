@@ -51,7 +51,7 @@ impl Entry {
     pub fn column(&self) -> String {
         let name = self.key.replace('.', "_");
         match self.value {
-            Given::Number(_, dimension) => name + &dimension.suffix(),
+            Given::Number(_, dimension) => name + dimension.suffix(),
             Given::Count(_) | Given::Word(_) => name,
         }
     }
