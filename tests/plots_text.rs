@@ -111,7 +111,11 @@ fn pictures_of_the_program_keep_their_text() {
         let desk = Desk::with(&scene);
         let output = desk.call(&["run", "s.toml", "--out", "out", "--quiet"]);
         assert_eq!(output.status.code(), Some(0), "{scene}\n{}", text(&output.stderr));
-        for name in desk.files("out").iter().filter(|name| name.ends_with(".png")) {
+        for name in desk
+            .files("out")
+            .iter()
+            .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "png"))
+        {
             assert!(has_free_border(&std::fs::read(desk.path("out").join(name)).unwrap()), "{name} of\n{scene}");
             pictures += 1;
         }
