@@ -3,6 +3,7 @@
 //! The peak is a state of loading: indentation, force, contact radius, the sphere's own indentation. Every law unloads from
 //! it by its own formulas; nothing here knows of motion.
 
+use crate::impact::Warning;
 use crate::law::published::Loaded;
 use crate::law::{Bodies, ContactLaw, LawChoice, OutsideLaw, Peak, Plm, Unloading};
 use crate::reference::quasi_static::{self, Unloaded, UnloadingCurve};
@@ -29,6 +30,8 @@ pub struct Comparison {
     pub origin: Origin,
     /// The laws, in the order of table and picture.
     pub laws: Vec<LawChoice>,
+    /// What of the scenario has no effect.
+    pub warnings: Vec<Warning>,
 }
 
 /// What one law makes of the peak.
@@ -49,7 +52,7 @@ impl Comparison {
         let radius = law.contact_radius(&law.loaded_to(x));
         let (elastic_approach, spent) = (Some(elastic_approach), law.loading.work(x));
         let peak = Loaded { indentation, force, radius, elastic_approach, spent };
-        Some(Self { bodies, sphere_modulus, peak, origin: Origin::Plm, laws })
+        Some(Self { bodies, sphere_modulus, peak, origin: Origin::Plm, laws, warnings: Vec::new() })
     }
 
     /// Every law's branch.

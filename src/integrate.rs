@@ -143,7 +143,9 @@ pub enum IntegrationError {
         step: f64,
     },
     /// More steps than any impact needs.
-    #[error("no landing within {steps} steps; take another tolerance, less damping, or another method")]
+    #[error(
+        "no landing within {steps} steps; loosen the tolerance, lower the damping, or use method = \"auto\", which takes the closed form where there is one"
+    )]
     TooManySteps {
         /// The limit.
         steps: u64,

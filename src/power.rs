@@ -189,6 +189,12 @@ pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 
     both * z
 }
 
+/// The one of two numbers that is farther from zero; NaN if either is NaN.
+#[must_use]
+pub fn farther_or_nan(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a.abs() >= b.abs() { a } else { b }
+}
+
 #[cfg(test)]
 mod tests {
     use super::max_or_nan;

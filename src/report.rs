@@ -4,6 +4,7 @@
 pub mod compare;
 pub mod human;
 pub mod indentation;
+pub mod inputs;
 pub mod laws;
 pub mod plan;
 pub mod repeat;

@@ -9,7 +9,9 @@ use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot;
+use crate::report::inputs::Inputs;
 use crate::report::{self, Provenance};
+use crate::scenario::resolved::of_scene;
 use crate::scenario::{Scenario, Scene};
 
 /// A scenario that was run.
@@ -23,6 +25,19 @@ pub struct Run {
     pub table: String,
     /// For the output directory.
     pub files: Vec<OutputFile>,
+}
+
+/// The scene of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
+/// to be one.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
+pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
+    let (scene, contact) = prepare(scenario)?;
+    let impact = contact.impact(scene.speed, &scene.solver, samples);
+    let mut impact = impact.map_err(|reason| Error::impact(scenario, reason))?;
+    impact.warnings.extend(&scene.warnings);
+    Ok((scene, contact, impact))
 }
 
 /// The scene of a scenario and its contact, neither of which leaves double precision, for a run with a trace.
@@ -61,15 +76,11 @@ fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 /// # Errors
 /// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
 pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
-    let (scene, contact) = prepare(scenario)?;
-    let mut impact = contact
-        .impact(scene.speed, &scene.solver, Some(scene.samples))
-        .map_err(|reason| Error::impact(scenario, reason))?;
-    impact.warnings.extend(&scene.warnings);
+    let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
     let provenance = provenance(scenario, &scene, impact.method, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
-        file("summary.json", report::summary(&contact, &impact, &provenance)?.into_bytes()),
+        file("summary.json", report::summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?.into_bytes()),
         file("trace.csv", report::trace(&impact)?),
         file("force_indentation.png", plot::force_indentation(&impact)?),
         file("history.png", plot::history(&impact)?),

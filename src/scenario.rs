@@ -37,6 +37,7 @@ mod place;
 pub mod quantity;
 mod reader;
 pub mod repeat;
+pub mod resolved;
 mod source;
 pub mod sweep;
 mod swept;
@@ -187,7 +188,7 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, law, solver, output, .. } = &self.file;
+        let ScenarioFile { sphere, half_space, law, solver, .. } = &self.file;
         let plm = self.plm_table();
         let defaults = Solver::default();
         let half_space = half_space.as_ref().ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
@@ -215,9 +216,15 @@ impl Scenario {
                 tolerance: solver.tolerance.map_or(defaults.tolerance, |tolerance| tolerance.0),
                 steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
             },
-            samples: output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0),
+            samples: self.samples(),
             warnings: unused(law.as_ref(), half_space.yield_strength.is_none()),
         })
+    }
+
+    /// Evenly spaced rows of a trace.
+    #[must_use]
+    pub fn samples(&self) -> usize {
+        self.file.output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0)
     }
 
     fn radius(&self, sphere: &SphereTable) -> Result<f64, ScenarioError> {
@@ -248,7 +255,11 @@ impl Scenario {
     }
 }
 
-/// A law that an elastic half-space does not need.
+/// Why a law has no use.
+const ELASTIC: &str =
+    "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
+
+/// Keys of a law that an elastic half-space does not need.
 fn unused(law: Option<&LawTable>, is_elastic: bool) -> Vec<Warning> {
     let keys: Vec<(&'static str, bool)> = match law {
         None | Some(LawTable::Hertz(_)) => Vec::new(),
@@ -260,6 +271,6 @@ fn unused(law: Option<&LawTable>, is_elastic: bool) -> Vec<Warning> {
     };
     keys.into_iter()
         .filter(|(_, is_given)| *is_given && is_elastic)
-        .map(|(key, _)| Warning::UnusedKey { key })
+        .map(|(key, _)| Warning::UnusedKey { key, reason: ELASTIC })
         .collect()
 }

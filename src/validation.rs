@@ -105,5 +105,11 @@ pub fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationEr
     for source in SOURCES {
         all.extend(source(coefficients)?);
     }
+    if coefficients != PlmCoefficients::built_in() {
+        // what is on record was found of the built-in law
+        for check in &mut all {
+            check.known = None;
+        }
+    }
     Ok(all)
 }

@@ -9,6 +9,8 @@ use std::io::Cursor;
 use assert_cmd::Command;
 use tempfile::TempDir;
 
+mod common;
+
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere"];
 const METHODS: [&str; 6] = ["rk8", "rk8_batch", "dop853", "dopri5", "verlet", "closed_form"];
 const COLUMNS: [&str; 9] = [
@@ -82,6 +84,7 @@ fn bench_writes_the_whole_report() {
     assert_eq!(names, want);
     for name in &pictures {
         assert_is_picture(&fs::read(out.join(name)).unwrap());
+        assert!(common::picture::has_free_border(&fs::read(out.join(name)).unwrap()), "{name}");
     }
 
     let report = fs::read_to_string(out.join("report.md")).unwrap();

@@ -7,6 +7,7 @@ use common::{Scene, off, solver};
 use plm_impact::impact::{Contact, Damping, Forces, Method, Solver, Spot, drop_speed};
 use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
+use plm_impact::power::max_or_nan;
 use plm_impact::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
 use proptest::prelude::*;
 
@@ -40,10 +41,10 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
     let mut worst: f64 = 0.0;
     let mut touch = 0.0;
     for hit in &sequence.hits {
-        worst = worst.max(((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
+        worst = max_or_nan(worst, ((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
         spent += hit.plastic.unwrap_or(0.0) + hit.damping.unwrap_or(0.0);
         if !hit.is_captured {
-            worst = worst.max(((hit.recovered - weight * hit.end_indentation + spent) / first - 1.0).abs());
+            worst = max_or_nan(worst, ((hit.recovered - weight * hit.end_indentation + spent) / first - 1.0).abs());
         }
         touch = if place == Place::Same { hit.residual_indentation } else { 0.0 };
     }

@@ -4,6 +4,7 @@
 mod common;
 
 use common::command::{Desk, column, text};
+use plm_impact::power::max_or_nan;
 use plm_impact::repeat::{Drive, Place};
 use plm_impact::run::repeat::prepare_repeat;
 use plm_impact::scenario::Scenario;
@@ -157,9 +158,9 @@ fn a_bouncing_ball_writes_all_its_files() {
     let heights: Vec<f64> = column(&trace, "height_m").iter().map(|cell| cell.parse().unwrap()).collect();
     assert_eq!(heights[0], 0.5);
     assert_eq!(column(&trace, "event").iter().filter(|event| *event == "touch").count(), 4);
-    let deepest = numbers("peak_indentation_m").into_iter().fold(0.0, f64::max);
-    let lowest = heights.iter().copied().fold(0.0, f64::min);
-    assert!((lowest / -deepest - 1.0).abs() < 1e-8);
+    let deepest = numbers("peak_indentation_m").into_iter().fold(0.0, max_or_nan);
+    let lowest = heights.iter().map(|height| -height).fold(0.0, max_or_nan);
+    assert!((lowest / deepest - 1.0).abs() < 1e-8);
 }
 
 #[test]

@@ -5,8 +5,14 @@
 use plm_impact::impact::{Contact, Event, Impact, Solver};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use plm_impact::report::inputs::Inputs;
 use plm_impact::report::{self, Provenance};
+use plm_impact::scenario::resolved::of_scene;
+use plm_impact::scenario::{Scenario, Scene};
 use serde_json::Value;
+
+mod common;
+use common::STEEL;
 
 const SAMPLES: usize = 40;
 
@@ -19,6 +25,12 @@ fn contact(sphere_modulus: f64, yield_strength: Option<f64>) -> Contact {
 
 fn impact(contact: &Contact, speed: f64) -> Impact {
     contact.impact(speed, &Solver::default(), Some(SAMPLES)).unwrap()
+}
+
+/// Of the scene that the contact belongs to.
+fn inputs(contact: &Contact, speed: f64) -> Inputs {
+    let scene = Scenario::from_text("steel", STEEL, &[]).unwrap().resolve().unwrap();
+    Inputs(of_scene(&Scene { sphere: *contact.sphere(), half_space: *contact.half_space(), speed, ..scene }))
 }
 
 fn provenance() -> Provenance {
@@ -37,7 +49,8 @@ fn provenance() -> Provenance {
 }
 
 fn summary(contact: &Contact, impact: &Impact) -> Value {
-    serde_json::from_str(&report::summary(contact, impact, &provenance()).unwrap()).unwrap()
+    serde_json::from_str(&report::summary(contact, impact, &inputs(contact, impact.speed), &provenance()).unwrap())
+        .unwrap()
 }
 
 #[test]
@@ -100,7 +113,8 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
 fn an_elastic_scene_says_nothing_plastic() {
     let contact = contact(210e9, None);
     let impact = impact(&contact, 3.0);
-    let text = report::summary(&contact, &impact, &provenance()).unwrap() + &report::table(&contact, &impact);
+    let text = report::summary(&contact, &impact, &inputs(&contact, impact.speed), &provenance()).unwrap()
+        + &report::table(&contact, &impact);
     for word in ["yield", "residual", "dent_", "dent ", "plastic", "unloading_radius"] {
         assert!(!text.contains(word), "{word} in\n{text}");
     }

@@ -91,7 +91,7 @@ fn keys_without_effect_are_warned_about_not_refused() {
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     assert!(resolve(&elastic, &[]).unwrap().warnings.is_empty());
     let scene = resolve(&elastic, &["law.plm.unloading_exponent=1.4"]).unwrap();
-    assert_eq!(scene.warnings, [Warning::UnusedKey { key: "law.plm.unloading_exponent" }]);
+    assert!(matches!(scene.warnings[..], [Warning::UnusedKey { key: "law.plm.unloading_exponent", .. }]));
 }
 
 #[test]
@@ -261,7 +261,7 @@ fn errors_of_overrides_say_so() {
     let table = [
         ("sphere.radius=-5 mm", "--set sphere.radius=-5 mm: sphere.radius: \"-5 mm\" = -0.005 m is not allowed"),
         ("sphere.raduis=3", "did you mean `radius`?"),
-        ("impact=3", "--set impact=3: impact: invalid type: integer `3`, expected a table"),
+        ("impact=3", "--set impact=3: impact: found the number `3`, expected a table"),
         ("law=3", "--set law=3: law: not a table; write one table such as [law.plm]"),
         ("impact.speed", "--set impact.speed: write key=value"),
         ("=3", "--set =3: write key=value"),
@@ -395,7 +395,7 @@ fn words_are_told_from_laws_and_keys_of_no_table_from_others() {
         ("[law.kogut_etsion]\njumps = 3\n", "write a word in quotes"),
         ("[law.hertz]\nx = 1\n", "unknown key `x`; this table takes none"),
         ("[law.combined]\nloading = \"plm\"\n", "such as unloading = \"thornton\""),
-        ("[solver]\nmethod = 8\n", "integer `8`, expected a text in quotes"),
+        ("[solver]\nmethod = 8\n", "number `8`, expected a text in quotes"),
     ] {
         let message = refusal(&format!("{STEEL}{tables}"), &[]);
         assert!(message.contains(wanted), "{tables}: {message}");

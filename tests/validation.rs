@@ -10,8 +10,10 @@ use std::fs;
 
 use approx::assert_relative_eq;
 use common::command::{call, text};
+use common::picture::has_free_border;
 use plm_impact::law::PlmCoefficients;
-use plm_impact::validation::check::{Check, Known, Tolerance, Verdict};
+use plm_impact::power::max_or_nan;
+use plm_impact::validation::check::{Check, Known, Tolerance, Verdict, largest};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;
 
@@ -67,6 +69,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
             let info = reader.next_frame(&mut pixels).unwrap();
             assert_eq!((info.width, info.height), (1600, 1000));
+            assert!(has_free_border(&fs::read(&path).unwrap()), "{}", path.display());
             // blue points of the reference, or of the first case
             let blue = pixels.chunks(3).filter(|pixel| *pixel == [0x00, 0x72, 0xb2]).count();
             assert!(blue > 100 || path.ends_with("error-restitution.png"), "{}: {blue}", path.display());
@@ -94,8 +97,28 @@ fn another_law_misses_and_the_exit_code_says_so() {
     // the tables are there to look at, and what tests the program alone still passes
     let checks = rows(&fs::read_to_string(directory.path().join("v/validation.csv")).unwrap());
     assert!(checks.iter().any(|row| row["verdict"] == "MISS"));
+    // what is on record is so of the built-in law, and excuses no other
+    assert!(checks.iter().all(|row| row["verdict"] != "known"), "{table}");
+    assert!(!table.contains("built-in law"), "{table}");
     let of_program = |row: &&Row| row["quantity"].starts_with("program") || row["quantity"].starts_with("Hertz");
     assert!(checks.iter().filter(of_program).all(|row| row["verdict"] == "pass"));
+}
+
+#[test]
+fn a_deviation_that_is_no_number_is_the_largest_and_a_miss() {
+    for place in 0..3 {
+        let mut deviations = [0.1, -0.3, 0.2];
+        assert_eq!(largest(deviations.into_iter()), -0.3);
+        deviations[place] = f64::NAN;
+        assert!(largest(deviations.into_iter()).is_nan(), "{place}");
+        let worst = deviations.into_iter().fold(0.0, max_or_nan);
+        assert!(worst.is_nan(), "{place}");
+    }
+    assert_eq!([0.1, 0.3, 0.2].into_iter().fold(0.0, max_or_nan), 0.3);
+    let tolerance = Tolerance { limit: 1e300, source: "none" };
+    let check = Check::mean("mean", String::new(), "none", f64::NAN, tolerance);
+    let known = Some(Known { limit: f64::INFINITY, remark: "" });
+    assert_eq!(Check { known, ..check }.verdict(), Verdict::Miss);
 }
 
 #[test]

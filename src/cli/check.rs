@@ -5,13 +5,14 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::report::plan::plan_lines;
 use plm_impact::report::repeat::repeat_lines;
-use plm_impact::run::repeat::prepare_repeat;
+use plm_impact::run::repeat::Computed;
+use plm_impact::run::{self, table};
 use plm_impact::scenario::overview::{of_comparison, of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
 
-/// Print what is understood of a scenario, and its yield point; run nothing
+/// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
 #[derive(Debug, Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -26,7 +27,10 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Repeat => repeat(&scenario),
         Kind::Compare => {
             let comparison = scenario.comparison().map_err(Error::from)?;
-            let text = plm_impact::report::compare::state(&comparison) + "\n" + &of_comparison(&comparison);
+            super::run::warn(&comparison.warnings);
+            let text = plm_impact::report::compare::state(&comparison)
+                + "\n"
+                + &of_comparison(&scenario, &comparison).map_err(Error::from)?;
             super::print(&text).context("standard output")
         }
         Kind::Indentation => indentation(&scenario),
@@ -36,26 +40,25 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
 fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    super::run::warn(&plan.scene.warnings);
+    super::run::warn(&table::warnings(&plan));
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
     super::print(&text).context("standard output")
 }
 
 fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
-    let (scene, contact, repeat) = prepare_repeat(scenario)?;
-    plm_impact::run::can_be_traced(scenario, &scene)?;
-    super::run::warn(&scene.warnings);
+    let Computed { scene, contact, repeat, warnings, .. } = run::repeat::compute(scenario)?;
+    super::run::warn(&warnings);
     super::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
 }
 
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {
-    let (scene, contact) = plm_impact::run::prepare(scenario)?;
-    super::run::warn(&scene.warnings);
+    let (scene, contact, impact) = run::compute(scenario, None)?;
+    super::run::warn(&impact.warnings);
     super::print(&overview(&scene, &contact)).context("standard output")
 }
 
 fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
-    let (scene, contacts) = plm_impact::run::indentation::prepare(scenario)?;
-    super::run::warn(&scene.warnings);
-    super::print(&of_indentation(&scene, &contacts)).context("standard output")
+    let (scene, tested, warnings) = run::indentation::compute(scenario, None)?;
+    super::run::warn(&warnings);
+    super::print(&of_indentation(&scene, &tested)).context("standard output")
 }

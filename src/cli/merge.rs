@@ -32,13 +32,14 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let mut directory = OutputDirectory::shared(parent).map_err(Error::from)?;
     let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force);
     let merged = merged.map_err(Error::from)?;
-    super::run::warn(&table::warnings(&merged.plan));
+    let warnings = table::warnings(&merged.plan);
+    super::run::warn(&warnings);
     let provenance = report::sweep::Provenance {
         version: &merged.sidecar.version,
         scenario_sha256: &merged.sidecar.scenario_sha256,
         command: &super::run::command_line(),
     };
-    let files = table::files(&merged.plan, &merged.tally, provenance)?;
+    let files = table::files(&merged.plan, &merged.tally, &warnings, provenance)?;
     directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
         super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;

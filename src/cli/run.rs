@@ -58,7 +58,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
         // each shard is looked after by itself
         OutputDirectory::shared(&arguments.directory()).map_err(Error::from)?
     };
-    super::sweep::run(&arguments.sweep, scenario, &plan, &directory, &command_line(), arguments.quiet)
+    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, &command_line(), arguments.quiet)
 }
 
 fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
@@ -87,7 +87,7 @@ fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> 
     let comparison = scenario.comparison().map_err(Error::from)?;
     let directory = arguments.prepare(scenario)?;
     let files = compare::files(&comparison, scenario, &command_line())?;
-    finish(arguments, scenario, &directory, &[] as &[String], &compare::table(&comparison), &files)
+    finish(arguments, scenario, &directory, &comparison.warnings, &compare::table(&comparison), &files)
 }
 
 /// Warnings and where the files are to standard error, the files to the directory, the table to standard output.

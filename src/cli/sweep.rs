@@ -83,6 +83,7 @@ pub fn run(
     options: &Options,
     scenario: &Scenario,
     plan: &Plan,
+    warnings: &[String],
     directory: &OutputDirectory,
     command: &str,
     is_quiet: bool,
@@ -118,7 +119,7 @@ pub fn run(
             scenario_sha256: &source.sha256(),
             command,
         };
-        let files = table::files(plan, &written.tally, provenance)?;
+        let files = table::files(plan, &written.tally, warnings, provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
         directory.write(&files).map_err(Error::from)?;
         written.close().map_err(Error::from)?;

@@ -6,6 +6,7 @@ use super::FitError;
 use super::solve::{CaseFit, Fit};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
+use crate::power::max_or_nan;
 use crate::report::human::number;
 
 fn percent(share: f64) -> String {
@@ -50,7 +51,7 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
         ]);
     }
     let mut text = aligned(&rows);
-    let rise = fit.cases.iter().map(|case| case.restitution_rise).fold(0.0, f64::max);
+    let rise = fit.cases.iter().map(|case| case.restitution_rise).fold(0.0, max_or_nan);
     let _ = writeln!(text, "largest rise of restitution with indentation: {} %", percent(rise));
     text
 }
@@ -77,7 +78,7 @@ fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
 pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     let over = |value: fn(&CaseFit) -> f64| {
         let values = || fit.cases.iter().map(value);
-        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, max_or_nan))
     };
     let percents = |(low, high): (f64, f64)| format!("{}-{} %", percent(low), percent(high));
     let mut accuracy = format!(
@@ -98,7 +99,7 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     let mut range =
         format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
     let ratios = fit.cases.iter().filter_map(|case| case.largest_radius_ratio);
-    if let Some(ratio) = ratios.reduce(f64::max) {
+    if let Some(ratio) = ratios.reduce(max_or_nan) {
         let _ = write!(range, ", contact radius / sphere radius <= {ratio:.2}");
     }
     PlmCoefficients {

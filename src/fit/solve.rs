@@ -8,6 +8,7 @@ use super::curve::LoadingCurve;
 use super::residuals::{Residuals, deviations, rises};
 use crate::law::plm::RadiusRatio;
 use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::power::{farther_or_nan, max_or_nan};
 
 /// Evaluations for each varied number, after which there is little hope.
 const PATIENCE: usize = 20;
@@ -152,8 +153,7 @@ pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit
     let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
     let all: Vec<_> = deviations(curve, &law).collect();
     let spread = |values: Vec<(f64, f64)>| {
-        let largest =
-            values.iter().map(|(_, deviation)| *deviation).fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        let largest = values.iter().map(|(_, deviation)| *deviation).fold(0.0, farther_or_nan);
         let total: f64 = values.iter().map(|(weight, _)| weight).sum();
         let square: f64 = values.iter().map(|(weight, deviation)| weight * deviation * deviation).sum();
         Spread { rms: (square / total).sqrt(), largest }
@@ -165,11 +165,11 @@ pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit
         name: curve.name.clone(),
         sphere_compliance: curve.pair.sphere_compliance,
         range: (end(curve.points.first()), end(curve.points.last())),
-        largest_radius_ratio: ratios.reduce(f64::max),
+        largest_radius_ratio: ratios.reduce(max_or_nan),
         force: spread(all.iter().map(|d| (d.weight, d.force)).collect()),
         approach: spread(all.iter().map(|d| (d.weight, d.approach)).collect()),
         radius: (!radius.is_empty()).then(|| spread(radius)),
         left_out: None,
-        restitution_rise: rises(&law, curve).fold(0.0, f64::max),
+        restitution_rise: rises(&law, curve).fold(0.0, max_or_nan),
     }
 }

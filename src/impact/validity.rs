@@ -74,12 +74,18 @@ pub enum Warning {
         drift: f64,
     },
     /// A key of the scene that has no effect.
-    #[error(
-        "{key} is not used: the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out"
-    )]
+    #[error("{key} is not used: {reason}")]
     UnusedKey {
         /// The key, with dots.
         key: &'static str,
+        /// Why, and the way out.
+        reason: &'static str,
+    },
+    /// The table of a law that no case of a sweep is under.
+    #[error("law.{law} is not used: no case is under that law; name it in \"law\" of [sweep], or leave its table out")]
+    UnusedLaw {
+        /// Its name.
+        law: &'static str,
     },
     /// A published law outside the range that its authors state.
     #[error(

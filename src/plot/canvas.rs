@@ -16,6 +16,9 @@ pub(super) type Point = (f64, f64);
 const OVERSAMPLING: u32 = 2;
 const SCALE: f64 = OVERSAMPLING as f64;
 
+/// Paper that stays free around all text \[px\].
+const EDGE: f64 = 6.0;
+
 /// Points of a curve closer than this \[px\] are one.
 const RESOLUTION: f64 = 2.0;
 
@@ -103,7 +106,8 @@ impl Canvas {
         self.draw(|backend| backend.draw_rect(device(from), device(to), &color.filled(), true))
     }
 
-    /// Text whose capitals are centred on the height of `at`.
+    /// Text whose capitals are centred on the height of `at`. No text leaves the sheet: one that would is moved inward, and
+    /// one that is longer than the sheet is set smaller.
     pub(super) fn text(
         &mut self,
         text: &str,
@@ -112,14 +116,21 @@ impl Canvas {
         color: RGBColor,
         anchor: Anchor,
     ) -> Result<(), PlotError> {
-        let at = (at.0 - start(text, size, anchor)?, at.1 - centre(size));
+        let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
+        let size = fitting(text, size, width - 2.0 * EDGE)?;
+        let left = within(at.0 - start(text, size, anchor)?, text_width(text, size)?, width);
+        let at = (left, within(at.1 - 0.5 * size, size, height) + 0.5 * size - centre(size));
         let style = text_style(size, color, FontTransform::None);
         self.draw(|backend| backend.draw_text(text, &style, device(at)))
     }
 
     /// The same, turned to read upwards and centred on `at`.
     pub(super) fn text_upward(&mut self, text: &str, at: Point, size: f64, color: RGBColor) -> Result<(), PlotError> {
-        let at = (at.0 - centre(size), at.1 + start(text, size, Anchor::Middle)?);
+        let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
+        let size = fitting(text, size, height - 2.0 * EDGE)?;
+        let length = text_width(text, size)?;
+        let top = within(at.1 - 0.5 * length, length, height);
+        let at = (within(at.0 - 0.5 * size, size, width) + 0.5 * size - centre(size), top + length);
         let style = text_style(size, color, FontTransform::Rotate270);
         self.draw(|backend| backend.draw_text(text, &style, device(at)))
     }
@@ -162,6 +173,42 @@ fn text_style(size: f64, color: RGBColor, transform: FontTransform) -> TextStyle
 /// capitals are 0.729 em high with 1.164 em to a size.
 fn centre(size: f64) -> f64 {
     (0.5 - 0.5 * 0.729 / 1.164) * size
+}
+
+/// The beginning of something so long, moved to be within a sheet of this length.
+fn within(start: f64, length: f64, sheet: f64) -> f64 {
+    start.min(sheet - EDGE - length).max(EDGE)
+}
+
+/// The size, or the smaller one at which a text is no longer than `room`.
+pub(super) fn fitting(text: &str, size: f64, room: f64) -> Result<f64, PlotError> {
+    let mut fitting = size;
+    // widths are whole pixels, so that the ratio alone may miss
+    while fitting > 1.0 && text_width(text, fitting)? > room {
+        fitting *= (room / text_width(text, fitting)?).min(0.99);
+    }
+    Ok(fitting)
+}
+
+/// The words of a text in lines no longer than `room`; a word that is longer is divided.
+pub(super) fn wrapped(text: &str, size: f64, room: f64) -> Result<Vec<String>, PlotError> {
+    let mut lines = vec![String::new()];
+    for piece in text.split_inclusive(' ') {
+        let line = lines.last().map_or("", String::as_str);
+        if !line.is_empty() && text_width(format!("{line}{piece}").trim_end(), size)? > room {
+            lines.push(String::new());
+        }
+        for letter in piece.chars() {
+            let line = lines.last().map_or("", String::as_str);
+            if !line.is_empty() && letter != ' ' && text_width(&format!("{line}{letter}"), size)? > room {
+                lines.push(String::new());
+            }
+            if let Some(line) = lines.last_mut() {
+                line.push(letter);
+            }
+        }
+    }
+    Ok(lines.into_iter().map(|line| line.trim_end().to_owned()).collect())
 }
 
 fn start(text: &str, size: f64, anchor: Anchor) -> Result<f64, PlotError> {

@@ -3,12 +3,17 @@
 use plotters::style::RGBColor;
 
 use super::PlotError;
+use super::SIZE;
 use super::axis::FittedAxis;
-use super::canvas::{Anchor, Canvas, Point, text_width};
+use super::canvas::{Anchor, Canvas, Point, text_width, wrapped};
 use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, SOLID, Stroke, TITLE_SIZE};
 
 /// Distance between labels of an axis \[px\] that reads well.
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
+
+/// Length of a line of the title \[px\], and the size of a title that needs two.
+const TITLE_ROOM: f64 = SIZE.0 as f64 - 40.0;
+const TWO_LINES: f64 = 30.0;
 
 /// Labels that an axis has even in a low box.
 const FEWEST: f64 = 4.0;
@@ -93,10 +98,23 @@ impl Frame {
         canvas.polyline(&corners, Stroke::solid(INK, 2.0))
     }
 
-    /// The title of the picture, above the box.
+    /// The title of the picture, above the box; a long one in two lines, smaller if need be.
     pub(super) fn draw_title(&self, canvas: &mut Canvas, title: &str) -> Result<(), PlotError> {
-        let at = (0.5 * (self.bounds.left + self.bounds.right), self.bounds.top - 42.0);
-        canvas.text(title, at, TITLE_SIZE, INK, Anchor::Middle)
+        let middle = 0.5 * (self.bounds.left + self.bounds.right);
+        let height = self.bounds.top - 42.0;
+        if text_width(title, TITLE_SIZE)? <= TITLE_ROOM {
+            return canvas.text(title, (middle, height), TITLE_SIZE, INK, Anchor::Middle);
+        }
+        let mut size = TWO_LINES;
+        let mut lines = wrapped(title, size, TITLE_ROOM)?;
+        while lines.len() > 2 && size > 1.0 {
+            size *= 0.95;
+            lines = wrapped(title, size, TITLE_ROOM)?;
+        }
+        for (line, shift) in lines.iter().zip([-18.0, 18.0]) {
+            canvas.text(line, (middle, height + shift), size, INK, Anchor::Middle)?;
+        }
+        Ok(())
     }
 
     /// A curve through values; what lies outside the box is cut off.

@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::canvas::{Anchor, Canvas, text_width};
+use super::canvas::{Anchor, Canvas, text_width, wrapped};
 use super::frame::{Bounds, Frame};
 use super::style::{GREY, INK, LABEL_SIZE, Mark, Stroke};
 use super::{PlotError, SIZE};
@@ -49,38 +49,103 @@ impl Entry {
     }
 }
 
+/// Entries in the lines and the size that they are drawn in.
+struct Layout {
+    /// Over the usual size.
+    scale: f64,
+    /// Of every entry that has room, its lines and how many of them are in ink.
+    entries: Vec<Vec<(String, bool)>>,
+}
+
+/// Below this size a text can no longer be read.
+const SMALLEST: f64 = 0.4;
+
+impl Layout {
+    /// Long texts are wrapped, as half of the picture belongs to the data; a key that is too high is set smaller, and what
+    /// still has no room is counted.
+    fn of(entries: &[Entry]) -> Result<Self, PlotError> {
+        let mut scale = 1.0;
+        loop {
+            let mut laid = Vec::new();
+            for entry in entries {
+                let room = 0.5 * f64::from(SIZE.0) - 2.0 * MARGIN - entry.indent();
+                let mut lines = Vec::new();
+                for (i, text) in entry.text.iter().enumerate() {
+                    let wrapped = wrapped(text, scale * LABEL_SIZE, room)?;
+                    lines.extend(wrapped.into_iter().map(|line| (line, i == 0)));
+                }
+                laid.push(lines);
+            }
+            let layout = Self { scale, entries: laid };
+            if layout.height() <= ROOM {
+                return Ok(layout);
+            }
+            if scale <= SMALLEST {
+                return Ok(layout.cut());
+            }
+            scale *= 0.95;
+        }
+    }
+
+    #[allow(clippy::cast_precision_loss)] // a picture has no more
+    fn height(&self) -> f64 {
+        let lines: usize = self.entries.iter().map(Vec::len).sum();
+        self.scale * (lines as f64 * LINE_HEIGHT + self.entries.len() as f64 * ENTRY_GAP)
+    }
+
+    /// As many entries as have room, and a line that counts the others.
+    fn cut(mut self) -> Self {
+        let all = self.entries.len();
+        loop {
+            self.entries.pop();
+            let more = vec![(format!("and {} more", all - self.entries.len()), false)];
+            self.entries.push(more);
+            if self.height() <= ROOM || self.entries.len() == 1 {
+                return self;
+            }
+            self.entries.pop();
+        }
+    }
+}
+
+/// Height for the key \[px\].
+const ROOM: f64 = SIZE.1 as f64 - TOP - MARGIN;
+
 /// Room for a box with axes beside the key.
 pub(super) fn bounds(entries: &[Entry]) -> Result<Bounds, PlotError> {
+    let layout = Layout::of(entries)?;
     let mut widest: f64 = 0.0;
-    for entry in entries {
-        for text in &entry.text {
-            widest = widest.max(entry.indent() + text_width(text, LABEL_SIZE)?);
+    for (entry, lines) in entries.iter().zip(&layout.entries) {
+        for (line, _) in lines {
+            widest = widest.max(entry.indent() + text_width(line, layout.scale * LABEL_SIZE)?);
         }
     }
     let room = if entries.is_empty() { MARGIN } else { widest + 2.0 * MARGIN };
     let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
-    // however long the names are, half of the picture belongs to the data
-    let right = (width - room).max(0.5 * width);
-    Ok(Bounds { left: LEFT, top: TOP, right, bottom: height - BOTTOM })
+    Ok(Bounds { left: LEFT, top: TOP, right: width - room, bottom: height - BOTTOM })
 }
 
 /// Draws the key beside a box.
 pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Result<(), PlotError> {
     let left = frame.bounds.right + MARGIN;
-    let mut y = frame.bounds.top + 0.5 * LINE_HEIGHT;
-    for entry in entries {
-        if let Some(stroke) = entry.line {
+    let layout = Layout::of(entries)?;
+    let mut y = frame.bounds.top + 0.5 * layout.scale * LINE_HEIGHT;
+    for (i, lines) in layout.entries.iter().enumerate() {
+        // the last one may count those without room
+        let entry = entries.get(i).filter(|_| layout.entries.len() == entries.len() || i + 1 < layout.entries.len());
+        if let Some(stroke) = entry.and_then(|entry| entry.line) {
             canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke)?;
         }
-        if let Some((mark, radius, color)) = entry.mark {
+        if let Some((mark, radius, color)) = entry.and_then(|entry| entry.mark) {
             mark.draw(canvas, (left + 0.5 * SAMPLE, y), radius, color)?;
         }
-        for (i, text) in entry.text.iter().enumerate() {
-            let color = if i == 0 { INK } else { GREY };
-            canvas.text(text, (left + entry.indent(), y), LABEL_SIZE, color, Anchor::Start)?;
-            y += LINE_HEIGHT;
+        for (line, is_ink) in lines {
+            let color = if *is_ink { INK } else { GREY };
+            let at = (left + entry.map_or(0.0, Entry::indent), y);
+            canvas.text(line, at, layout.scale * LABEL_SIZE, color, Anchor::Start)?;
+            y += layout.scale * LINE_HEIGHT;
         }
-        y += ENTRY_GAP;
+        y += layout.scale * ENTRY_GAP;
     }
     Ok(())
 }

@@ -6,12 +6,14 @@ use serde::Serialize;
 
 use super::ReportError;
 use super::human::{number, quantity};
+use super::inputs::Inputs;
 use crate::compare::{Comparison, Origin};
 use crate::error::Error;
 use crate::law::Unloading;
 use crate::output::OutputFile;
 use crate::plot::{Axis, Lines, PlotError, Series};
 use crate::scenario::Scenario;
+use crate::scenario::resolved::of_comparison;
 
 /// One law in the table; deviations are relative to the finite elements of the same peak.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -41,6 +43,8 @@ pub struct Row {
 struct Summary<'a> {
     peak: Peak,
     laws: Vec<Row>,
+    warnings: Vec<String>,
+    inputs: Inputs,
     version: &'static str,
     scenario_sha256: String,
     command: &'a str,
@@ -231,6 +235,8 @@ pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Res
             spent_work: comparison.peak.spent * point.force * point.indentation,
         },
         laws: rows,
+        warnings: comparison.warnings.iter().map(ToString::to_string).collect(),
+        inputs: Inputs(of_comparison(scenario, comparison)?),
         version: env!("CARGO_PKG_VERSION"),
         scenario_sha256: scenario.sha256()?,
         command,

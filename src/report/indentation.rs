@@ -4,8 +4,9 @@ use serde::Serialize;
 
 use super::ReportError;
 use super::human::{number, quantity};
+use super::inputs::Inputs;
 use super::table::aligned;
-use crate::indentation::{Indenter, Span, Spans, Specimen, Step, Target, Tested};
+use crate::indentation::{Span, Spans, Specimen, Step, Target, Tested};
 
 /// Where a result comes from: enough to repeat it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,20 +30,9 @@ pub struct Provenance {
 #[derive(Serialize)]
 struct Summary<'a> {
     half_spaces: Vec<HalfSpaceReport<'a>>,
-    sphere: Sphere,
     warnings: &'a [String],
+    inputs: &'a Inputs,
     provenance: &'a Provenance,
-}
-
-#[derive(Serialize)]
-struct Sphere {
-    radius_m: f64,
-    /// JSON has no infinity.
-    #[serde(rename = "youngs_modulus_Pa")]
-    youngs_modulus: serde_json::Value,
-    poissons_ratio: f64,
-    #[serde(rename = "yield_strength_Pa", skip_serializing_if = "Option::is_none")]
-    yield_strength: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -193,20 +183,13 @@ impl<'a> HalfSpaceReport<'a> {
 /// # Errors
 /// [`ReportError::Json`], which numbers and text do not give.
 pub fn summary(
-    indenter: &Indenter,
     tested: &[Tested],
     warnings: &[String],
+    inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
-    let modulus = indenter.material.youngs_modulus;
-    let sphere = Sphere {
-        radius_m: indenter.radius,
-        youngs_modulus: if modulus.is_finite() { modulus.into() } else { "rigid".into() },
-        poissons_ratio: indenter.material.poissons_ratio,
-        yield_strength: indenter.yield_strength,
-    };
     let half_spaces = tested.iter().map(HalfSpaceReport::of).collect();
-    Ok(serde_json::to_string_pretty(&Summary { half_spaces, sphere, warnings, provenance })? + "\n")
+    Ok(serde_json::to_string_pretty(&Summary { half_spaces, warnings, inputs, provenance })? + "\n")
 }
 
 /// `trace.csv` with a header line; the first column names the half-space where it has a name.

@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use super::ReportError;
+use super::inputs::Inputs;
 use super::repeat::end_text;
-use super::summary::{Inputs, Provenance};
+use super::summary::Provenance;
 use crate::impact::Contact;
+use crate::power::max_or_nan;
 use crate::repeat::{Drive, Repeat, Sequence};
 
 #[derive(Serialize)]
@@ -25,14 +27,14 @@ struct Summary<'a> {
     bouncing: Option<Bouncing>,
     energy: Energy,
     traced_impacts: usize,
-    warnings: Vec<String>,
+    warnings: &'a [String],
     #[serde(rename = "effective_modulus_Pa")]
     effective_modulus: f64,
     sphere_compliance: f64,
     sphere_mass_kg: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     yield_speed_m_per_s: Option<f64>,
-    inputs: Inputs,
+    inputs: &'a Inputs,
     #[serde(skip_serializing_if = "Option::is_none")]
     shot_speeds_m_per_s: Option<&'a [f64]>,
     provenance: &'a Provenance,
@@ -76,11 +78,13 @@ pub fn summary(
     contact: &Contact,
     repeat: &Repeat,
     sequence: &Sequence,
+    warnings: &[String],
+    inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
     let hits = &sequence.hits;
     let (first, last) = (hits.first(), hits.last());
-    let largest = |value: fn(&crate::repeat::Hit) -> f64| hits.iter().map(value).fold(0.0, f64::max);
+    let largest = |value: fn(&crate::repeat::Hit) -> f64| hits.iter().map(value).fold(0.0, max_or_nan);
     let can_yield = contact.pair().yield_point.is_some();
     let bouncing = match repeat.drive {
         Drive::Bouncing { gravity, drop_height, most, until, .. } => Some(Bouncing {
@@ -93,7 +97,7 @@ pub fn summary(
             remaining_time: "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
                              for all bounces to come and contact times left out (a lower bound where e rises as the speed \
                              falls); null if e is 1 or more, or the sphere stays in its dent",
-            highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(f64::max),
+            highest_rebound_m: hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.top()).reduce(max_or_nan),
             static_indentation_m: last.and_then(|hit| hit.static_indentation),
         }),
         Drive::Shots(_) => None,
@@ -116,12 +120,12 @@ pub fn summary(
             drift: sequence.drift(),
         },
         traced_impacts: sequence.traced.len(),
-        warnings: sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}")).collect(),
+        warnings,
         effective_modulus: contact.pair().effective_modulus,
         sphere_compliance: contact.pair().sphere_compliance,
         sphere_mass_kg: contact.mass(),
         yield_speed_m_per_s: contact.yield_speed(),
-        inputs: Inputs::of(contact, first.map_or(0.0, |hit| hit.speed)),
+        inputs,
         shot_speeds_m_per_s: match &repeat.drive {
             Drive::Shots(speeds) if speeds.len() <= LISTED => Some(speeds),
             _ => None,

@@ -6,7 +6,8 @@
 use serde::Serialize;
 
 use super::ReportError;
-use crate::impact::{Contact, Damping, Impact};
+use super::inputs::Inputs;
+use crate::impact::{Contact, Impact};
 
 /// Where a result comes from: enough to repeat it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -67,7 +68,7 @@ struct Summary<'a> {
     sphere_compliance: f64,
     sphere_mass_kg: f64,
     unloading_exponent: f64,
-    inputs: Inputs,
+    inputs: &'a Inputs,
     provenance: &'a Provenance,
 }
 
@@ -126,68 +127,6 @@ struct Work {
     force_evaluations: u64,
 }
 
-/// A Young's modulus: JSON has no infinity.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Modulus {
-    Finite(f64),
-    Rigid(&'static str),
-}
-
-/// The bodies and the speed of an impact.
-#[derive(Serialize)]
-pub(super) struct Inputs {
-    sphere_radius_m: f64,
-    #[serde(rename = "sphere_youngs_modulus_Pa")]
-    sphere_youngs_modulus: Modulus,
-    sphere_poissons_ratio: f64,
-    sphere_density_kg_per_m3: f64,
-    #[serde(rename = "sphere_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
-    sphere_yield_strength: Option<f64>,
-    #[serde(rename = "half_space_youngs_modulus_Pa")]
-    half_space_youngs_modulus: f64,
-    half_space_poissons_ratio: f64,
-    #[serde(rename = "half_space_yield_strength_Pa", skip_serializing_if = "Option::is_none")]
-    half_space_yield_strength: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    half_space_density_kg_per_m3: Option<f64>,
-    impact_speed_m_per_s: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    gravity_acceleration_m_per_s2: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    damping_hunt_crossley_s_per_m: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    damping_viscous: Option<f64>,
-}
-
-impl Inputs {
-    pub(super) fn of(contact: &Contact, speed: f64) -> Self {
-        let (sphere, half_space) = (contact.sphere(), contact.half_space());
-        let modulus = sphere.material.youngs_modulus;
-        let forces = contact.forces();
-        let (hunt_crossley, viscous) = match forces.damping {
-            None => (None, None),
-            Some(Damping::HuntCrossley(chi)) => (Some(chi), None),
-            Some(Damping::Viscous(zeta)) => (None, Some(zeta)),
-        };
-        Self {
-            sphere_radius_m: sphere.radius,
-            sphere_youngs_modulus: if modulus.is_finite() { Modulus::Finite(modulus) } else { Modulus::Rigid("rigid") },
-            sphere_poissons_ratio: sphere.material.poissons_ratio,
-            sphere_density_kg_per_m3: sphere.density,
-            sphere_yield_strength: sphere.yield_strength,
-            half_space_youngs_modulus: half_space.material.youngs_modulus,
-            half_space_poissons_ratio: half_space.material.poissons_ratio,
-            half_space_yield_strength: half_space.yield_strength,
-            half_space_density_kg_per_m3: half_space.density,
-            impact_speed_m_per_s: speed,
-            gravity_acceleration_m_per_s2: forces.gravity,
-            damping_hunt_crossley_s_per_m: hunt_crossley,
-            damping_viscous: viscous,
-        }
-    }
-}
-
 /// JSON has no infinity.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
@@ -197,7 +136,12 @@ fn finite(value: f64) -> Option<f64> {
 ///
 /// # Errors
 /// [`ReportError::Json`], which numbers and text do not give.
-pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> Result<String, ReportError> {
+pub fn summary(
+    contact: &Contact,
+    impact: &Impact,
+    inputs: &Inputs,
+    provenance: &Provenance,
+) -> Result<String, ReportError> {
     let pair = contact.pair();
     let plastic = pair.yield_point.map(|_| Plastic {
         residual_indentation_m: impact.residual_indentation,
@@ -249,7 +193,7 @@ pub fn summary(contact: &Contact, impact: &Impact, provenance: &Provenance) -> R
         sphere_compliance: pair.sphere_compliance,
         sphere_mass_kg: contact.mass(),
         unloading_exponent: impact.unloading_exponent,
-        inputs: Inputs::of(contact, impact.speed),
+        inputs,
         provenance,
     };
     let mut text = serde_json::to_string_pretty(&summary)?;

@@ -3,12 +3,9 @@
 use std::fmt::Write as _;
 
 use serde::Serialize;
-use serde_json::{Map, Value};
 
 use super::ReportError;
-use crate::law::{LawChoice, UnloadingExponent};
-use crate::scenario::KEYS;
-use crate::sweep::caution::cautions;
+use super::inputs::Inputs;
 use crate::sweep::plan::{Cases, Plan};
 use crate::sweep::random;
 use crate::sweep::sidecar::Tally;
@@ -27,10 +24,10 @@ struct Summary<'a> {
     random: Option<Vec<Random>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
-    /// Of rows in the table, the worst of each kind.
-    warnings: Vec<String>,
-    /// The numbers that are the same in all rows, SI, with the names of columns.
-    inputs: Map<String, Value>,
+    /// Of the scene, and of rows in the table the worst of each kind.
+    warnings: &'a [String],
+    /// What is the same in all rows, with the names of columns.
+    inputs: Inputs,
     provenance: Provenance<'a>,
 }
 
@@ -62,7 +59,7 @@ pub struct Provenance<'a> {
 ///
 /// # Errors
 /// [`ReportError::Json`].
-pub fn summary(plan: &Plan, tally: &Tally, provenance: Provenance) -> Result<String, ReportError> {
+pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: Provenance) -> Result<String, ReportError> {
     let (random, seed) = match &plan.cases {
         Cases::MonteCarlo { seed, variables, .. } => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
         Cases::Grid(_) => (None, None),
@@ -75,37 +72,11 @@ pub fn summary(plan: &Plan, tally: &Tally, provenance: Provenance) -> Result<Str
         restitution,
         random,
         seed,
-        warnings: cautions(plan),
-        inputs: inputs(plan),
+        warnings,
+        inputs: Inputs::of_plan(plan),
         provenance,
     };
     Ok(serde_json::to_string_pretty(&summary)? + "\n")
-}
-
-fn inputs(plan: &Plan) -> Map<String, Value> {
-    let (scene, varied) = (&plan.scene, plan.paths());
-    let varies = |path: &str| varied.contains(&path);
-    let twins = |path: &str| match path {
-        "sphere.radius" => varies("sphere.diameter"),
-        // that of the fall
-        "impact.speed" => scene.drop_height.is_some(),
-        path => path.starts_with("law.") && varies("law"),
-    };
-    let same = KEYS.iter().filter(|key| key.path != "sphere.diameter" && !varies(key.path) && !twins(key.path));
-    let number = |value: f64| if value.is_finite() { Value::from(value) } else { Value::from("rigid") };
-    let mut inputs: Map<String, Value> =
-        same.filter_map(|key| Some((key.column(), number((key.get)(scene)?)))).collect();
-    if plan.is_plastic() && !varies("law") {
-        inputs.insert("law".to_owned(), Value::from(scene.law.name()));
-        let is_plm = matches!(scene.law, LawChoice::Plm(_));
-        if is_plm && scene.exponent == UnloadingExponent::PressureShape && !varies("law.plm.unloading_exponent") {
-            inputs.insert("law_plm_unloading_exponent".to_owned(), Value::from("pressure-shape"));
-        }
-    }
-    if !varies("solver.method") {
-        inputs.insert("solver_method".to_owned(), Value::from(scene.solver.method.name()));
-    }
-    inputs
 }
 
 fn random_key(variable: &random::Variable) -> Random {

@@ -2,6 +2,7 @@
 
 use super::human::{number, percent, quantity};
 use crate::impact::{Contact, Impact, UnderForces};
+use crate::power::max_or_nan;
 
 /// A few aligned lines: what came of the impact and how exact it is.
 #[must_use]
@@ -79,7 +80,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     } else {
         row(
             "accuracy",
-            format!("{:.1e}", accuracy.restitution_error.max(accuracy.contact_time_error)),
+            format!("{:.1e}", max_or_nan(accuracy.restitution_error, accuracy.contact_time_error)),
             format!(
                 "relative, against the closed form (restitution {:.1e}, contact time {:.1e}); energy drift {:.1e}",
                 accuracy.restitution_error, accuracy.contact_time_error, energy.drift

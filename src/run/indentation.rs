@@ -5,8 +5,10 @@ use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::output::OutputFile;
 use crate::plot;
 use crate::report::indentation::{self, Provenance};
+use crate::report::inputs::Inputs;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
+use crate::scenario::resolved::of_indentation;
 
 /// An indentation that was run.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,17 +43,21 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
     Ok((scene, contacts))
 }
 
-/// Runs an indentation; `command` is the command line, for the provenance.
+/// The scene of a scenario, what came of every half-space, and all warnings; `samples` are the rows of the trace in each
+/// step, if there is to be one.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, a picture that cannot be drawn.
-pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
+/// [`Error`]: a bad scenario, a result beyond double precision.
+pub fn compute(
+    scenario: &Scenario,
+    samples: Option<usize>,
+) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
     let (scene, contacts) = prepare(scenario)?;
     let mut warnings: Vec<String> = scene.warnings.iter().map(ToString::to_string).collect();
     let mut tested = Vec::new();
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
-        let indentation = contact.indent(&scene.targets, Some(scene.samples)).map_err(refuse)?;
+        let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
         let spans = specimen
             .spans(scene.indenter, &scene.coefficients, scene.exponent, &scene.targets, &indentation)
             .map_err(refuse)?;
@@ -60,10 +66,20 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
         warnings.extend(indentation.doubts.iter().map(named));
         tested.push(Tested { specimen: specimen.clone(), pair: *contact.pair(), indentation, spans });
     }
+    Ok((scene, tested, warnings))
+}
+
+/// Runs an indentation; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// As [`compute`], and a picture that cannot be drawn.
+pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
+    let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
+    let inputs = Inputs(of_indentation(&scene));
     let provenance = provenance(scenario, &scene, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
-        file("summary.json", indentation::summary(&scene.indenter, &tested, &warnings, &provenance)?.into_bytes()),
+        file("summary.json", indentation::summary(&tested, &warnings, &inputs, &provenance)?.into_bytes()),
         file("trace.csv", indentation::trace(&tested)?),
         file("force_indentation.png", plot::indentation(&tested)?),
     ];

@@ -6,7 +6,8 @@ use crate::impact::{Contact, Method};
 use crate::output::OutputFile;
 use crate::plot;
 use crate::repeat::{Repeat, Sequence};
-use crate::report;
+use crate::report::{self, inputs::Inputs};
+use crate::scenario::resolved::of_scene;
 use crate::scenario::{Scenario, Scene};
 
 /// A scenario with `[repeat]` that was run.
@@ -20,6 +21,21 @@ pub struct RepeatRun {
     pub table: String,
     /// For the output directory.
     pub files: Vec<OutputFile>,
+}
+
+/// A series without what is written about it.
+#[derive(Debug, Clone)]
+pub struct Computed {
+    /// The scene.
+    pub scene: Scene,
+    /// Its contact.
+    pub contact: Contact,
+    /// What was to be run.
+    pub repeat: Repeat,
+    /// What came of it.
+    pub sequence: Sequence,
+    /// Doubts about scene and impacts, for a person.
+    pub warnings: Vec<String>,
 }
 
 /// What is to be run: scene, contact, series.
@@ -36,19 +52,32 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), E
     Ok((scene, contact, repeat))
 }
 
-/// Runs a scenario with `[repeat]`; `command` is the command line, for the provenance.
+/// Scene, contact, series and what came of it, with all warnings, for a person.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
-pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error> {
+/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
+pub fn compute(scenario: &Scenario) -> Result<Computed, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &scene)?;
     let sequence =
         repeat.run(&contact, &scene.solver, scene.samples).map_err(|reason| Error::impact(scenario, reason))?;
+    let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
+    let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
+    Ok(Computed { scene, contact, repeat, sequence, warnings })
+}
+
+/// Runs a scenario with `[repeat]`; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// As [`compute`], and a picture that cannot be drawn.
+pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error> {
+    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario)?;
+    let inputs = Inputs(of_scene(&scene));
     let provenance = provenance(scenario, &scene, sequence.method, command)?;
+    let summary = report::repeat_summary::summary(&contact, &repeat, &sequence, &warnings, &inputs, &provenance)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let mut files = vec![
-        file("summary.json", report::repeat_summary::summary(&contact, &repeat, &sequence, &provenance)?.into_bytes()),
+        file("summary.json", summary.into_bytes()),
         file("impacts.csv", report::repeat::impacts(&sequence)?),
         file("trace.csv", report::repeat::trace(&sequence, scene.samples)?),
         file("force_indentation.png", plot::repeat::loops(&repeat, &sequence)?),
@@ -57,8 +86,6 @@ pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error
     if let Some(picture) = plot::repeat::height(&repeat, &sequence) {
         files.push(file("height.png", picture?));
     }
-    let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
-    let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
     let table = report::repeat::table(&repeat, &sequence);
     Ok(RepeatRun { sequence, warnings, table, files })
 }

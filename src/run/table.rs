@@ -18,12 +18,17 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     of_scene.chain(cautions(plan)).collect()
 }
 
-/// `summary.json` and the pictures of a whole table.
+/// `summary.json`, which repeats the `warnings` of the plan, and the pictures of a whole table.
 ///
 /// # Errors
 /// [`Error::Report`], [`Error::Plot`].
-pub fn files(plan: &Plan, tally: &Tally, provenance: Provenance) -> Result<Vec<OutputFile>, Error> {
-    let summary = summary(plan, tally, provenance)?;
+pub fn files(
+    plan: &Plan,
+    tally: &Tally,
+    warnings: &[String],
+    provenance: Provenance,
+) -> Result<Vec<OutputFile>, Error> {
+    let summary = summary(plan, tally, warnings, provenance)?;
     let mut files = vec![OutputFile { name: SUMMARY.to_owned(), bytes: summary.into_bytes() }];
     for (name, bytes) in pictures(plan, tally)? {
         files.push(OutputFile { name: name.to_owned(), bytes });

@@ -5,7 +5,7 @@ use serde::Deserialize;
 use super::file::PlmTable;
 use super::law::LawTable;
 use super::values::{DepthRatio, Energy, Force, Length};
-use super::{Scenario, ScenarioError};
+use super::{Kind, Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
 use crate::law::published::Loaded;
 use crate::law::{Bodies, LawChoice, Plm};
@@ -131,6 +131,7 @@ impl Scenario {
                 return Err(refuse("compare.spent_work", &message));
             }
         }
+        comparison.warnings = Kind::Compare.idle_keys(&self.file);
         Ok(comparison)
     }
 

@@ -12,6 +12,7 @@ use super::ScenarioError;
 use super::explain::{explain, key_at, missing, span_of};
 use super::place::{Place, Refusal};
 use super::swept::fill;
+use super::words::choose_law;
 
 /// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -162,7 +163,9 @@ impl Document {
         };
         let mut root = parse(&self.text)?;
         for given in &self.overrides {
-            merge(&mut root, parse(&given.toml)?);
+            let mut changes = parse(&given.toml)?;
+            choose_law(&mut root, &mut changes);
+            merge(&mut root, changes);
         }
         Ok(root)
     }

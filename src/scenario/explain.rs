@@ -76,13 +76,22 @@ pub(super) fn explain(message: &str, key: &mut String, root: &DeTable<'_>) -> St
 }
 
 /// What serde and toml call the kinds of values, and what a person does.
-const KINDS: [(&str, &str); 8] = [
+const KINDS: [(&str, &str); 17] = [
     ("wanted string or table", "not a text: write a word in quotes"),
+    ("invalid type: ", "found the "),
+    ("invalid value: ", "found the "),
+    ("invalid length ", "found a number of values of "),
     ("expected a string", "expected a text in quotes"),
+    ("expected path string", "expected the name of a file in quotes"),
     ("expected a sequence", "expected a list in [ ]"),
+    ("expected a map", "expected a table"),
     ("expected u64", "expected a whole number, 0 or more"),
-    ("type: sequence", "type: list"),
-    ("type: map", "type: table or date"),
+    ("found the string", "found the text"),
+    ("found the integer", "found the number"),
+    ("found the floating point", "found the number"),
+    ("found the boolean ", "found "),
+    ("found the sequence", "found a list"),
+    ("found the map", "found a table or a date"),
     ("floating point", "number"),
     ("` as i128", "`"),
 ];

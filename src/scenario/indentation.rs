@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::file::{HalfSpaceTable, PlmTable, ScenarioFile};
 use super::law::LawTable;
 use super::values::{Depth, Load, Modulus, PoissonsRatio, Strength};
-use super::{DEFAULT_SAMPLES, Scenario, ScenarioError, unused};
+use super::{Kind, Scenario, ScenarioError, unused};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::{PlmCoefficients, UnloadingExponent};
@@ -83,7 +83,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, indentation, law, output, .. } = &self.file;
+        let ScenarioFile { sphere, half_space, indentation, law, .. } = &self.file;
         self.refuse_columns("an indentation")?;
         let table = indentation.as_ref().ok_or_else(|| self.document.missing("", "indentation"))?;
         let plm = match law {
@@ -97,7 +97,7 @@ impl Scenario {
         let specimens = self.specimens(half_space.as_ref(), table.half_space.as_deref())?;
         let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
         let targets = self.targets(&table.steps)?;
-        let samples = output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0);
+        let samples = self.samples();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
@@ -114,7 +114,10 @@ impl Scenario {
             coefficients: self.coefficients(&plm)?,
             targets,
             samples,
-            warnings: unused(law.as_ref(), is_elastic),
+            warnings: unused(law.as_ref(), is_elastic)
+                .into_iter()
+                .chain(Kind::Indentation.idle_keys(&self.file))
+                .collect(),
         })
     }
 

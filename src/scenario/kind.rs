@@ -1,7 +1,8 @@
 //! What a scenario is about, told by its tables: one impact, unless a table says otherwise.
 
-use super::file::{ScenarioFile, SolverTable};
+use super::file::{OutputTable, ScenarioFile, SolverTable};
 use super::{Scenario, ScenarioError};
+use crate::impact::Warning;
 
 /// The kinds of scene, each with its own way to be run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -22,6 +23,11 @@ pub enum Kind {
 
 /// Why forces have no use.
 const NO_MOTION: &str = "there is no motion that it could act on";
+/// Why a density has no use.
+const NO_MASS: &str = "nothing moves here, so that no mass counts; leave the key out";
+/// Why the sphere's strength has no use.
+const NO_SPHERE: &str =
+    "a comparison has one peak for all laws and does not ask whether the sphere yields; leave the key out";
 
 impl Kind {
     /// The kinds that have a table of their own, with its name.
@@ -46,15 +52,32 @@ impl Kind {
 
     /// A table of the file that this kind has no use for, if there is one, and why.
     fn idle_table(self, file: &ScenarioFile) -> Option<(&'static str, &'static str)> {
+        let has_solver = file.solver != SolverTable::default();
         match self {
             Self::Indentation if file.impact.is_some() => Some(("impact", "an indentation is slow")),
+            Self::Indentation if has_solver => Some(("solver", "an indentation is computed in closed form")),
+            Self::Compare if has_solver => Some(("solver", "unloading is computed in closed form")),
+            Self::Compare if file.output != OutputTable::default() => Some(("output", "a comparison has no trace")),
             Self::Indentation | Self::Compare if file.gravity.is_some() => Some(("gravity", NO_MOTION)),
             Self::Indentation | Self::Compare if file.damping.is_some() => Some(("damping", NO_MOTION)),
-            Self::Indentation if file.solver != SolverTable::default() => {
-                Some(("solver", "an indentation is computed in closed form"))
-            }
             _ => None,
         }
+    }
+
+    /// Keys of the bodies that this kind has no use for: they may stand in a file that is also run as another kind.
+    pub(super) fn idle_keys(self, file: &ScenarioFile) -> Vec<Warning> {
+        if !matches!(self, Self::Indentation | Self::Compare) {
+            return Vec::new();
+        }
+        let strength = self == Self::Compare && file.sphere.yield_strength.is_some();
+        let density = file.half_space.as_ref().is_some_and(|table| table.density.is_some());
+        let keys = [
+            ("sphere.density", file.sphere.density.is_some(), NO_MASS),
+            ("sphere.yield_strength", strength, NO_SPHERE),
+            ("half_space.density", density, NO_MASS),
+        ];
+        let idle = keys.into_iter().filter(|(_, is_given, _)| *is_given);
+        idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
     }
 }
 

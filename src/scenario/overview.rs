@@ -4,11 +4,12 @@
 use std::fmt::Write as _;
 
 use super::indentation::IndentationScene;
-use super::{KEYS, Scene};
+use super::resolved::{self, Entry};
+use super::{Scenario, ScenarioError, Scene};
 use crate::compare::Comparison;
-use crate::impact::{Contact, Method};
-use crate::indentation::{StaticContact, Target};
-use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
+use crate::impact::Contact;
+use crate::indentation::{Target, Tested};
+use crate::law::LawChoice;
 use crate::material::Pair;
 use crate::units::{Dimension, describe, human, number};
 
@@ -23,18 +24,9 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 
 /// The same for an indentation, with the contact of every half-space.
 #[must_use]
-pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> String {
-    let mut rows = Vec::new();
+pub fn of_indentation(scene: &IndentationScene, tested: &[Tested]) -> String {
+    let mut rows = rows(&resolved::of_indentation(scene));
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    let indenter = &scene.indenter;
-    let modulus = indenter.material.youngs_modulus;
-    row("sphere.radius", describe(indenter.radius, Dimension::Length));
-    let rigid = || "rigid".to_owned();
-    row("sphere.youngs_modulus", if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { rigid() });
-    row("sphere.poissons_ratio", number(indenter.material.poissons_ratio));
-    if let Some(strength) = indenter.yield_strength {
-        row("sphere.yield_strength", describe(strength, Dimension::Pressure));
-    }
     for (i, target) in (1..).zip(&scene.targets) {
         let (what, value) = match *target {
             Target::Load(load) => ("load", describe(load, Dimension::Force)),
@@ -42,13 +34,8 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
         };
         row(&format!("step {i}"), format!("{what} {value}"));
     }
-    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
-        row("law.plm.unloading_exponent", exponent(scene.exponent));
-        row("law.plm.coefficients", provenance(&scene.coefficients));
-    }
-    row("output.samples", scene.samples.to_string());
-    for (specimen, contact) in scene.specimens.iter().zip(contacts) {
-        let (half_space, pair) = (&specimen.half_space, contact.pair());
+    for Tested { specimen, pair, .. } in tested {
+        let half_space = &specimen.half_space;
         row("", String::new());
         row("half-space", specimen.name.clone().unwrap_or_default());
         let pressure = |value: f64, uncertainty: Option<f64>| match uncertainty {
@@ -68,43 +55,20 @@ pub fn of_indentation(scene: &IndentationScene, contacts: &[StaticContact]) -> S
 }
 
 /// The same for a comparison of unloading laws.
-#[must_use]
-pub fn of_comparison(comparison: &Comparison) -> String {
-    let mut rows = Vec::new();
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
-    let bodies = &comparison.bodies;
-    let modulus = comparison.sphere_modulus;
-    row("sphere.radius", describe(bodies.pair.radius, Dimension::Length));
-    row(
-        "sphere.youngs_modulus",
-        if modulus.is_finite() { describe(modulus, Dimension::Pressure) } else { "rigid".to_owned() },
-    );
-    row("half_space.poissons_ratio", number(bodies.poissons_ratio));
-    row("half_space.yield_strength", describe(bodies.yield_strength, Dimension::Pressure));
-    for law in &comparison.laws {
-        if let LawChoice::Plm(plm) = law {
-            row("law.plm.unloading_exponent", exponent(plm.exponent));
-            row("law.plm.coefficients", provenance(&plm.coefficients));
-        }
-    }
+///
+/// # Errors
+/// [`ScenarioError`] as from [`Scenario::comparison`].
+pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Result<String, ScenarioError> {
+    let mut rows = rows(&resolved::of_comparison(scenario, comparison)?);
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
-    row("laws", names.join(", "));
+    rows.push(("laws".to_owned(), names.join(", ")));
     rows.push((String::new(), String::new()));
-    rows.extend(paired(&bodies.pair));
-    aligned(&rows)
+    rows.extend(paired(&comparison.bodies.pair));
+    Ok(aligned(&rows))
 }
 
-fn exponent(exponent: UnloadingExponent) -> String {
-    match exponent {
-        UnloadingExponent::Paper => "1.5".to_owned(),
-        UnloadingExponent::Fixed(value) => number(value),
-        UnloadingExponent::PressureShape => "pressure-shape".to_owned(),
-    }
-}
-
-fn provenance(coefficients: &PlmCoefficients) -> String {
-    let provenance = &coefficients.provenance;
-    format!("{} ({})", provenance.name, provenance.source)
+fn rows(entries: &[Entry]) -> Vec<(String, String)> {
+    entries.iter().map(|entry| (entry.key.to_owned(), entry.text())).collect()
 }
 
 /// What follows from the pair alone.
@@ -134,36 +98,22 @@ fn aligned(rows: &[(String, String)]) -> String {
 }
 
 fn given(scene: &Scene) -> Vec<(String, String)> {
-    let can_yield = scene.half_space.yield_strength.is_some();
-    let mut rows: Vec<(String, String)> = KEYS
-        .iter()
-        // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys
-        .filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")))
-        .filter_map(|key| {
-            let value = (key.get)(scene)?;
-            let text = if value.is_infinite() { "rigid".to_owned() } else { describe(value, key.quantity.dimension) };
-            Some((key.path.to_owned(), text))
-        })
-        .collect();
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
-    if can_yield && !is_plm {
-        let about = scene.law.about();
-        row("law", format!("{} ({})", scene.law.name(), scene.law.source()));
-        row("law.validity", about.validity.to_owned());
-        row("law.confidence", about.confidence.to_owned());
-    }
-    if can_yield && is_plm {
-        if scene.exponent == UnloadingExponent::PressureShape {
-            row("law.plm.unloading_exponent", exponent(scene.exponent));
+    let mut rows = Vec::new();
+    for entry in resolved::of_scene(scene) {
+        let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+        match entry.key {
+            // its own keys name it
+            "law" if is_plm => {}
+            "law" => {
+                let about = scene.law.about();
+                row("law", format!("{} ({})", entry.text(), scene.law.source()));
+                row("law.validity", about.validity.to_owned());
+                row("law.confidence", about.confidence.to_owned());
+            }
+            key => row(key, entry.text()),
         }
-        row("law.plm.coefficients", provenance(&scene.coefficients));
     }
-    row("solver.method", scene.solver.method.name().to_owned());
-    if scene.solver.method == Method::Verlet {
-        row("solver.steps_per_contact", scene.solver.steps_per_contact.to_string());
-    }
-    row("output.samples", scene.samples.to_string());
     rows
 }
 

@@ -32,7 +32,7 @@ pub struct Quantity {
     pub is_hint_low: bool,
 }
 
-pub(super) const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+pub(in crate::scenario) const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
     Quantity {
         name,
         dimension,

@@ -7,11 +7,11 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error};
 
 use super::keys::{KEYS, Key};
 use super::quantity::Quantity;
-use super::{Kind, Scenario, ScenarioError};
-use crate::impact::{ImpactError, Method};
+use super::{Kind, Scenario, ScenarioError, unused};
+use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
 use crate::nearest::nearest;
-use crate::sweep::axis::{Axis, Values};
+use crate::sweep::axis::{Axis, Setting, Values};
 use crate::sweep::plan::{Cases, Plan};
 use crate::sweep::random::{Distribution, Variable};
 
@@ -60,13 +60,13 @@ impl Scenario {
             // a table has no trace, so the closed form is enough
             scene.solver.method = Method::Auto;
         }
+        let own_law = scene.law.clone();
         let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
         let (cases, table) = match (&self.file.sweep, &self.file.monte_carlo) {
             (None, None) => return Ok(None),
             (Some(SweepTable(axes)), _) => {
                 // the law that the scenario names has its parameters from there
-                let own =
-                    |law: &LawChoice| if law.name() == scene.law.name() { scene.law.clone() } else { law.clone() };
+                let own = |law: &LawChoice| if law.name() == own_law.name() { own_law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
@@ -90,6 +90,9 @@ impl Scenario {
                 (Cases::MonteCarlo { samples: *samples, seed: *seed, variables }, "monte_carlo")
             }
         };
+        // what stands in for a key that varies may give the half-space its yield strength
+        scene.warnings = unused(self.file.law.as_ref(), scene.half_space.yield_strength.is_none());
+        scene.warnings.extend(self.unused_law(&own_law, &cases));
         let mut plan = Plan { scene, cases, columns: None };
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
@@ -111,6 +114,18 @@ impl Scenario {
             return refuse(table, "has more than 2^63 cases; take fewer".to_owned());
         }
         Ok(Some(plan))
+    }
+
+    /// The table of a law beside an axis of laws that does not have it.
+    fn unused_law(&self, own: &LawChoice, cases: &Cases) -> Option<Warning> {
+        let Cases::Grid(axes) = cases else { return None };
+        self.file.law.as_ref()?;
+        let laws = axes.iter().find_map(|axis| match &axis.setting {
+            Setting::Law(laws) => Some(laws),
+            Setting::Number { .. } | Setting::Method(_) => None,
+        })?;
+        let is_used = laws.iter().any(|law| law.name() == own.name());
+        (!is_used).then_some(Warning::UnusedLaw { law: own.about().name })
     }
 }
 

@@ -42,7 +42,7 @@ pub fn cautions(plan: &Plan) -> Vec<String> {
             let place = || chosen.iter().map(|choice| choice.text.as_str()).collect::<Vec<_>>().join(", ");
             match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
                 None => worst.push((warning, place())),
-                Some(known) if doubt(&warning) > doubt(&known.0) => *known = (warning, place()),
+                Some(known) if is_worse(doubt(&warning), doubt(&known.0)) => *known = (warning, place()),
                 Some(_) => {}
             }
         }
@@ -94,6 +94,11 @@ fn warnings(scene: &Scene, chosen: &[&Choice]) -> Vec<Warning> {
     contact.impact(scene.speed, &solver, None).map_or_else(|_| Vec::new(), |impact| impact.warnings)
 }
 
+/// A doubt that is no number is the worst.
+fn is_worse(new: f64, known: f64) -> bool {
+    new.is_nan() || new > known
+}
+
 /// How far beyond its limit a warning is, comparable within its kind.
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
@@ -104,6 +109,6 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
         Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
-        Warning::UnusedKey { .. } | Warning::WavesAtJump { .. } => 0.0,
+        Warning::UnusedKey { .. } | Warning::UnusedLaw { .. } | Warning::WavesAtJump { .. } => 0.0,
     }
 }

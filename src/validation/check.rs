@@ -1,5 +1,7 @@
 //! One comparison.
 
+use crate::power::farther_or_nan;
+
 /// How far a number may be off, and who says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
@@ -121,10 +123,10 @@ pub fn deviation(expected: f64, got: f64) -> f64 {
     if got == expected { 0.0 } else { got / expected - 1.0 }
 }
 
-/// The one farthest from zero.
+/// The one farthest from zero; NaN if any is.
 #[must_use]
 pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
-    deviations.fold(0.0, |worst: f64, next| if next.abs() > worst.abs() { next } else { worst })
+    deviations.fold(0.0, farther_or_nan)
 }
 
 /// Arithmetic mean.

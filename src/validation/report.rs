@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
+use crate::power::max_or_nan;
 
 /// `validation.csv`: every row; deviations and tolerances are shares.
 ///
@@ -64,7 +65,7 @@ impl Group<'_> {
     /// Smallest and largest limit.
     fn tolerance(&self) -> String {
         let limits = || self.checks.iter().map(|check| check.tolerance.limit);
-        let (low, high) = (limits().fold(f64::INFINITY, f64::min), limits().fold(0.0, f64::max));
+        let (low, high) = (limits().fold(f64::INFINITY, f64::min), limits().fold(0.0, max_or_nan));
         if high / low > 1.005 { format!("{} to {}", share(low), share(high)) } else { share(high) }
     }
 }

@@ -2,11 +2,13 @@
 #![allow(dead_code)]
 
 pub mod command;
+pub mod picture;
 
 use plm_impact::impact::{Contact, Impact, Method, Outcome, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use plm_impact::power::max_or_nan;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed};
 
@@ -68,7 +70,7 @@ pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
         off(got.unloading.peak.force, want.unloading.peak.force),
     ]
     .into_iter()
-    .fold(0.0, f64::max)
+    .fold(0.0, max_or_nan)
 }
 
 /// A sphere on a half-space, SI units.

@@ -59,7 +59,7 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { gauss = 1 }\n", &["gauss", "normal, lognormal, uniform"]);
     says(
         "[monte_carlo]\nsamples = 3\n\"impact.speed\" = { normal = { mean = 1, sd = 0 } }\n",
-        &["sd = 0 m/s is not allowed", "> 0 m/s and finite"],
+        &["0 m/s is not allowed: a standard deviation (sd) must be > 0 m/s and finite"],
     );
     says("[monte_carlo]\nsamples = 3\n\"impact.speed\" = { uniform = [2, 1] }\n", &["lower first"]);
 }

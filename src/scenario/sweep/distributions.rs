@@ -7,10 +7,9 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, M
 use super::axes::ListSeed;
 use super::{MonteCarloTable, known, quantity};
 use crate::nearest::nearest;
-use crate::scenario::quantity::Quantity;
+use crate::scenario::quantity::{Quantity, positive};
 use crate::scenario::reader::Reader;
 use crate::sweep::random::Distribution;
-use crate::units;
 
 impl<'de> Deserialize<'de> for MonteCarloTable {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -122,35 +121,17 @@ impl<'de> Visitor<'de> for MomentsSeed {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(f64, f64), A::Error> {
-        /// A number in SI, or a text with a unit.
-        #[derive(serde::Deserialize)]
-        #[serde(untagged)]
-        enum Spread {
-            Number(f64),
-            Text(String),
-        }
+        let spread = positive("a standard deviation (sd)", self.0.dimension, self.0.example);
         let (mut mean, mut sd) = (None, None);
         while let Some(name) = map.next_key::<String>()? {
             match name.as_str() {
                 "mean" => mean = Some(map.next_value_seed(Reader(self.0))?),
-                "sd" => {
-                    sd = Some(match map.next_value::<Spread>()? {
-                        Spread::Number(value) => value,
-                        Spread::Text(text) => units::parse(&text, self.0.dimension).map_err(A::Error::custom)?,
-                    });
-                }
+                "sd" => sd = Some(map.next_value_seed(Reader(&spread))?),
                 _ => return Err(A::Error::custom(format!("`{name}`: a distribution has mean and sd"))),
             }
         }
         match (mean, sd) {
-            (Some(mean), Some(sd)) if sd > 0.0 && sd.is_finite() => Ok((mean, sd)),
-            (Some(_), Some(sd)) => Err({
-                let written = units::describe(sd, self.0.dimension);
-                let zero = units::si(0.0, self.0.dimension);
-                A::Error::custom(format!(
-                    "sd = {written} is not allowed: a standard deviation must be > {zero} and finite"
-                ))
-            }),
+            (Some(mean), Some(sd)) => Ok((mean, sd)),
             _ => Err(A::Error::custom("mean and sd, the standard deviation, are both needed")),
         }
     }

@@ -1,0 +1,62 @@
+//! `inputs` of a summary: all that the scenario came to, in SI, the unit in every name.
+
+use serde::ser::{Serialize, Serializer};
+
+use crate::scenario::resolved::{Entry, Given, RIGID, of_scene};
+use crate::sweep::axis::Setting;
+use crate::sweep::plan::{Cases, Plan};
+
+/// Keys and values in the order of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inputs(pub Vec<Entry>);
+
+impl Serialize for Inputs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|entry| (entry.column(), Value(&entry.value))))
+    }
+}
+
+struct Value<'a>(&'a Given);
+
+impl Serialize for Value<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Given::Number(value, _) if value.is_infinite() => serializer.serialize_str(RIGID), // JSON has no infinity
+            Given::Number(value, _) => serializer.serialize_f64(*value),
+            Given::Count(count) => serializer.serialize_u64(*count),
+            Given::Word(word) => serializer.serialize_str(word),
+        }
+    }
+}
+
+impl Inputs {
+    /// What all rows of a table share, and the parameters of every law that it goes through.
+    #[must_use]
+    pub fn of_plan(plan: &Plan) -> Self {
+        let mut entries = of_scene(&plan.scene);
+        if let Cases::Grid(axes) = &plan.cases {
+            for axis in axes.iter().filter(|axis| matches!(axis.setting, Setting::Law(_) | Setting::Method(_))) {
+                for place in 0..axis.len() {
+                    let mut scene = plan.scene.clone();
+                    axis.put(place, &mut scene);
+                    let new =
+                        of_scene(&scene).into_iter().filter(|entry| entries.iter().all(|old| old.key != entry.key));
+                    entries.extend(new.collect::<Vec<_>>());
+                }
+            }
+        }
+        let varied = plan.paths();
+        let varies = |key: &str| varied.contains(&key);
+        let is_shared = |key: &str| match key {
+            "sphere.radius" => !varies("sphere.diameter"),
+            "impact.speed" => {
+                plan.scene.drop_height.is_none() || !varies("impact.drop_height") && !varies("gravity.acceleration")
+            }
+            // a table has no trace
+            "output.samples" => false,
+            _ => true,
+        };
+        entries.retain(|entry| !varies(entry.key) && is_shared(entry.key));
+        Self(entries)
+    }
+}
