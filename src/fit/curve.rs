@@ -28,6 +28,7 @@ use thiserror::Error;
 
 use super::FitError;
 use super::header::{Bodies, Header};
+use crate::functions::ln;
 use crate::material::Pair;
 use crate::scenario::read_text;
 
@@ -153,7 +154,7 @@ impl LoadingCurve {
     /// Part of a range that is each point's own, for weights uniform in ln x: half the way to both neighbours.
     #[must_use]
     pub fn log_weights(&self) -> Vec<f64> {
-        let at: Vec<f64> = self.points.iter().map(|point| point.indentation.ln()).collect();
+        let at: Vec<f64> = self.points.iter().map(|point| ln(point.indentation)).collect();
         let end = at.len().saturating_sub(1);
         (0..at.len()).map(|i| 0.5 * (at[(i + 1).min(end)] - at[i.saturating_sub(1)])).collect()
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
+use crate::functions::{exp, pow};
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Jackson and Green.
@@ -84,13 +85,13 @@ static COSINE: Formula = Formula::new("jackson_green, cosine", cosine::<f64>, co
 
 /// B.
 fn growth(strain: f64) -> f64 {
-    0.14 * (23.0 * strain).exp()
+    0.14 * exp(23.0 * strain)
 }
 
 /// a/R at x: a_y/R = π C σ_Y/(2E*).
 fn radius_ratio<N: Number>([_, strain, factor]: &Parameters, x: N) -> N {
     let b = growth(*strain);
-    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * TRANSITION.powf(-0.5 * b))
+    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * pow(TRANSITION, -0.5 * b))
 }
 
 fn force<N: Number>([s, _, factor]: &Parameters, x: N, hardness: N) -> N {
@@ -115,12 +116,12 @@ fn cosine<N: Number>(parameters: &Parameters, x: N) -> N {
 
 /// δ_r/δ_m at x_m ≥ 1.
 fn residual(x: f64) -> f64 {
-    1.02 * (1.0 - ((x + 5.9) / 6.9).powf(-0.54))
+    1.02 * (1.0 - pow((x + 5.9) / 6.9, -0.54))
 }
 
 impl JacksonGreen {
     fn factor(&self, bodies: &Bodies) -> f64 {
-        self.yield_factor.unwrap_or(1.295 * (0.736 * bodies.poissons_ratio).exp())
+        self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio))
     }
 }
 
@@ -140,11 +141,11 @@ impl ContactLaw for JacksonGreen {
         let b = growth(strain);
         // x (of the law's own unit) where a/R has this value
         let reaches =
-            |ratio: f64| (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b));
+            |ratio: f64| pow(ratio / (FRAC_PI_2 * factor * strain) * pow(TRANSITION, 0.5 * b), 2.0 / (1.0 + b));
         let end = reaches(1.0);
         let starts = match self.jumps {
             Jumps::Printed => TRANSITION,
-            Jumps::Crossed => crossing(|x| smooth.value(0.0, s * x) - (s * x).powf(1.5), TRANSITION, end),
+            Jumps::Crossed => crossing(|x| smooth.value(0.0, s * x) - pow(s * x, 1.5), TRANSITION, end),
         };
         let is_sane = strain <= LARGEST_STRAIN && end > 2.0 * starts;
         let curve = if is_sane {
@@ -153,10 +154,10 @@ impl ContactLaw for JacksonGreen {
         } else {
             Curve::hertz()
         };
-        let from = TRANSITION.powf(-b);
+        let from = pow(TRANSITION, -b);
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;
-            if own <= TRANSITION { x.sqrt() } else { (x * from * own.powf(b)).sqrt() }
+            if own <= TRANSITION { x.sqrt() } else { (x * from * pow(own, b)).sqrt() }
         });
         loading.holds_until = if is_sane { end * s } else { s };
         loading.stated = Some((0.0, s * reaches(STATED_RADIUS)));
