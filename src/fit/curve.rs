@@ -97,7 +97,9 @@ impl LoadingCurve {
     /// # Errors
     /// [`FitError`] naming file, line, what is wrong and what is needed.
     pub fn load(path: &Path) -> Result<Self, FitError> {
-        let text = read_text(path)?;
+        /// MiB: a million rows of finite elements.
+        const LARGEST: u64 = 64;
+        let text = read_text(path, LARGEST)?;
         Ok(Self::parse(&path.display().to_string(), &text)?)
     }
 
