@@ -25,6 +25,7 @@ use std::sync::LazyLock;
 
 use thiserror::Error;
 
+use crate::functions::pow;
 use crate::integrate::{IntegrationError, Work};
 use crate::law::{Bodies, ContactLaw, ElasticApproach, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
@@ -125,7 +126,7 @@ impl Contact {
         // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
         let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
             let until = law.elastic_until();
-            if until == 1.0 { scales.speed } else { scales.speed * until.powf(1.25) }
+            if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) }
         });
         let waves = Waves::of(&half_space)?;
         Ok(Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default(), waves })

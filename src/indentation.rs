@@ -10,6 +10,7 @@ mod specimen;
 
 use thiserror::Error;
 
+use crate::functions::pow;
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 pub use course::Branch;
@@ -206,7 +207,7 @@ impl StaticContact {
             let law = coefficients.law(&pair, point.contact_radius / radius, exponent);
             (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
         } else {
-            let deep = pair.hertz_stiffness() * radius.powf(1.5);
+            let deep = pair.hertz_stiffness() * pow(radius, 1.5);
             let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
             (Units { length: radius, force, contact_radius: radius }, Law::hertz())
         };

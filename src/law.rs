@@ -39,6 +39,8 @@ use curve::Curve;
 pub use paper::Plm;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
+
+use crate::functions::pow;
 pub use published::{Loading, OutsideLaw, Published};
 pub use reloading::Reloaded;
 pub use unloading::{Peak, Unloading, UnloadingShape};
@@ -117,7 +119,7 @@ impl Law {
     fn plain_elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
             ElasticApproach::Line(line) if x > 1.0 => line.at(force).min(x),
-            ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => (force / stiffness).powf(2.0 / 3.0).min(x),
+            ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => pow(force / stiffness, 2.0 / 3.0).min(x),
             _ => x,
         }
     }

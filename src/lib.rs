@@ -67,10 +67,14 @@
 //! to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border;
 //! inside an impact everything is dimensionless.
 
+// see clippy.toml
+#![warn(clippy::disallowed_methods)]
+
 pub mod bench;
 pub mod compare;
 pub mod error;
 pub mod fit;
+pub mod functions;
 pub mod impact;
 pub mod indentation;
 pub mod integrate;

@@ -1,5 +1,6 @@
 //! The power law d^n: its value, and the time a motion d'' = −k d^n takes. A leaf that laws, integrators and closed forms share.
 
+use crate::functions::{asin, atan, gamma, pow, sin, sin_cos};
 use crate::root::next_guess;
 
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
@@ -8,7 +9,7 @@ use crate::root::next_guess;
 pub fn power(distance: f64, exponent: f64) -> f64 {
     let size = distance.abs();
     #[allow(clippy::float_cmp)] // 1.5 is exact, and the default
-    if exponent == 1.5 { distance * size.sqrt() } else { distance.signum() * size.powf(exponent) }
+    if exponent == 1.5 { distance * size.sqrt() } else { distance.signum() * pow(size, exponent) }
 }
 
 /// The larger of two numbers; not a number if one of them is none, which `f64::max` would pass over.
@@ -53,7 +54,7 @@ fn power_time_to_speed(exponent: f64, distance: f64, entry: f64, exit: f64) -> f
         return distance / entry * series;
     }
     // distance over the turning point, z^a
-    let turning = distance * spent.powf(-a);
+    let turning = distance * pow(spent, -a);
     let rest = if exponent == 1.5 { sum(remaining, &FROM_TURNING) } else { sum(remaining, &from_turning(a)) };
     turning / entry * (quarter_period(exponent) - 2.0 * a * slowness * rest)
 }
@@ -108,7 +109,7 @@ pub fn arctangent(t: f64) -> f64 {
     // the first term left out is t^15/15 < 2^-60/15 · t
     const SMALL: f64 = 0.0625;
     if t.abs() > SMALL {
-        return t.atan();
+        return atan(t);
     }
     let s = t * t;
     let series = 1.0 / 3.0 - s * (0.2 - s * (1.0 / 7.0 - s * (1.0 / 9.0 - s * (1.0 / 11.0 - s * (1.0 / 13.0)))));
@@ -127,7 +128,7 @@ pub fn quarter_period(exponent: f64) -> f64 {
 fn other_quarter_period(exponent: f64) -> f64 {
     let a = work_share(exponent);
     // √π Γ(1 + a)/Γ(½ + a)
-    1.772_453_850_905_516 * libm::tgamma(1.0 + a) / libm::tgamma(0.5 + a)
+    1.772_453_850_905_516 * gamma(1.0 + a) / gamma(0.5 + a)
 }
 
 /// Distance and speed at `time` after leaving the zero of a power law at speed `entry`, on the way to `farthest`: the
@@ -138,12 +139,12 @@ fn other_quarter_period(exponent: f64) -> f64 {
 pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64, f64) {
     let a = 1.0 / (exponent + 1.0);
     let at = |phi: f64| {
-        let (sin, cos) = phi.sin_cos();
-        (farthest * sin.powf(2.0 * a), entry * cos)
+        let (sin, cos) = sin_cos(phi);
+        (farthest * pow(sin, 2.0 * a), entry * cos)
     };
     let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
     // d = entry t is exact at first
-    let mut phi = (entry * time / farthest).clamp(0.0, 1.0).powf(0.5 / a).asin();
+    let mut phi = asin(pow((entry * time / farthest).clamp(0.0, 1.0), 0.5 / a));
     for _ in 0..100 {
         let (distance, speed) = at(phi);
         let miss = power_time(exponent, distance, entry, speed) - time;
@@ -152,7 +153,7 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
         } else {
             low = phi;
         }
-        let slope = 2.0 * a * farthest / entry * phi.sin().powf(2.0 * a - 1.0);
+        let slope = 2.0 * a * farthest / entry * pow(sin(phi), 2.0 * a - 1.0);
         let newton = phi - miss / slope;
         let next = next_guess(newton, low, high);
         if (next - phi).abs() <= 1e-16 || miss == 0.0 {
@@ -170,16 +171,16 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
 #[must_use]
 pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
     let p = exponent + 1.0;
-    let of_rest = (p * rest / stiffness).powf(1.0 / p);
+    let of_rest = pow(p * rest / stiffness, 1.0 / p);
     if weight == 0.0 {
         return of_rest;
     }
-    let of_weight = (p * weight / stiffness).powf(1.0 / exponent);
+    let of_weight = pow(p * weight / stiffness, 1.0 / exponent);
     let both = of_rest + of_weight;
-    let (constant, slope) = ((of_rest / both).powf(p), (of_weight / both).powf(exponent));
+    let (constant, slope) = (pow(of_rest / both, p), pow(of_weight / both, exponent));
     let mut z = 1.0_f64;
     for _ in 0..60 {
-        let higher = z.powf(exponent);
+        let higher = pow(z, exponent);
         let next = z - (z * higher - constant - slope * z) / (p * higher - slope);
         if next >= z || !next.is_finite() {
             break;

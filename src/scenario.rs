@@ -52,7 +52,7 @@ use thiserror::Error;
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning};
 use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
-pub use document::{Document, read_text};
+pub use document::{Document, LARGEST_SCENARIO, read_text};
 use file::{PlmTable, ScenarioFile, SphereTable};
 pub use keys::{KEYS, Key};
 pub use kind::Kind;
@@ -74,8 +74,8 @@ pub enum ScenarioError {
         /// Why.
         reason: std::io::Error,
     },
-    /// Larger than any scenario.
-    #[error("{}: is larger than {largest} MiB, which no input is", .path.display())]
+    /// Larger than what is read.
+    #[error("{}: is larger than {largest} MiB, the most that is read; write long lists as linspace or logspace, or split the file", .path.display())]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -163,7 +163,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`], naming file, line, value, allowed range.
     pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
-        let text = document::read_text(path)?;
+        let text = document::read_text(path, LARGEST_SCENARIO)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         Self::new(path.display().to_string(), text, overrides, directory)
     }

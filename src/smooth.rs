@@ -4,6 +4,7 @@
 //! What a force is, is written once, in the file of its law, as a function of a [`Number`]: of a plain `f64`, or of a
 //! [`Jet`] that carries two derivatives along.
 
+use crate::functions::{exp, ln, pow};
 use crate::root::next_guess;
 
 mod number;
@@ -78,7 +79,7 @@ fn raised<N: Number>([k, p, _]: &Parameters, x: N) -> N {
 }
 
 fn raised_integral([k, p, _]: &Parameters, x: f64) -> f64 {
-    k / (p + 1.0) * x.powf(p + 1.0)
+    k / (p + 1.0) * pow(x, p + 1.0)
 }
 
 impl Smooth {
@@ -188,7 +189,7 @@ impl Smooth {
             let force = self.value(start, distance);
             let miss = work - done;
             let newton = miss / force;
-            let logarithmic = x * ((total / reached).ln() * reached / (x * force)).exp() - x;
+            let logarithmic = x * exp(ln(total / reached) * reached / (x * force)) - x;
             let is_near = newton.abs() < 1e-3 * x;
             let step = if is_near || !logarithmic.is_finite() { newton } else { logarithmic };
             let next = (distance + step).max(0.0);
@@ -294,11 +295,11 @@ mod tests {
     fn work_and_its_inverse_are_those_of_the_power_law() {
         for smooth in [Smooth::new(&HERTZ, P), Smooth::new(&POWER, P)] {
             for (from, to) in [(1.0, 1.000_001), (1.0, 2.0), (1.9, 1e4), (3.0, 1e7)] {
-                let work = 0.4 * (f64::powf(to, 2.5) - f64::powf(from, 2.5));
+                let work = 0.4 * (pow(to, 2.5) - pow(from, 2.5));
                 // the difference of two antiderivatives loses the digits that they share
-                let lost = f64::powf(to, 2.5) / (f64::powf(to, 2.5) - f64::powf(from, 2.5));
+                let lost = pow(to, 2.5) / (pow(to, 2.5) - pow(from, 2.5));
                 approx::assert_relative_eq!(smooth.work(from, 0.0, to - from), work, max_relative = 2e-15 * lost);
-                let distance = smooth.distance_at_work(from, 0.4 * f64::powf(from, 2.5), work);
+                let distance = smooth.distance_at_work(from, 0.4 * pow(from, 2.5), work);
                 approx::assert_relative_eq!(distance, to - from, max_relative = 4e-15 * lost);
             }
         }
@@ -309,7 +310,7 @@ mod tests {
         // d'' = −d^1.5 from x_1 on, turning at x_m: the time from 0 less that from 0 to x_1
         let smooth = Smooth::new(&HERTZ, P);
         for (from, to) in [(1.0, 1.001), (1.0, 2.0), (1.9, 50.0), (1.9, 1e4)] {
-            let speed = |x: f64| (0.8 * (f64::powf(to, 2.5) - f64::powf(x, 2.5))).sqrt();
+            let speed = |x: f64| (0.8 * (pow(to, 2.5) - pow(x, 2.5))).sqrt();
             let entry = speed(0.0);
             let want = to / entry * quarter_period(1.5) - power_time(1.5, from, entry, speed(from));
             let scale = (to / entry) / want;
@@ -325,11 +326,11 @@ mod tests {
         }
         let root = Smooth::new(&CUBE, P);
         let to: f64 = 3.0;
-        let entry = (0.8 * to.powf(2.5)).sqrt();
-        approx::assert_relative_eq!(root.work(7.0, 0.0, to), 0.4 * to.powf(2.5), max_relative = 1e-15);
+        let entry = (0.8 * pow(to, 2.5)).sqrt();
+        approx::assert_relative_eq!(root.work(7.0, 0.0, to), 0.4 * pow(to, 2.5), max_relative = 1e-15);
         let time = root.time(7.0, 0.0, to, 0.0, 1.0);
         approx::assert_relative_eq!(time, to / entry * quarter_period(1.5), max_relative = 1e-13);
-        approx::assert_relative_eq!(root.distance_at_work(7.0, 0.0, 0.4 * to.powf(2.5)), to, max_relative = 1e-14);
+        approx::assert_relative_eq!(root.distance_at_work(7.0, 0.0, 0.4 * pow(to, 2.5)), to, max_relative = 1e-14);
         approx::assert_relative_eq!(root.slope(7.0, 4.0), 3.0, max_relative = 1e-15);
     }
 }

@@ -4,6 +4,7 @@
 //! modulus ratio of 10¹²), the law and the ratio are those of that scene.
 
 use crate::bench::problems::{kinked_law, steel_speed_ratio};
+use crate::functions::{pow, powi};
 use crate::impact::Contact;
 use crate::impact::closed_form::energy_balance;
 use crate::law::curve::Curve;
@@ -78,8 +79,8 @@ fn balanced(name: &'static str, law: Law, speed: f64) -> HardCase {
 
 /// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
 fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
-    let knots = (0..count).map(|i| 1.7 * ratio.powi(i));
-    let loading = knots.fold(Curve::hertz(), |curve, start| curve.then_straight(start, 2.0 * (start / 1.7).powf(0.2)));
+    let knots = (0..count).map(|i| 1.7 * powi(ratio, i));
+    let loading = knots.fold(Curve::hertz(), |curve, start| curve.then_straight(start, 2.0 * pow(start / 1.7, 0.2)));
     Law { loading, ..law.clone() }
 }
 

@@ -4,6 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use super::problems::Problem;
+use crate::functions::pow;
 use crate::impact::{Method, Outcome, batch, closed_form, course};
 use crate::integrate::ode_solvers::{self, OdeSolvers};
 use crate::integrate::rk8::Rk8;
@@ -49,7 +50,7 @@ impl Contender {
                 let steps = [10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000, 2000, 5000, 10_000, 100_000];
                 thinned(steps.map(Rung::Steps).to_vec())
             }
-            _ => thinned((2..=26).map(|half| Rung::Tolerance(10f64.powf(-0.5 * f64::from(half)))).collect()),
+            _ => thinned((2..=26).map(|half| Rung::Tolerance(pow(10f64, -0.5 * f64::from(half)))).collect()),
         }
     }
 }

@@ -6,6 +6,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::functions::pow;
 use crate::impact::closed_form::energy_balance;
 use crate::impact::{Contact, Outcome};
 use crate::law::curve::Curve;
@@ -55,7 +56,7 @@ pub fn steel_speed_ratio(speed: f64) -> f64 {
     let nu = STEEL.poissons_ratio;
     let e_star = STEEL.youngs_modulus / (2.0 * (1.0 - nu * nu));
     let contact_radius_ratio = PI * 1.6 * 345e6 / (2.0 * e_star); // √(δ_Y/R)
-    speed / ((0.8 * e_star / (PI * STEEL_DENSITY)).sqrt() * contact_radius_ratio.powf(2.5))
+    speed / ((0.8 * e_star / (PI * STEEL_DENSITY)).sqrt() * pow(contact_radius_ratio, 2.5))
 }
 
 /// Hertz up to x = 1, then straight with Hertz's slope there, 3/2; unloading √2 times as stiff as the loading.

@@ -8,7 +8,7 @@ use plm_impact::error::Error;
 use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
 use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{OutputDirectory, OutputError, OutputFile, refuse_special};
-use plm_impact::scenario::read_text;
+use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 
 /// Determine PLM coefficients from loading curves: a file for `[law.plm] coefficients`, deviations to the terminal
 ///
@@ -85,6 +85,6 @@ fn place(path: &Path) -> Result<(&Path, String), String> {
 /// A file of coefficients names the command that wrote it.
 fn may_replace(out: &Path, is_forced: bool) -> Result<(), OutputError> {
     refuse_special(out).map_err(OutputError::at(out))?;
-    let is_own = || read_text(out).is_ok_and(|text| text.contains("plm-impact fit-plm "));
+    let is_own = || read_text(out, LARGEST_SCENARIO).is_ok_and(|text| text.contains("plm-impact fit-plm "));
     if is_forced || !out.exists() || is_own() { Ok(()) } else { Err(OutputError::Foreign { path: out.to_owned() }) }
 }

@@ -7,7 +7,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
-use plm_impact::scenario::read_text;
+use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validation::{self, ValidationError, Verdict, check, report};
 
 /// Compare with finite elements, published values and closed forms: CSV, Markdown, pictures, a summary on the terminal
@@ -62,7 +62,7 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn load(path: &Path) -> Result<PlmCoefficients, ValidationError> {
-    let text = read_text(path).map_err(ValidationError::Unreadable)?;
+    let text = read_text(path, LARGEST_SCENARIO).map_err(ValidationError::Unreadable)?;
     PlmCoefficients::from_toml(&text).map_err(|error| ValidationError::Coefficients {
         file: path.display().to_string(),
         problem: error.to_string().trim_end().to_owned(),

@@ -28,6 +28,7 @@ use thiserror::Error;
 
 use super::FitError;
 use super::header::{Bodies, Header};
+use crate::functions::ln;
 use crate::material::Pair;
 use crate::scenario::read_text;
 
@@ -96,7 +97,9 @@ impl LoadingCurve {
     /// # Errors
     /// [`FitError`] naming file, line, what is wrong and what is needed.
     pub fn load(path: &Path) -> Result<Self, FitError> {
-        let text = read_text(path)?;
+        /// MiB: a million rows of finite elements.
+        const LARGEST: u64 = 64;
+        let text = read_text(path, LARGEST)?;
         Ok(Self::parse(&path.display().to_string(), &text)?)
     }
 
@@ -153,7 +156,7 @@ impl LoadingCurve {
     /// Part of a range that is each point's own, for weights uniform in ln x: half the way to both neighbours.
     #[must_use]
     pub fn log_weights(&self) -> Vec<f64> {
-        let at: Vec<f64> = self.points.iter().map(|point| point.indentation.ln()).collect();
+        let at: Vec<f64> = self.points.iter().map(|point| ln(point.indentation)).collect();
         let end = at.len().saturating_sub(1);
         (0..at.len()).map(|i| 0.5 * (at[(i + 1).min(end)] - at[i.saturating_sub(1)])).collect()
     }

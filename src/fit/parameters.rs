@@ -2,13 +2,14 @@
 
 use nalgebra::DVector;
 
+use crate::functions;
 use crate::law::PlmCoefficients;
 
 /// Least distance of a knot to the one before, and least value of a coefficient, where a logarithm is taken.
 const LEAST: f64 = 1e-9;
 
 fn ln(value: f64) -> f64 {
-    value.max(LEAST).ln()
+    functions::ln(value.max(LEAST))
 }
 
 /// Slopes at κ = 0 and at κ = 1: the two ends of a slope that is straight in κ².
@@ -44,7 +45,7 @@ fn push_increments(into: &mut Vec<f64>, first: f64, knots: &[f64]) {
 #[must_use]
 pub fn decode(numbers: &DVector<f64>, form: &PlmCoefficients, has_knots: bool) -> PlmCoefficients {
     let mut table = form.clone();
-    let mut values = numbers.iter().map(|number| number.exp());
+    let mut values = numbers.iter().map(|number| functions::exp(*number));
     let mut next = || values.next().unwrap_or(f64::NAN);
     let mut ends = || {
         let slope = next();

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 use super::curve::LoadingCurve;
 use super::parameters::{decode, encode};
+use crate::functions::{exp, ln, tanh};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 
 /// Places along each curve where e is looked at.
@@ -40,7 +41,7 @@ impl<'a> Residuals<'a> {
 
     /// The numbers are without bounds; what they stand for has one on either side, so that no step leads nowhere.
     fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
-        let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * ((number - start) / REACH).tanh());
+        let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * tanh((number - start) / REACH));
         decode(&bounded, self.form, self.has_knots)
     }
 
@@ -113,9 +114,9 @@ pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item 
         let peak = law.loaded_to(point.indentation);
         Deviation {
             weight: weight / total,
-            force: (peak.force / point.force).ln(),
-            approach: (peak.elastic_approach / point.elastic_approach).ln(),
-            radius: point.contact_radius.map(|radius| (law.contact_radius(&peak) / radius).ln()),
+            force: ln(peak.force / point.force),
+            approach: ln(peak.elastic_approach / point.elastic_approach),
+            radius: point.contact_radius.map(|radius| ln(law.contact_radius(&peak) / radius)),
         }
     })
 }
@@ -123,11 +124,11 @@ pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item 
 /// ln e above its least value so far, along the curve and somewhat beyond.
 pub(super) fn rises(law: &Law, curve: &LoadingCurve) -> impl Iterator<Item = f64> {
     let last = curve.points.last().map_or(1.0, |point| point.indentation);
-    let range = (1.5 * last).ln();
+    let range = ln(1.5 * last);
     let mut least = 0.0_f64;
     (1..=RESTITUTION_POINTS).map(move |i| {
-        let x = (range * f64::from(i) / f64::from(RESTITUTION_POINTS)).exp();
-        let ln_restitution = 0.5 * (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).ln();
+        let x = exp(range * f64::from(i) / f64::from(RESTITUTION_POINTS));
+        let ln_restitution = 0.5 * ln(law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x));
         least = least.min(ln_restitution);
         ln_restitution - least
     })

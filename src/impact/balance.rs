@@ -18,6 +18,7 @@
 use super::forced::{Fate, ForcedOutcome, Load};
 use super::forces::Damping;
 use super::scales::ACCELERATION;
+use crate::functions::{atan, atan2, exp, exp_m1, ln_1p};
 use crate::integrate::State;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
@@ -101,7 +102,7 @@ impl Speeds {
         }
         let mut v = sign * elastic * self.chi;
         // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
-        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (-elastic * self.chi - wanted).exp_m1() };
+        v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { exp_m1(-elastic * self.chi - wanted) };
         for _ in 0..50 {
             let change = (excess(v) - wanted) * (1.0 + v) / v;
             let next = v - change;
@@ -122,13 +123,13 @@ const FAR: f64 = 2.0;
 /// y = 1 + v where v − ln(1 + v) = `wanted`, far out: v is near −1, where doubles cannot tell it from −1.
 fn far_out(wanted: f64) -> f64 {
     // y = exp(y − 1 − wanted), a contraction by y < 0.06
-    (0..16).fold(0.0, |y: f64, _| (y - 1.0 - wanted).exp())
+    (0..16).fold(0.0, |y: f64, _| exp(y - 1.0 - wanted))
 }
 
 /// v − ln(1 + v), without cancellation for small v.
 fn excess(v: f64) -> f64 {
     if v.abs() > 0.05 {
-        return v - v.ln_1p();
+        return v - ln_1p(v);
     }
     // Σ (−1)^k v^k/k, k ≥ 2: the first term left out is 0.05^14/15 of the first
     let mut total = 0.0;
@@ -217,10 +218,10 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
             Shape::Straight { slope, .. } if speeds.chi == 0.0 => {
                 let omega = (ACCELERATION * slope).sqrt();
                 if next.is_none() {
-                    (omega * entry).atan2(ACCELERATION * (piece.force - weight)) / omega
+                    atan2(omega * entry, ACCELERATION * (piece.force - weight)) / omega
                 } else {
                     // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω
-                    2.0 * (omega * length / (entry + exit)).atan() / omega
+                    2.0 * atan(omega * length / (entry + exit)) / omega
                 }
             }
             _ => quadrature::integrate(length, |below, above| {
@@ -252,7 +253,7 @@ fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
 fn power_between(exponent: f64, distance: f64, by: f64) -> f64 {
     let p = exponent + 1.0;
     let end = distance + by;
-    power(end, exponent) * end / p * -(p * (-by / end).ln_1p()).exp_m1()
+    power(end, exponent) * end / p * -exp_m1(p * ln_1p(-by / end))
 }
 
 /// The way back from the peak.

@@ -5,6 +5,7 @@
 //! arctangent, on a power piece an incomplete beta function, on any other a quadrature.
 
 use super::outcome::Outcome;
+use crate::functions::atan;
 use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Unloading};
@@ -111,7 +112,7 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
     match piece.shape {
         Shape::Straight { slope, inverse_root } => {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
-            (omega * entry / (ACCELERATION * piece.force)).atan() * inverse_root * (1.0 / ROOT_ACCELERATION)
+            atan(omega * entry / (ACCELERATION * piece.force)) * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
         Shape::Smooth(smooth) => smooth_time_to_turn(piece, &smooth, distance, entry),
@@ -124,7 +125,7 @@ fn smooth_time_to_turn(piece: &Piece, smooth: &Smooth, distance: f64, entry: f64
     // just behind a knot as on the tangent there, for the same reason
     if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
         let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
-        return (omega * entry / (ACCELERATION * piece.force)).atan() / omega;
+        return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
     }
     smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION)
 }

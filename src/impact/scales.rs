@@ -4,6 +4,7 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
 //! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
 
+use crate::functions::pow;
 use crate::material::{OutOfFloatRange, Pair, YieldPoint, normal};
 
 /// c of x'' = −c f.
@@ -35,7 +36,7 @@ impl Scales {
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
     pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let length = normal("peak indentation (m)", (1.25 * mass / stiffness).powf(0.4) * speed.powf(0.8))?;
+        let length = normal("peak indentation (m)", pow(1.25 * mass / stiffness, 0.4) * pow(speed, 0.8))?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
     }

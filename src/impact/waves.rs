@@ -16,6 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::outcome::Outcome;
 use super::scales::{ACCELERATION, Scales};
+use crate::functions::{atan2, cos, gamma, sin};
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::material::{HalfSpace, OutOfFloatRange, normal};
@@ -138,7 +139,7 @@ const HERTZ: f64 = 0.795_907_321_770_451_1;
 fn beta(a: f64) -> f64 {
     // Γ(3/2)
     const GAMMA: f64 = 0.886_226_925_452_758;
-    GAMMA * libm::tgamma(a) / libm::tgamma(a + 1.5)
+    GAMMA * gamma(a) / gamma(a + 1.5)
 }
 
 /// On a straight piece u² + (5/4) f²/s = u² + g² is constant, so the integral s ∫ u df is a sector of an ellipse:
@@ -147,7 +148,7 @@ fn straight_integral(slope: f64, to_force: f64, from_force: f64, entry: f64, exi
     let scale = (ACCELERATION / slope).sqrt();
     let (from, to) = (scale * from_force, scale * to_force);
     // the angle between the two states, without the difference of two nearly equal ones
-    let angle = (to * entry - from * exit).atan2(entry * exit + from * to);
+    let angle = atan2(to * entry - from * exit, entry * exit + from * to);
     slope * slope.sqrt() / 5f64.sqrt() * (to * exit - from * entry + (entry * entry + from * from) * angle)
 }
 
@@ -183,7 +184,7 @@ pub fn radiation_factor(poissons_ratio: f64) -> f64 {
     });
     // a = √(1 − γ²) sin φ takes the root at k = 1 away; in four parts, as leaky waves have poles not far from the middle
     let shear_at = |phi: f64| {
-        let (a, b) = (rest.sqrt() * phi.sin(), rest.sqrt() * phi.cos());
+        let (a, b) = (rest.sqrt() * sin(phi), rest.sqrt() * cos(phi));
         let k_squared = gamma_squared + a * a;
         let q = offset + 2.0 * a * a;
         let product = 4.0 * k_squared * a * b;

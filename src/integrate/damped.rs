@@ -20,6 +20,7 @@ use super::dop853::{self, EVALUATIONS, Quad, Step};
 use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use super::motions::{Hertz, Piece, Power, Straight};
 use super::{IntegrationError, Restoring, Sampler, State, Work};
+use crate::functions::pow;
 use crate::smooth::Variable;
 use curves::{Curve, Plain, Rooted};
 use run::{Progress, Run, Verdict};
@@ -56,7 +57,7 @@ fn sample<P: Piece>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Qua
     while let Some(time) = samples.due_before(end) {
         // the clock goes with y^m, between straight and this power
         let part = (time - node[2]) / (end - node[2]);
-        let mut h = length * if node[0] == 0.0 { part.powf(1.0 / f64::from(P::ROOT)) } else { part };
+        let mut h = length * if node[0] == 0.0 { pow(part, 1.0 / f64::from(P::ROOT)) } else { part };
         let mut at = *node;
         for _ in 0..30 {
             let next = step(piece, run, node, rates, h);

@@ -5,6 +5,8 @@
 
 use super::lanes::Lane;
 
+use crate::functions::hypot;
+
 const A2: [f64; 1] = [0.052_600_151_958_767_73];
 const A3: [f64; 2] = [0.019_725_056_984_537_9, 0.059_175_170_953_613_7];
 const A4: [f64; 2] = [0.029_587_585_476_806_85, 0.088_762_756_430_420_54];
@@ -110,7 +112,7 @@ impl Step {
     #[inline(always)]
     pub(super) fn error(&self, h: f64, least: f64) -> f64 {
         // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
-        let scale = self.fifth.hypot(0.1 * self.third);
+        let scale = hypot(self.fifth, 0.1 * self.third);
         // a step far too long leaves the numbers
         if !self.node.iter().all(|part| part.is_finite()) {
             f64::INFINITY
@@ -183,6 +185,7 @@ pub(super) fn step<T: Lane, M: Motion<T>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::functions::{log2, powi};
 
     /// u' = −y − 0.2 u: halving the step must cut the error by 2^8.
     #[test]
@@ -207,11 +210,11 @@ mod tests {
         let exact = end(400);
         // the ledger: kinetic + potential + loss
         let [y, u, time, loss] = exact;
-        approx::assert_relative_eq!(0.5 * u * u + 0.25 * y.powi(4) + loss, 0.5, max_relative = 1e-14);
+        approx::assert_relative_eq!(0.5 * u * u + 0.25 * powi(y, 4) + loss, 0.5, max_relative = 1e-14);
         approx::assert_relative_eq!(time, 6.0, max_relative = 1e-14);
         for part in [0, 1, 3] {
             let error = |n| (end(n)[part] - exact[part]).abs();
-            let order = (error(12) / error(24)).log2();
+            let order = log2(error(12) / error(24));
             assert!((7.5..10.5).contains(&order), "observed order {order} of part {part}");
         }
     }

@@ -2,6 +2,7 @@
 //! function on a power law, quadrature on any other. For traces without integration error, and as the reference of all others.
 
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use crate::functions::{atan, pow, sin, sin_cos};
 use crate::power::{power_state, power_time, quarter_period};
 use crate::smooth::Smooth;
 
@@ -30,8 +31,8 @@ impl Integrator for Exact {
                 let omega = slope.sqrt();
                 let pull = at_start + slope * start.distance;
                 let at = |t: f64| {
-                    let half = (0.5 * omega * t).sin();
-                    let (sin, cos) = (omega * t).sin_cos();
+                    let half = sin(0.5 * omega * t);
+                    let (sin, cos) = sin_cos(omega * t);
                     let moved = start.speed / omega * sin - 2.0 * pull / slope * half * half;
                     (start.distance + moved, start.speed * cos - pull / omega * sin)
                 };
@@ -47,7 +48,7 @@ impl Integrator for Exact {
                     (Landing::Turning, square / (pull + (pull * pull + slope * square).sqrt()), 0.0)
                 };
                 // x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω
-                let lasted = 2.0 / omega * (omega * moved / (start.speed + exit)).atan();
+                let lasted = 2.0 / omega * atan(omega * moved / (start.speed + exit));
                 take(begun + lasted, &at);
                 (landing, State { time: begun + lasted, distance: start.distance + moved, speed: exit })
             }
@@ -56,7 +57,7 @@ impl Integrator for Exact {
                 // as if it had come from d = 0
                 let whole = start.speed * start.speed + potential(start.distance);
                 let entry = whole.sqrt();
-                let farthest = (0.5 * (exponent + 1.0) / coefficient * whole).powf(1.0 / (exponent + 1.0));
+                let farthest = pow(0.5 * (exponent + 1.0) / coefficient * whole, 1.0 / (exponent + 1.0));
                 let before = power_time(exponent, start.distance, entry, start.speed);
                 take_power(
                     &mut take,

@@ -1,6 +1,7 @@
 //! The pieces as rk8 sees them: y'' = g(y) in variables in which g is smooth (see [`super::rk8`]).
 
 use super::lanes::Lane;
+use crate::functions::pow;
 use crate::smooth::{Jet, Smooth};
 
 /// g(y) of one smooth piece in its own variables, with what stepping, landing and dense output need.
@@ -143,7 +144,7 @@ impl Variables for Hertz {
     }
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
-        (5.0 * potential / self.c).powf(0.2)
+        pow(5.0 * potential / self.c, 0.2)
     }
 }
 
@@ -154,11 +155,11 @@ impl Field<f64> for Power {
     }
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
-        -self.c * y.abs().powf(self.p)
+        -self.c * pow(y.abs(), self.p)
     }
     #[inline(always)]
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let second = -self.c * self.p * (self.p - 1.0) * y.abs().powf(self.p - 2.0);
+        let second = -self.c * self.p * (self.p - 1.0) * pow(y.abs(), self.p - 2.0);
         (second * y / (self.p - 1.0), second)
     }
     #[inline(always)]
@@ -172,11 +173,11 @@ impl Variables for Power {
     square_root_variable!();
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
-        self.c / (self.p + 1.0) * y.abs().powf(self.p + 1.0)
+        self.c / (self.p + 1.0) * pow(y.abs(), self.p + 1.0)
     }
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
-        ((self.p + 1.0) * potential / self.c).powf(1.0 / (self.p + 1.0))
+        pow((self.p + 1.0) * potential / self.c, 1.0 / (self.p + 1.0))
     }
 }
 

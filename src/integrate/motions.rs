@@ -4,6 +4,8 @@ use super::dop853::{Motion, Quad};
 use super::forced::ForcedPath;
 use super::lanes::Lane;
 
+use crate::functions::{pow, powi};
+
 /// A straight piece: d'' = γ − (a + b d)(1 + χ u) − c u.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Straight<T = f64> {
@@ -59,7 +61,7 @@ pub(super) trait Piece: Motion<f64> {
         }
     }
     fn distance_at(y: f64) -> f64 {
-        y.powi(Self::ROOT)
+        powi(y, Self::ROOT)
     }
 }
 
@@ -169,10 +171,10 @@ impl<const M: u8> Motion<f64> for Power<M> {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
         let m = f64::from(M);
-        let clock = m * y.powi(i32::from(M) - 1);
+        let clock = m * powi(y, i32::from(M) - 1);
         let size = y.abs();
-        let force = clock * self.k * size.powf(m * self.n);
-        let of_stiffness = if self.c == 0.0 { 0.0 } else { clock * self.c * size.powf(0.5 * m * (self.n - 1.0)) };
+        let force = clock * self.k * pow(size, m * self.n);
+        let of_stiffness = if self.c == 0.0 { 0.0 } else { clock * self.c * pow(size, 0.5 * m * (self.n - 1.0)) };
         let drag = (force * self.chi + of_stiffness) * u;
         [u, clock * self.pull - force - drag, clock, drag * u]
     }
@@ -183,7 +185,7 @@ impl<const M: u8> Piece for Power<M> {
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
         // contact force over d^((n−1)/2): k r^(m(n+1)/2) + c u
         let p = 0.5 * f64::from(M) * (self.n + 1.0);
-        let slope = self.k * p * node[0].abs().powf(p - 1.0);
+        let slope = self.k * p * pow(node[0].abs(), p - 1.0);
         (slope * node[0] / p + self.c * node[1], slope * rates[0] + self.c * rates[1])
     }
     fn frequency(&self, y: f64) -> f64 {
@@ -209,5 +211,5 @@ pub(super) fn cubic_minimum(before: f64, slope_before: f64, after: f64, slope_af
 fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
     let m = f64::from(m);
     let p = m - 1.0 + m * n;
-    (m * k * p * y.powf(p - 1.0)).sqrt()
+    (m * k * p * pow(y, p - 1.0)).sqrt()
 }

@@ -8,6 +8,7 @@ use super::field::{Field, Variables};
 use super::forced::{Drag, ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
 use super::rk8::Rk8;
 use super::{IntegrationError, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use crate::functions::pow;
 use crate::power::power_turn;
 
 /// rk8 for motions under a pull, with or without drag.
@@ -113,11 +114,11 @@ impl Field<f64> for Power {
     }
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
-        self.p * y - self.c * y.abs().powf(self.m)
+        self.p * y - self.c * pow(y.abs(), self.m)
     }
     #[inline(always)]
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let second = -self.c * self.m * (self.m - 1.0) * y.abs().powf(self.m - 2.0);
+        let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
         (second * y / (self.m - 1.0) + self.p, second)
     }
     #[inline(always)]
@@ -145,7 +146,7 @@ macro_rules! square_root_variable {
         fn potential(self, y: f64) -> f64 {
             let $field = self;
             let q = $power + 1.0;
-            self.c / q * y.abs().powf(q) - 0.5 * self.p * y * y
+            self.c / q * pow(y.abs(), q) - 0.5 * self.p * y * y
         }
         // where the pull is stronger than the force, it sets the pace
         fn stiffness(self, y: f64) -> f64 {

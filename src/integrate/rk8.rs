@@ -24,6 +24,7 @@ use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
 use super::{IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
+use crate::functions::pow;
 use crate::smooth::Variable;
 
 /// The stepper.
@@ -46,8 +47,8 @@ impl Rk8 {
     pub fn new(tolerance: f64) -> Self {
         Self {
             tolerance,
-            estimate_limit: tolerance.powf(0.875),
-            first_step: FIRST_STEP * tolerance.powf(0.125),
+            estimate_limit: pow(tolerance, 0.875),
+            first_step: FIRST_STEP * pow(tolerance, 0.125),
             work: Work::default(),
         }
     }

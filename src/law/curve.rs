@@ -5,6 +5,7 @@
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
 use super::Unloading;
+use crate::functions::{exp_m1, ln_1p, pow};
 use crate::power::{power, work_share};
 use crate::smooth::Smooth;
 
@@ -119,9 +120,9 @@ impl Piece {
     pub fn indentation_at_force(&self, force: f64) -> f64 {
         self.start
             + match self.shape {
-                Shape::Power { stiffness, exponent } => (force / stiffness).powf(1.0 / exponent),
+                Shape::Power { stiffness, exponent } => pow(force / stiffness, 1.0 / exponent),
                 Shape::Straight { slope, .. } => (force - self.force) / slope,
-                Shape::LatePower { stiffness, exponent, lead } => (force / stiffness).powf(1.0 / exponent) - lead,
+                Shape::LatePower { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
                 Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
             }
     }
@@ -139,7 +140,7 @@ impl Piece {
     pub fn distance_at_work(&self, work: f64) -> f64 {
         let rest = work - self.work;
         match self.shape {
-            Shape::Power { stiffness, exponent } => ((exponent + 1.0) / stiffness * rest).powf(work_share(exponent)),
+            Shape::Power { stiffness, exponent } => pow((exponent + 1.0) / stiffness * rest, work_share(exponent)),
             // the root of ½ s d² + f_i d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
                 2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
@@ -148,7 +149,7 @@ impl Piece {
             // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
             Shape::LatePower { stiffness, exponent, lead } => {
                 let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);
-                lead * ((rest / before).ln_1p() / (exponent + 1.0)).exp_m1()
+                lead * exp_m1(ln_1p(rest / before) / (exponent + 1.0))
             }
         }
     }

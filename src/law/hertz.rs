@@ -7,6 +7,8 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
+use crate::functions::pow;
+
 /// The elastic contact.
 ///
 /// ```text
@@ -44,7 +46,7 @@ impl ContactLaw for Hertz {
     }
 
     fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| Recovered::hertzian(peak.force.powf(2.0 / 3.0))))
+        Some(Arc::new(|peak| Recovered::hertzian(pow(peak.force, 2.0 / 3.0))))
     }
 
     fn law(&self, _: &Bodies) -> Option<Law> {

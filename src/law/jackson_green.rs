@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
+use crate::functions::{exp, pow};
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Jackson and Green.
@@ -87,13 +88,13 @@ static COSINE: Formula = Formula::new("jackson_green, cosine", cosine::<f64>, co
 
 /// B.
 fn growth(strain: f64) -> f64 {
-    0.14 * (23.0 * strain).exp()
+    0.14 * exp(23.0 * strain)
 }
 
 /// a/R at x: a_y/R = π C σ_Y/(2E*).
 fn radius_ratio<N: Number>([_, strain, factor]: &Parameters, x: N) -> N {
     let b = growth(*strain);
-    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * TRANSITION.powf(-0.5 * b))
+    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * pow(TRANSITION, -0.5 * b))
 }
 
 fn force<N: Number>([s, _, factor]: &Parameters, x: N, hardness: N) -> N {
@@ -118,12 +119,12 @@ fn cosine<N: Number>(parameters: &Parameters, x: N) -> N {
 
 /// δ_r/δ_m at x_m ≥ 1.
 fn residual(x: f64) -> f64 {
-    1.02 * (1.0 - ((x + 5.9) / 6.9).powf(-0.54))
+    1.02 * (1.0 - pow((x + 5.9) / 6.9, -0.54))
 }
 
 impl JacksonGreen {
     fn factor(&self, bodies: &Bodies) -> f64 {
-        self.yield_factor.unwrap_or(1.295 * (0.736 * bodies.poissons_ratio).exp())
+        self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio))
     }
 }
 
@@ -143,12 +144,12 @@ impl ContactLaw for JacksonGreen {
         let b = growth(strain);
         // x (of the law's own unit) where a/R has this value
         let reaches =
-            |ratio: f64| (ratio / (FRAC_PI_2 * factor * strain) * TRANSITION.powf(0.5 * b)).powf(2.0 / (1.0 + b));
+            |ratio: f64| pow(ratio / (FRAC_PI_2 * factor * strain) * pow(TRANSITION, 0.5 * b), 2.0 / (1.0 + b));
         let end = reaches(1.0);
         let starts = match self.jumps {
             Jumps::Printed => Some(TRANSITION),
             Jumps::Crossed => {
-                let excess = |x: f64| smooth.value(0.0, s * x) - (s * x).powf(1.5);
+                let excess = |x: f64| smooth.value(0.0, s * x) - pow(s * x, 1.5);
                 // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
                 crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION))
             }
@@ -158,10 +159,10 @@ impl ContactLaw for JacksonGreen {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
             Curve::hertz().then_smooth(starts * s, smooth).then_tangent(end * s)
         });
-        let from = TRANSITION.powf(-b);
+        let from = pow(TRANSITION, -b);
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;
-            if own <= TRANSITION { x.sqrt() } else { (x * from * own.powf(b)).sqrt() }
+            if own <= TRANSITION { x.sqrt() } else { (x * from * pow(own, b)).sqrt() }
         });
         loading.holds_until = if starts.is_some() { end * s } else { s };
         loading.stated = Some((0.0, s * reaches(STATED_RADIUS)));

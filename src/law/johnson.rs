@@ -7,6 +7,8 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
+use crate::functions::{pow, powi};
+
 /// The impact of Johnson, with its closed-form restitution.
 ///
 /// ```text
@@ -43,9 +45,9 @@ static ABOUT: About = About {
 /// Closed-form e.
 #[must_use]
 pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, radius: f64, speed: f64) -> f64 {
-    let coefficient = 0.3 * PI.powf(1.25) * 4f64.powf(0.75);
-    let energy = mass * speed * speed / (2.0 * dynamic_pressure * radius.powi(3));
-    (coefficient * dynamic_pressure / effective_modulus * energy.powf(-0.25)).sqrt()
+    let coefficient = 0.3 * pow(PI, 1.25) * pow(4f64, 0.75);
+    let energy = mass * speed * speed / (2.0 * dynamic_pressure * powi(radius, 3));
+    (coefficient * dynamic_pressure / effective_modulus * pow(energy, -0.25)).sqrt()
 }
 
 impl ContactLaw for Johnson {

@@ -7,6 +7,7 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::jackson_green::Jumps;
 use super::published::{Loading, Recovered, RecoveryRule};
+use crate::functions::pow;
 use crate::smooth::{POWER, Smooth};
 
 /// The law of Kogut and Etsion.
@@ -80,20 +81,20 @@ impl ContactLaw for KogutEtsion {
         let [first, second, third] = match self.jumps {
             Jumps::Printed => LIMITS,
             Jumps::Crossed => {
-                [k1.powf(1.0 / (1.5 - p1)), (k2 / k1).powf(1.0 / (p1 - p2)), (plastic / k2).powf(1.0 / (p2 - 1.0))]
+                [pow(k1, 1.0 / (1.5 - p1)), pow(k2 / k1, 1.0 / (p1 - p2)), pow(plastic / k2, 1.0 / (p2 - 1.0))]
             }
         };
         // the straight line may cross a piece before the last one: then the pieces between are never reached
         let third = match self.jumps {
             Jumps::Crossed if third < second => {
-                let at_first = (plastic / k1).powf(1.0 / (p1 - 1.0));
+                let at_first = pow(plastic / k1, 1.0 / (p1 - 1.0));
                 if at_first < first { plastic * plastic } else { at_first }
             }
             _ => third,
         };
         let is_whole = third >= 1.0;
         // k s^1.5 (x/s)^p
-        let fit = |k: f64, p: f64| Smooth::new(&POWER, [k * s.powf(1.5 - p), p, 0.0]);
+        let fit = |k: f64, p: f64| Smooth::new(&POWER, [k * pow(s, 1.5 - p), p, 0.0]);
         let mut curve = Curve::hertz();
         for (from, k, p) in [(first, k1, p1), (second, k2, p2)] {
             if from < third {
@@ -107,8 +108,8 @@ impl ContactLaw for KogutEtsion {
             let own = x / s;
             let area = match own {
                 _ if own <= LIMITS[0] => own,
-                _ if own <= LIMITS[1] => 0.93 * own.powf(1.136),
-                _ if own <= LIMITS[2] => 0.94 * own.powf(1.146),
+                _ if own <= LIMITS[1] => 0.93 * pow(own, 1.136),
+                _ if own <= LIMITS[2] => 0.94 * pow(own, 1.146),
                 _ => 2.0 * own,
             };
             (area * s).sqrt()
@@ -122,10 +123,10 @@ impl ContactLaw for KogutEtsion {
         let s = bodies.yield_at(self.factor(bodies));
         Some(Arc::new(move |peak| {
             let m = (peak.indentation / s).max(1.0);
-            let residual = (1.0 - m.powf(-0.28)) * (1.0 - m.powf(-0.69));
+            let residual = (1.0 - pow(m, -0.28)) * (1.0 - pow(m, -0.69));
             Recovered {
                 elastic_approach: peak.indentation * (1.0 - residual),
-                exponent: 1.5 * m.powf(-0.0331),
+                exponent: 1.5 * pow(m, -0.0331),
                 shape: UnloadingShape::Power,
             }
         }))

@@ -5,6 +5,7 @@ use super::curve::Curve;
 use super::jackson_green::{Jumps, crossing};
 use super::paper::Plm;
 use super::published::{Loading, RecoveryRule};
+use crate::functions::{ln, pow};
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The loading of Kogut and Komvopoulos, with the unloading of Xie et al. (2024).
@@ -107,7 +108,7 @@ impl ContactLaw for KogutKomvopoulos {
         let starts = match self.jumps {
             Jumps::Printed => Some((yields, plastic)),
             // the fit begins above Hertz, and the fully plastic force above the fit
-            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - x.powf(1.5), yields, 2.0 * yields).zip(crossing(
+            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - pow(x, 1.5), yields, 2.0 * yields).zip(crossing(
                 |x| fully.value(0.0, x) - mixed.value(0.0, x),
                 plastic,
                 2.0 * plastic,
@@ -129,7 +130,7 @@ impl ContactLaw for KogutKomvopoulos {
                 return x.sqrt();
             }
             let square = cut(&parameters, x.min(end));
-            let ratio = if x <= plastic { 2.193 - 0.394 * strain(&parameters, x).ln() } else { 1.0 };
+            let ratio = if x <= plastic { 2.193 - 0.394 * ln(strain(&parameters, x)) } else { 1.0 };
             (square / ratio).sqrt()
         });
         loading.holds_until = if starts.is_some() { end } else { yields };

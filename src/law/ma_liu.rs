@@ -6,6 +6,7 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 use super::thornton;
+use crate::functions::{cbrt, ln, powi};
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Ma and Liu, in the form remembered of it.
@@ -61,14 +62,14 @@ fn mixed<N: Number>([c1, c2, c3]: &Parameters, x: N) -> N {
 }
 
 fn mixed_integral([c1, c2, c3]: &Parameters, x: f64) -> f64 {
-    x * (0.5 * x * (c1 + c2 * (x.ln() - 0.5)) + c3)
+    x * (0.5 * x * (c1 + c2 * (ln(x) - 0.5)) + c3)
 }
 
 impl MaLiu {
     /// The mixed piece and the slope of full plasticity.
     fn mixed(&self, bodies: &Bodies) -> (Smooth, f64) {
         let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
-        let c2 = (slope - 1.5) / self.transition_ratio.ln();
+        let c2 = (slope - 1.5) / ln(self.transition_ratio);
         let c1 = 1.5 - c2;
         (Smooth::new(&MIXED, [c1, c2, 1.0 - c1]), slope)
     }
@@ -79,7 +80,7 @@ impl MaLiu {
         let plastic = mixed.value(0.0, self.transition_ratio);
         move |force| {
             let at = force.min(plastic);
-            thornton::elastic_approach(at) * (force / at).cbrt().powi(2)
+            thornton::elastic_approach(at) * powi(cbrt(force / at), 2)
         }
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
+use crate::functions::{ln, pow};
 use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Stronge.
@@ -69,7 +70,7 @@ fn middle<N: Number>([s, three_theta, _]: &Parameters, x: N) -> N {
 fn middle_integral([s, three_theta, _]: &Parameters, x: f64) -> f64 {
     let z = 2.0 * x / s - 1.0;
     let half_square = 0.5 * z * z;
-    s * s * s.sqrt() * 0.5 * (half_square + half_square * (z.ln() - 0.5) / three_theta)
+    s * s * s.sqrt() * 0.5 * (half_square + half_square * (ln(z) - 0.5) / three_theta)
 }
 
 impl ContactLaw for Stronge {
@@ -80,7 +81,7 @@ impl ContactLaw for Stronge {
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
         let theta = self.yield_pressure_ratio;
         let s = bodies.yield_at(1.5 * theta);
-        let pressure = 1.0 + (2.0 * FULLY_PLASTIC - 1.0).ln() / (3.0 * theta);
+        let pressure = 1.0 + ln(2.0 * FULLY_PLASTIC - 1.0) / (3.0 * theta);
         let curve = Curve::hertz()
             .then_smooth(s, Smooth::new(&MIDDLE, [s, 3.0 * theta, 0.0]))
             .then_straight(FULLY_PLASTIC * s, 2.0 * s.sqrt() * pressure);
@@ -90,7 +91,7 @@ impl ContactLaw for Stronge {
     fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
         let s = bodies.yield_at(1.5 * self.yield_pressure_ratio);
         let unit = s * s.sqrt();
-        let factor = s * self.unloading_factor.powf(0.25);
+        let factor = s * pow(self.unloading_factor, 0.25);
         Some(Arc::new(move |peak| Recovered::hertzian(factor * (peak.force / unit).sqrt())))
     }
 }

@@ -7,6 +7,8 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
+use crate::functions::{cbrt, pow, powi};
+
 /// The law of Thornton.
 ///
 /// ```text
@@ -48,20 +50,20 @@ static ABOUT: About = About {
 pub fn restitution(yield_speed_over_speed: f64) -> f64 {
     let q = yield_speed_over_speed;
     let square = q * q;
-    (1.2 * 3f64.sqrt()).sqrt() * (1.0 - square / 6.0).sqrt() * (q / (q + 2.0 * (1.2 - 0.2 * square).sqrt())).powf(0.25)
+    (1.2 * 3f64.sqrt()).sqrt() * (1.0 - square / 6.0).sqrt() * pow(q / (q + 2.0 * (1.2 - 0.2 * square).sqrt()), 0.25)
 }
 
 /// V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2) \[m/s\].
 #[must_use]
 pub fn yield_speed(effective_modulus: f64, radius: f64, mass: f64, yield_pressure: f64) -> f64 {
     let per_modulus = PI / (2.0 * effective_modulus);
-    per_modulus * per_modulus * (8.0 * PI * radius.powi(3) / (15.0 * mass)).sqrt() * yield_pressure.powf(2.5)
+    per_modulus * per_modulus * (8.0 * PI * powi(radius, 3) / (15.0 * mass)).sqrt() * pow(yield_pressure, 2.5)
 }
 
 /// ε/δ_y of Hertz-type unloading with Thornton's R_p, at f = F_m/F_y.
 pub(super) fn elastic_approach(force: f64) -> f64 {
-    let radius_ratio = ((2.0 * force + 1.0) / 3.0).powf(1.5) / force;
-    (force * force / radius_ratio).cbrt()
+    let radius_ratio = pow((2.0 * force + 1.0) / 3.0, 1.5) / force;
+    cbrt(force * force / radius_ratio)
 }
 
 impl Thornton {

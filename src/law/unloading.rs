@@ -5,6 +5,7 @@ use super::curve::{Piece, Shape};
 use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::reloading::GRAZING;
 use super::yigit_christoforou::SHIFTED_HERTZ;
+use crate::functions::pow;
 use crate::power::{power, work_share};
 use crate::smooth::Smooth;
 
@@ -222,7 +223,7 @@ impl Unloading {
     #[must_use]
     pub fn recovered_at(&self, force: f64) -> f64 {
         match self.curve {
-            None => self.peak.elastic_approach * (force / self.peak.force).min(1.0).powf(1.0 / self.exponent),
+            None => self.peak.elastic_approach * pow((force / self.peak.force).min(1.0), 1.0 / self.exponent),
             Some(_) if force >= self.peak.force => self.peak.elastic_approach,
             Some(curve) => curve.distance_at_force(self.peak.residual(), force),
         }

@@ -6,6 +6,7 @@ use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
+use crate::functions::cbrt;
 use crate::smooth::{Formula, Jet, Number, Parameters};
 
 /// The law of Yigit and Christoforou.
@@ -82,7 +83,7 @@ impl ContactLaw for YigitChristoforou {
                 // on Hertz's curve but for rounding, whose 2/3 power would be a dent
                 x
             } else if below > 0.0 {
-                x - below.cbrt() * below.cbrt()
+                x - cbrt(below) * cbrt(below)
             } else {
                 2.0 * x
             };

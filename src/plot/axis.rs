@@ -1,5 +1,6 @@
 //! Axes: range, ticks and their labels, linear in engineering units or logarithmic.
 
+use crate::functions::{exp, ln, log10};
 use crate::report::human::{Prefix, power_of_ten, ten_to};
 
 /// Values beyond this are not drawn, nor those below its inverse on a logarithmic axis, so that neither the ends of an
@@ -99,7 +100,7 @@ fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
         return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
     }
     if is_log {
-        let room = if is_one_value(low, high) { 3.0 } else { (0.04 * (high.ln() - low.ln())).exp() };
+        let room = if is_one_value(low, high) { 3.0 } else { exp(0.04 * (ln(high) - ln(low))) };
         return (low / room, high * room);
     }
     let room = match high - low {
@@ -137,14 +138,14 @@ impl FittedAxis {
         self.factor
             * match self.scale {
                 Scale::Linear => self.low + share * (self.high - self.low),
-                Scale::Log => (self.low.ln() + share * (self.high.ln() - self.low.ln())).exp(),
+                Scale::Log => exp(ln(self.low) + share * (ln(self.high) - ln(self.low))),
             }
     }
 
     fn share(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.low) / (self.high - self.low),
-            Scale::Log => (value.ln() - self.low.ln()) / (self.high.ln() - self.low.ln()),
+            Scale::Log => (ln(value) - ln(self.low)) / (ln(self.high) - ln(self.low)),
         }
     }
 
@@ -168,7 +169,7 @@ impl FittedAxis {
 #[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
 fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
     let raw = (high - low) / wanted;
-    let exponent = raw.log10().floor() as i32;
+    let exponent = log10(raw).floor() as i32;
     let (digit, exponent): (i32, i32) = match raw / ten_to(exponent) {
         r if r <= 1.0 => (1, exponent),
         r if r <= 2.0 => (2, exponent),
@@ -192,8 +193,8 @@ fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> 
 
 #[allow(clippy::cast_possible_truncation)] // exponents
 fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
-    let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
-    let decades = high.log10() - low.log10();
+    let (first, last) = (log10(low).floor() as i32, log10(high).ceil() as i32);
+    let decades = log10(high) - log10(low);
     let every = (decades / wanted).ceil().max(1.0) as i32;
     let labelled: &[i32] = match decades {
         d if d < 2.0 => &[1, 2, 5],

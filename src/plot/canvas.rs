@@ -9,6 +9,8 @@ use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGB
 use super::PlotError;
 use super::style::{PAPER, Stroke};
 
+use crate::functions::hypot;
+
 /// A place on the picture \[px\], from its upper left corner.
 pub(super) type Point = (f64, f64);
 
@@ -82,7 +84,7 @@ impl Canvas {
 
     fn segment(&mut self, from: Point, to: Point, stroke: Stroke) -> Result<(), PlotError> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-        let length = dx.hypot(dy);
+        let length = hypot(dx, dy);
         if length == 0.0 {
             return Ok(());
         }
@@ -231,7 +233,7 @@ fn thinned(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
     let mut skipped = None;
     for &point in points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-        if kept.last().is_none_or(|last| (point.0 - last.0).hypot(point.1 - last.1) >= RESOLUTION) {
+        if kept.last().is_none_or(|last| hypot(point.0 - last.0, point.1 - last.1) >= RESOLUTION) {
             kept.push(point);
             skipped = None;
         } else {
@@ -252,7 +254,7 @@ fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     let (mut phase, mut left) = (0, pattern[0]);
     for pair in points.windows(2) {
         let (from, to) = (pair[0], pair[1]);
-        let length = (to.0 - from.0).hypot(to.1 - from.1);
+        let length = hypot(to.0 - from.0, to.1 - from.1);
         let mut done = 0.0;
         while length - done > left {
             done += left;

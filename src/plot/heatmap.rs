@@ -10,6 +10,8 @@ use super::key::{BOTTOM, LEFT, TOP};
 use super::style::GRID;
 use super::{PlotError, SIZE};
 
+use crate::functions::{exp, ln};
+
 /// Width of the colour bar and of the room for it \[px\].
 const BAR: f64 = 44.0;
 const ROOM: f64 = 250.0;
@@ -100,8 +102,8 @@ fn shade(color: &FittedAxis, value: f64) -> RGBColor {
 /// Borders of the cells: half-way between values, on the scale of the axis.
 fn edges(axis: &Axis, values: &[f64]) -> Vec<f64> {
     let is_log = axis.scale == super::Scale::Log;
-    let to = |v: f64| if is_log { v.ln() } else { v };
-    let back = |v: f64| if is_log { v.exp() } else { v };
+    let to = |v: f64| if is_log { ln(v) } else { v };
+    let back = |v: f64| if is_log { exp(v) } else { v };
     let n = values.len();
     let outer = |at: usize, inward: usize| back(1.5 * to(values[at]) - 0.5 * to(values[inward]));
     let inner = values.windows(2).map(|pair| back(0.5 * (to(pair[0]) + to(pair[1]))));

@@ -7,6 +7,8 @@ use super::key::{self, Entry};
 use super::style::{GREY, Mark, Stroke, series};
 use super::{PlotError, SIZE};
 
+use crate::functions::{hypot, pow};
+
 /// Curves on two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lines {
@@ -134,10 +136,9 @@ impl Guide {
         match *self {
             Self::Vertical { at, .. } => vec![(at, y(0.0)), (at, y(1.0))],
             Self::Horizontal { at, .. } => vec![(x(0.0), at), (x(1.0), at)],
-            Self::Power { through, slope, .. } => (0..=100)
-                .map(|i| x(f64::from(i) / 100.0))
-                .map(|x| (x, through.1 * (x / through.0).powf(slope)))
-                .collect(),
+            Self::Power { through, slope, .. } => {
+                (0..=100).map(|i| x(f64::from(i) / 100.0)).map(|x| (x, through.1 * pow(x / through.0, slope))).collect()
+            }
         }
     }
 }
@@ -196,7 +197,7 @@ impl Lines {
         let lengths: Vec<f64> = std::iter::once(0.0)
             .chain(points.windows(2).map(|pair| {
                 let (from, to) = (frame.place(pair[0].0, pair[0].1), frame.place(pair[1].0, pair[1].1));
-                let step = (to.0 - from.0).hypot(to.1 - from.1);
+                let step = hypot(to.0 - from.0, to.1 - from.1);
                 length += if step.is_finite() { step } else { 0.0 };
                 length
             }))

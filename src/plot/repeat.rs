@@ -8,6 +8,7 @@ use super::lines::{Look, Series};
 use super::stack::{Panel, Stack};
 use super::style::{DASHED, GREY, PALETTE, SOLID, Stroke};
 use super::{PlotError, SIZE};
+use crate::functions::pow;
 use crate::impact::{Event, Impact};
 use crate::repeat::flight::Flight;
 use crate::repeat::{Place, Repeat, Sequence};
@@ -212,7 +213,7 @@ fn spread(count: usize, wanted: usize) -> Vec<usize> {
         return (0..count).collect();
     }
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a million
-    let at = |i: usize| ((count as f64).powf(i as f64 / (wanted - 1) as f64).round() as usize).clamp(1, count) - 1;
+    let at = |i: usize| (pow(count as f64, i as f64 / (wanted - 1) as f64).round() as usize).clamp(1, count) - 1;
     let mut indices: Vec<usize> = (0..wanted).map(at).collect();
     indices.dedup();
     indices

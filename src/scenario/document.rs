@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::ScenarioError;
@@ -14,19 +15,20 @@ use super::place::{Place, Refusal};
 use super::swept::fill;
 use super::words::choose_law;
 
-/// No list of values that a person or a script would write is longer; keeps an endless device from filling the memory.
-const LARGEST_FILE: u64 = 64 << 20;
+/// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
+pub const LARGEST_SCENARIO: u64 = 1;
 
-/// Reads a text file.
+/// Reads a text file of at most so many MiB, so that an endless device does not fill the memory.
 ///
 /// # Errors
 /// [`ScenarioError`] if it cannot be read, is too large, or is no text.
-pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
+pub fn read_text(path: &Path, largest: u64) -> Result<String, ScenarioError> {
     let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
+    let most = largest << 20;
     let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(ScenarioError::TooLarge { path: path.to_owned(), largest: LARGEST_FILE >> 20 });
+    File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
+    if bytes.len() as u64 > most {
+        return Err(ScenarioError::TooLarge { path: path.to_owned(), largest });
     }
     String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
@@ -40,9 +42,9 @@ pub fn read_text(path: &Path) -> Result<String, ScenarioError> {
 struct Override {
     /// As given.
     text: String,
-    /// As TOML, moved by blanks to where its spans come after those of the file and of earlier overrides.
+    /// As TOML.
     toml: String,
-    /// Where it begins in that count.
+    /// Where it begins, counted on from the file and earlier overrides.
     start: usize,
 }
 
@@ -53,12 +55,15 @@ impl Override {
             .split_once('=')
             .filter(|(key, value)| !key.trim().is_empty() && !value.trim().is_empty())
             .ok_or_else(|| refuse("write key=value, such as impact.speed=\"1 m/s\"".to_owned()))?;
-        let shift = " ".repeat(start);
-        let as_is = format!("{shift}{text}");
-        let toml = match DeTable::parse(&as_is) {
-            Ok(_) => as_is,
+        if text.contains(|c: char| c.is_control() && c != '\t') {
+            return Err(refuse(
+                "a line break or another control character is in it; write --set anew for every key".to_owned(),
+            ));
+        }
+        let toml = match DeTable::parse(text) {
+            Ok(_) => text.to_owned(),
             // a bare word: quoted, as the shell took the quotes away
-            Err(_) => format!("{shift}{key}={}", toml::Value::from(value.trim())),
+            Err(_) => format!("{key}={}", toml::Value::from(value.trim())),
         };
         DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
         Ok(Self { text: text.to_owned(), toml, start })
@@ -82,7 +87,7 @@ impl Document {
         let mut document = Self { name, text, overrides: Vec::new() };
         for given in overrides {
             let last = document.overrides.last();
-            let start = last.map_or(document.text.len(), |last| last.toml.len()) + 1;
+            let start = last.map_or(document.text.len(), |last| last.start + last.toml.len()) + 1;
             document.overrides.push(Override::parse(given, start)?);
         }
         document.root()?;
@@ -115,7 +120,7 @@ impl Document {
         let root = self.root()?;
         let mut filled = root.clone();
         fill(&mut filled);
-        let spanned = toml::Spanned::new(0..self.text.len(), filled);
+        let spanned = Spanned::new(0..self.text.len(), filled);
         T::deserialize(Deserializer::from(spanned)).map_err(|error| {
             // an error about the whole file has no place in it
             let span = error.span().filter(|span| *span != (0..self.text.len()));
@@ -157,13 +162,13 @@ impl Document {
 
     fn root(&self) -> Result<DeTable<'_>, ScenarioError> {
         let parse = |toml| {
-            DeTable::parse(toml).map(toml::Spanned::into_inner).map_err(|error| {
+            DeTable::parse(toml).map(Spanned::into_inner).map_err(|error| {
                 self.refusal(error.span(), String::new(), error.message().trim_end().replace('\n', "; "))
             })
         };
         let mut root = parse(&self.text)?;
         for given in &self.overrides {
-            let mut changes = parse(&given.toml)?;
+            let mut changes = moved(parse(&given.toml)?, given.start);
             choose_law(&mut root, &mut changes);
             merge(&mut root, changes);
         }
@@ -171,9 +176,26 @@ impl Document {
     }
 }
 
+/// A table whose spans begin `by` bytes later.
+fn moved(table: DeTable<'_>, by: usize) -> DeTable<'_> {
+    let shift = |span: Range<usize>| span.start + by..span.end + by;
+    let key = |key: Spanned<_>| Spanned::new(shift(key.span()), key.into_inner());
+    table.into_iter().map(|(name, value)| (key(name), moved_value(value, by))).collect()
+}
+
+fn moved_value(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
+    let span = value.span();
+    let value = match value.into_inner() {
+        DeValue::Array(values) => DeValue::Array(values.into_iter().map(|value| moved_value(value, by)).collect()),
+        DeValue::Table(table) => DeValue::Table(moved(table, by)),
+        plain => plain,
+    };
+    Spanned::new(span.start + by..span.end + by, value)
+}
+
 fn merge<'a>(into: &mut DeTable<'a>, from: DeTable<'a>) {
     for (key, value) in from {
-        match (into.get_mut(key.get_ref().as_ref()).map(toml::Spanned::get_mut), value.get_ref()) {
+        match (into.get_mut(key.get_ref().as_ref()).map(Spanned::get_mut), value.get_ref()) {
             (Some(DeValue::Table(old)), DeValue::Table(_)) => {
                 if let DeValue::Table(new) = value.into_inner() {
                     merge(old, new);

@@ -2,6 +2,7 @@
 
 use super::quantity::Quantity;
 use super::{KEYS, Key, Scenario, ScenarioError};
+use crate::functions::log10;
 use crate::material::OutOfFloatRange;
 use crate::units::{number, parse, si};
 
@@ -32,6 +33,6 @@ impl Scenario {
 /// How many powers of ten a value is from the example of its quantity; `None` for 0, which no scale can be told of.
 fn decades(value: f64, quantity: &Quantity) -> Option<f64> {
     let example = parse(quantity.example.trim_matches('"'), quantity.dimension).ok()?;
-    let decades = (value.abs().log10() - example.log10()).abs();
+    let decades = (log10(value.abs()) - log10(example)).abs();
     decades.is_finite().then_some(decades)
 }

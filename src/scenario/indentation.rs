@@ -1,5 +1,6 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use serde::Deserialize;
@@ -14,8 +15,8 @@ use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::Material;
 use crate::units::{Dimension, human};
 
-/// Rows of a trace that make a file of about a gigabyte.
-const MOST_ROWS: usize = 10_000_000;
+/// Rows of a trace that are held until they are written: some hundred megabytes.
+const MOST_ROWS: usize = 1_000_000;
 
 /// `[indentation]`
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -158,11 +159,12 @@ impl Scenario {
         if tables.is_empty() {
             return Err(self.document.missing("", "half_space"));
         }
+        let mut names = HashSet::new();
         for (i, table) in tables.iter().enumerate() {
-            if table.name.trim().is_empty() {
-                return refuse(format!("number {} has an empty name; call it by its material", i + 1));
+            if let Some(problem) = problem_of_name(&table.name) {
+                return refuse(format!("number {} {problem}", i + 1));
             }
-            if tables[..i].iter().any(|other| other.name == table.name) {
+            if !names.insert(&table.name) {
                 return refuse(format!("two are called \"{}\"; give each its own name", table.name));
             }
             self.check_uncertainties(table)?;
@@ -188,6 +190,20 @@ impl Scenario {
             return Err(self.document.refuse(SPECIMENS, message));
         }
         Ok(())
+    }
+}
+
+/// What keeps a name out of tables: a control character moves the terminal that shows it, and a spreadsheet takes a text
+/// with one of these signs in front for a formula.
+fn problem_of_name(name: &str) -> Option<String> {
+    match name.trim_start().chars().next() {
+        None => Some("has an empty name; call it by its material".to_owned()),
+        Some('=' | '+' | '-' | '@') => Some(format!(
+            "is called \"{name}\"; a spreadsheet would take a name that begins with = + - or @ for a formula: begin with a letter or a digit"
+        )),
+        Some(_) => name
+            .contains(char::is_control)
+            .then(|| format!("is called \"{}\"; leave the control character out", name.escape_debug())),
     }
 }
 

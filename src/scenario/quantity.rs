@@ -95,8 +95,11 @@ pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.
 
 /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps carry no meaning.
 pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
-/// Rows of a trace: two ends, and no more than a file of about a gigabyte.
-pub const SAMPLES: Quantity = number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e7), "400");
+/// Rows of a trace: two ends, and no more than some hundred megabytes of memory, which holds it until it is written.
+pub const SAMPLES: Quantity = Quantity {
+    hint: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
+    ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
+};
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
 pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::document::read_text;
+use super::document::{LARGEST_SCENARIO, read_text};
 use super::{Scenario, ScenarioError};
 
 /// All that a result depends on, as text.
@@ -78,7 +78,7 @@ impl Scenario {
         match (self.plm_table().coefficients, &self.coefficients) {
             (None, _) => Ok(None),
             (Some(_), Some(text)) => Ok(Some(text.clone())),
-            (Some(path), None) => read_text(&self.directory.join(path)).map(Some),
+            (Some(path), None) => read_text(&self.directory.join(path), LARGEST_SCENARIO).map(Some),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Words: methods and laws by name on an axis, each shown where it stands if there is no such one; a law by name on the
 //! command line.
 
+use std::collections::HashSet;
+
 use serde::de::{Deserialize, Deserializer, Error};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -16,7 +18,7 @@ pub(super) struct Laws(pub(super) Vec<LawChoice>);
 impl<'de> Deserialize<'de> for Laws {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let laws: Vec<LawName> = not_empty(deserializer)?;
-        Ok(Self(laws.into_iter().map(|law| law.0).collect()))
+        distinct(laws.into_iter().map(|law| law.0), LawChoice::name).map(Self)
     }
 }
 
@@ -26,7 +28,7 @@ pub(super) struct Methods(pub(super) Vec<Method>);
 impl<'de> Deserialize<'de> for Methods {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let methods: Vec<MethodName> = not_empty(deserializer)?;
-        Ok(Self(methods.into_iter().map(|method| method.0).collect()))
+        distinct(methods.into_iter().map(|method| method.0), |method| method.name().to_owned()).map(Self)
     }
 }
 
@@ -72,5 +74,17 @@ pub(super) fn choose_law<'a>(root: &mut DeTable<'a>, changes: &mut DeTable<'a>) 
     let names: Vec<String> = laws.keys().map(|name| name.get_ref().to_string()).collect();
     for name in names.iter().filter(|name| !chosen.contains_key(name.as_str())) {
         laws.remove(name.as_str());
+    }
+}
+
+/// The values, if no two have the same name.
+fn distinct<T, E: Error>(values: impl Iterator<Item = T>, name: impl Fn(&T) -> String) -> Result<Vec<T>, E> {
+    let values: Vec<T> = values.collect();
+    let mut names = HashSet::new();
+    match values.iter().map(name).find(|name| !names.insert(name.clone())) {
+        Some(name) => {
+            Err(E::custom(format!("\"{name}\" is there twice, which would be the same rows twice; leave one out")))
+        }
+        None => Ok(values),
     }
 }

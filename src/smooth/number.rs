@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
+
 /// What a formula needs of its argument.
 pub trait Number:
     Copy
@@ -35,22 +37,22 @@ pub trait Number:
 
 impl Number for f64 {
     fn powf(self, exponent: f64) -> Self {
-        self.powf(exponent)
+        pow(self, exponent)
     }
     fn exp(self) -> Self {
-        self.exp()
+        exp(self)
     }
     fn ln(self) -> Self {
-        self.ln()
+        ln(self)
     }
     fn sin(self) -> Self {
-        self.sin()
+        sin(self)
     }
     fn cos(self) -> Self {
-        self.cos()
+        cos(self)
     }
     fn asin(self) -> Self {
-        self.asin()
+        asin(self)
     }
 }
 
@@ -84,29 +86,29 @@ impl Jet {
 
 impl Number for Jet {
     fn powf(self, exponent: f64) -> Self {
-        let power = self.value.powf(exponent);
+        let power = pow(self.value, exponent);
         let slope = exponent * power / self.value;
         self.chain(power, slope, (exponent - 1.0) * slope / self.value)
     }
     fn exp(self) -> Self {
-        let power = self.value.exp();
+        let power = exp(self.value);
         self.chain(power, power, power)
     }
     fn ln(self) -> Self {
         let inverse = 1.0 / self.value;
-        self.chain(self.value.ln(), inverse, -inverse * inverse)
+        self.chain(ln(self.value), inverse, -inverse * inverse)
     }
     fn sin(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = sin_cos(self.value);
         self.chain(sin, cos, -sin)
     }
     fn cos(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = sin_cos(self.value);
         self.chain(cos, -sin, -cos)
     }
     fn asin(self) -> Self {
         let slope = 1.0 / ((1.0 - self.value) * (1.0 + self.value)).sqrt();
-        self.chain(self.value.asin(), slope, self.value * slope * slope * slope)
+        self.chain(asin(self.value), slope, self.value * slope * slope * slope)
     }
 }
 

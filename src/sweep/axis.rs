@@ -1,5 +1,6 @@
 //! An axis of a sweep: a key of the scene and the values it takes.
 
+use crate::functions::{log10, pow};
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::scenario::{Key, Scene};
@@ -57,7 +58,7 @@ impl Values {
     /// Logarithms of the ends of a logarithmic axis.
     fn decades(&self) -> (f64, f64) {
         match *self {
-            Self::Logarithmic { from, to, .. } => (from.log10(), to.log10()),
+            Self::Logarithmic { from, to, .. } => (log10(from), log10(to)),
             Self::List(_) | Self::Linear { .. } => (0.0, 0.0),
         }
     }
@@ -70,7 +71,7 @@ impl Values {
             Self::Linear { from, .. } | Self::Logarithmic { from, .. } if i == 0 => from,
             Self::Linear { to, points, .. } | Self::Logarithmic { to, points, .. } if i + 1 >= points => to,
             Self::Linear { from, to, points } => from + (to - from) * (i as f64 / (points - 1) as f64),
-            Self::Logarithmic { points, .. } => 10f64.powf(low + (high - low) * (i as f64 / (points - 1) as f64)),
+            Self::Logarithmic { points, .. } => pow(10f64, low + (high - low) * (i as f64 / (points - 1) as f64)),
         }
     }
 

@@ -7,8 +7,8 @@
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
-use statrs::function::erf::erfc_inv;
 
+use crate::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
 use crate::scenario::Key;
 
 /// A distribution of a key's values, in SI.
@@ -83,8 +83,8 @@ impl Variable {
 impl Distribution {
     /// Standard deviation and mean of the logarithm of a lognormal.
     fn logarithmic(mean: f64, sd: f64) -> (f64, f64) {
-        let variance = (sd / mean).powi(2).ln_1p();
-        (variance.sqrt(), mean.ln() - 0.5 * variance)
+        let variance = ln_1p(powi(sd / mean, 2));
+        (variance.sqrt(), ln(mean) - 0.5 * variance)
     }
 
     /// Probability of a value below x.
@@ -101,7 +101,7 @@ impl Distribution {
             Self::Lognormal { .. } if x <= 0.0 => 0.0,
             Self::Lognormal { mean, sd } => {
                 let (sigma, mu) = Self::logarithmic(mean, sd);
-                normal_below((x.ln() - mu) / sigma)
+                normal_below((ln(x) - mu) / sigma)
             }
         }
     }
@@ -113,21 +113,10 @@ impl Distribution {
             Self::Normal { mean, sd } => mean + sd * normal_quantile(p),
             Self::Lognormal { mean, sd } => {
                 let (sigma, mu) = Self::logarithmic(mean, sd);
-                (mu + sigma * normal_quantile(p)).exp()
+                exp(mu + sigma * normal_quantile(p))
             }
         }
     }
-}
-
-/// Φ(z).
-fn normal_below(z: f64) -> f64 {
-    // that of statrs is good to eleven digits only
-    0.5 * libm::erfc(-z * std::f64::consts::FRAC_1_SQRT_2)
-}
-
-/// Φ⁻¹(p).
-fn normal_quantile(p: f64) -> f64 {
-    -std::f64::consts::SQRT_2 * erfc_inv(2.0 * p)
 }
 
 /// Draws the values of consecutive cases of one variable.

@@ -3,6 +3,8 @@
 use super::Dimension;
 use super::table::Scale;
 
+use crate::functions::powi;
+
 /// A number in its shortest exact form, with an exponent where zeros would hide the digits.
 #[must_use]
 pub fn number(value: f64) -> String {
@@ -38,7 +40,7 @@ pub fn human(value: f64, dimension: Dimension) -> String {
     if value == 0.0 {
         return si(value, dimension);
     }
-    let fits = |&(_, power): &(&str, i32)| value.abs() >= 10_f64.powi(power);
+    let fits = |&(_, power): &(&str, i32)| value.abs() >= powi(10_f64, power);
     let scientific = format!("{value:.5e}");
     let (Some((name, power)), Some((digits, exponent))) =
         (shown().filter(fits).last().or_else(|| shown().next()), scientific.split_once('e'))

@@ -2,6 +2,7 @@
 
 use super::ValidationError;
 use crate::fit::{LoadingCurve, LoadingPoint};
+use crate::functions::ln;
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
 use crate::reference::{LOADING, unloading};
 
@@ -79,7 +80,7 @@ impl Case {
     /// Unloadings without those at (nearly) the depth of a better resolved one.
     #[must_use]
     pub fn distinct_cycles(&self) -> Vec<&Cycle> {
-        let is_near = |a: &Cycle, b: &Cycle| (a.peak.indentation / b.peak.indentation).ln().abs() < 0.1;
+        let is_near = |a: &Cycle, b: &Cycle| ln(a.peak.indentation / b.peak.indentation).abs() < 0.1;
         let has_better = |one: &&Cycle| {
             let mut others = self.cycles.iter().filter(|other| !std::ptr::eq(*one, *other));
             others.any(|other| is_near(one, other) && other.elements > one.elements)

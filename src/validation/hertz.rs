@@ -6,6 +6,7 @@
 
 use super::ValidationError;
 use super::check::{Check, Tolerance};
+use crate::functions::{pow, powi};
 use crate::impact::{Contact, Impact, Method, Solver};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -105,14 +106,14 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
             let name = format!("Hertz impact, published: {quantity}");
             published.push(Check::numbers(&name, scene.name.to_owned(), scene.reference, unit, numbers, tolerance));
         }
-        let plane_strain = |material: Material| material.youngs_modulus / (1.0 - material.poissons_ratio.powi(2));
+        let plane_strain = |material: Material| material.youngs_modulus / (1.0 - powi(material.poissons_ratio, 2));
         let e_star = 1.0 / (1.0 / plane_strain(scene.sphere) + 1.0 / plane_strain(scene.half_space));
         let stiffness = 4.0 / 3.0 * e_star * scene.radius.sqrt();
-        let mass = 4.0 / 3.0 * std::f64::consts::PI * scene.radius.powi(3) * scene.density;
-        let depth = (1.25 * mass * scene.speed.powi(2) / stiffness).powf(0.4);
+        let mass = 4.0 / 3.0 * std::f64::consts::PI * powi(scene.radius, 3) * scene.density;
+        let depth = pow(1.25 * mass * powi(scene.speed, 2) / stiffness, 0.4);
         for (quantity, unit, expected, got) in [
             ("largest indentation", "m", depth, impact.peak_indentation),
-            ("largest force", "N", stiffness * depth.powf(1.5), impact.peak_force),
+            ("largest force", "N", stiffness * pow(depth, 1.5), impact.peak_force),
             ("contact time", "s", HERTZ_TIME * depth / scene.speed, impact.contact_time),
             ("restitution", "", 1.0, impact.restitution),
         ] {

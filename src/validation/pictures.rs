@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use super::ValidationError;
 use super::cases::cases;
+use crate::functions::{exp, ln};
 use crate::law::{Peak, PlmCoefficients};
 use crate::output::OutputFile;
 use crate::plot::{Axis, Guide, Lines, PlotError, Series};
@@ -66,7 +67,7 @@ fn sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Ve
 
 /// The same with even ratios.
 fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
-    sampled(low.ln(), high.ln(), n, |at| point(at.exp()))
+    sampled(ln(low), ln(high), n, |at| point(exp(at)))
 }
 
 /// All pictures.

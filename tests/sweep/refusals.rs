@@ -16,6 +16,8 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
         }
     };
     let speed = |axis: &str| format!("[sweep]\n\"impact.speed\" = {axis}\n");
+    says("[sweep]\nlaw = [\"plm\", \"hertz\", \"plm\"]\n", &["toml:15:7: sweep.law", "\"plm\" is there twice"]);
+    says("[sweep]\n\"solver.method\" = [\"rk8\", \"rk8\"]\n", &["\"rk8\" is there twice"]);
     says(&speed("{ linspace = [1, 2], points = 0 }"), &["points = 0", "at least one"]);
     says(&speed("[]"), &["at least one"]);
     says(&speed("{ linspace = [1, 2], points = -3 }"), &["`-3`, expected a whole number, 0 or more"]);

@@ -1,6 +1,7 @@
 //! Pieces that are neither powers nor straight lines, with drag.
 
 use super::Piece;
+use crate::functions::powi;
 use crate::integrate::dop853::{Motion, Quad};
 use crate::power::max_or_nan;
 use crate::smooth::Smooth;
@@ -80,7 +81,7 @@ impl<const M: u8> Rooted<M> {
 
 impl<const M: u8> Motion<f64> for Rooted<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
-        let clock = f64::from(M) * y.powi(i32::from(M) - 1);
+        let clock = f64::from(M) * powi(y, i32::from(M) - 1);
         let root = Self::root(y.abs());
         let [f, s, _] = if self.0.eta == 0.0 {
             [self.0.factor * self.0.force.at_variable(root), 0.0, 0.0]
@@ -97,13 +98,13 @@ impl<const M: u8> Piece for Rooted<M> {
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
         let [f, s, k] = self.derivatives(Self::root(node[0].abs()));
         // along σ the distance changes by u times the clock
-        let moved = rates[0] * f64::from(M) * node[0].powi(i32::from(M) - 1);
+        let moved = rates[0] * f64::from(M) * powi(node[0], i32::from(M) - 1);
         self.0.contact([f, s * moved], [s, k * moved], [node[1], rates[1]])
     }
     fn frequency(&self, y: f64) -> f64 {
         let m = f64::from(M);
         let [f, s, _] = self.derivatives(Self::root(y));
         // √ of about −du'/dr
-        (m * y.powi(i32::from(M) - 2) * ((m - 1.0) * f + m * y.powi(i32::from(M)) * s)).max(f64::MIN_POSITIVE).sqrt()
+        (m * powi(y, i32::from(M) - 2) * ((m - 1.0) * f + m * powi(y, i32::from(M)) * s)).max(f64::MIN_POSITIVE).sqrt()
     }
 }

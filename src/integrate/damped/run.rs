@@ -13,6 +13,7 @@ use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
 use super::super::lanes::Lane;
 use super::super::motions::{Piece, cubic_minimum};
 use super::super::{IntegrationError, Leg, MOST_STEPS, State, Work};
+use crate::functions::pow;
 use crate::root::next_guess;
 
 /// Repeats of a landing step,
@@ -73,7 +74,7 @@ impl Verdict {
 
     #[inline(always)]
     pub(super) fn pace(error: f64) -> f64 {
-        0.9 * error.powf(-0.125)
+        0.9 * pow(error, -0.125)
     }
 }
 
@@ -154,7 +155,7 @@ impl Run {
         }
         // a first step that the error control may still shrink; not beyond the end, where a short leg is slow to feel force
         let far = if direction > 0.0 { end.min(size.max(node[0])) } else { node[0] };
-        let mut length = tolerance.powf(0.125) / piece.frequency(far);
+        let mut length = pow(tolerance, 0.125) / piece.frequency(far);
         if node[1] > 0.0 && far > node[0] {
             length = length.min((far - node[0]) / node[1]);
         }

@@ -3,6 +3,7 @@
 use super::super::cases::Case;
 use super::super::dents::residual_radius;
 use super::{Picture, sampled, slug};
+use crate::functions::powi;
 use crate::plot::{Axis, Guide, Series};
 use crate::report::human::number;
 
@@ -10,7 +11,7 @@ pub(super) fn picture(case: &Case) -> Option<Picture> {
     let cycle = case.cycles.iter().find(|cycle| !cycle.dent.is_empty())?;
     let radius = residual_radius(&cycle.peak);
     // lengths in R: δ_Y/R = (a_Y/R)²
-    let depth = cycle.peak.residual() * case.loading.yield_radius_ratio.powi(2);
+    let depth = cycle.peak.residual() * powi(case.loading.yield_radius_ratio, 2);
     let points = cycle.dent.iter().map(|[r, z]| (*r, 1e3 * z)).collect();
     let circle =
         sampled(0.0, cycle.contact_radius, 100, |r| (r, 1e3 * (radius - (radius * radius - r * r).sqrt() - depth)));

@@ -4,6 +4,7 @@ use super::super::EXPONENTS;
 use super::super::cases::{Case, Cycle};
 use super::super::unloading::branch;
 use super::{Picture, loop_axes, sampled, slug};
+use crate::functions::pow;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::plot::{Axis, Series};
 use crate::report::human::number;
@@ -37,7 +38,7 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         let Some(cycle) = cycles.last() else { continue };
         let n = branch(case, cycle, coefficients, exponent).exponent;
         let name = if n == 1.5 { name.to_owned() } else { format!("{name}, deepest: n = {}", number(n)) };
-        series.push(Series::bare(name, sampled(0.0, 1.0, 100, |u| (u, u.powf(n)))));
+        series.push(Series::bare(name, sampled(0.0, 1.0, 100, |u| (u, pow(u, n)))));
     }
     Picture::new(
         format!("unloading-shape-{}", slug(case.name)),
