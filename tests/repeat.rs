@@ -41,7 +41,7 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
     let mut touch = 0.0;
     for hit in &sequence.hits {
         worst = worst.max(((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
-        spent += hit.plastic.unwrap_or(0.0) + hit.damping.unwrap_or(0.0);
+        spent += hit.plastic.unwrap_or(0.0) + hit.damping.unwrap_or(0.0) + hit.stored_at_separation.unwrap_or(0.0);
         if !hit.is_captured {
             worst = worst.max(((hit.recovered - weight * hit.end_indentation + spent) / first - 1.0).abs());
         }
