@@ -159,7 +159,7 @@ fn damping_beyond_what_can_be_followed_is_refused_with_its_range() {
 
 #[test]
 fn a_table_by_a_closed_form_that_is_none_is_refused_before_it_runs() {
-    let sweep = "[sweep]\n\"impact.speed\" = { from = \"1 m/s\", to = \"3 m/s\", steps = 3 }\n";
+    let sweep = "[sweep]\n\"impact.speed\" = { linspace = [\"1 m/s\", \"3 m/s\"], points = 3 }\n";
     let plan = |damping: &str, solver: &str, base: String| {
         let text = base + damping + "[solver]\nmethod = \"" + solver + "\"\n" + sweep;
         Scenario::from_text("table.toml", &text, &[]).unwrap().plan().map(|_| ()).map_err(|error| error.to_string())

@@ -42,7 +42,7 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
     let mut touch = 0.0;
     for hit in &sequence.hits {
         worst = max_or_nan(worst, ((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
-        spent += hit.plastic.unwrap_or(0.0) + hit.damping.unwrap_or(0.0);
+        spent += hit.plastic.unwrap_or(0.0) + hit.damping.unwrap_or(0.0) + hit.stored_at_separation.unwrap_or(0.0);
         if !hit.is_captured {
             worst = max_or_nan(worst, ((hit.recovered - weight * hit.end_indentation + spent) / first - 1.0).abs());
         }

@@ -11,10 +11,9 @@
 use super::super::dop853::{EVALUATIONS, Quad, Step};
 use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
 use super::super::lanes::Lane;
-use super::super::motions::{Piece, cubic_minimum};
+use super::super::motions::{Piece, cubic_minimum, cubic_root};
 use super::super::{IntegrationError, Leg, MOST_STEPS, State, Work};
 use crate::functions::pow;
-use crate::root::next_guess;
 
 /// Repeats of a landing step,
 const MOST_ROUNDS: u32 = 12;
@@ -380,33 +379,4 @@ impl Run {
 #[inline(always)]
 pub(super) fn longer<T: Lane>(h: T, pace: T) -> T {
     h * pace.min(pace.all(5.0))
-}
-
-/// Where in (0, 1) the cubic with these values and slopes at both ends is zero; `before` > 0 ≥ `after`.
-fn cubic_root(before: f64, slope_before: f64, after: f64, slope_after: f64) -> f64 {
-    let at = |x: f64| {
-        let y = 1.0 - x;
-        let value =
-            y * y * ((1.0 + 2.0 * x) * before + x * slope_before) + x * x * ((3.0 - 2.0 * x) * after - y * slope_after);
-        let slope =
-            6.0 * x * y * (after - before) + y * (1.0 - 3.0 * x) * slope_before + x * (3.0 * x - 2.0) * slope_after;
-        (value, slope)
-    };
-    let (mut low, mut high) = (0.0, 1.0);
-    let mut x = if before > after { before / (before - after) } else { 1.0 };
-    for _ in 0..60 {
-        let (value, slope) = at(x);
-        if value > 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = x - value / slope;
-        let next = next_guess(newton, low, high);
-        if (next - x).abs() <= 1e-12 {
-            return next;
-        }
-        x = next;
-    }
-    x
 }
