@@ -41,6 +41,7 @@ mod tests {
         a.to_bits().abs_diff(b.to_bits())
     }
 
+    #[allow(clippy::cast_precision_loss)] // 53 bits
     #[test]
     fn powers_are_those_of_the_crate_libm_to_the_last_digit() {
         // both are within 0.7 of the last digit

@@ -91,6 +91,7 @@ const LOGARITHMS: [Near; ENTRIES] = {
         let ends_at_one = begin + (1 << 45) == 1.0_f64.to_bits();
         if begin != 1.0_f64.to_bits() && !ends_at_one {
             // 256/c to the nearest whole number, and from 256 there in steps of one
+            #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 128 to 512
             let parts = (PARTS / f64::from_bits(begin + (1 << 44)) + 0.5) as u64 as f64;
             let (mut k, mut logarithm) = (PARTS, (0.0, 0.0));
             while k < parts {
@@ -167,6 +168,7 @@ fn exponential(x: f64, rest: f64) -> f64 {
     let count = shifted - WHOLE;
     let whole = shifted.to_bits();
     let r = x - count * STEP.0 - count * STEP.1 + rest;
+    #[allow(clippy::cast_possible_truncation)] // only the lowest bits count
     let (bits, missing) = POWERS[whole as usize % ENTRIES];
     let power = f64::from_bits(bits.wrapping_add(whole << 45));
     let square = r * r;
@@ -176,7 +178,7 @@ fn exponential(x: f64, rest: f64) -> f64 {
 
 #[inline(always)]
 fn is_normal_and_positive(x: f64) -> bool {
-    x >= f64::MIN_POSITIVE && x < f64::INFINITY
+    (f64::MIN_POSITIVE..f64::INFINITY).contains(&x)
 }
 
 /// x^y.

@@ -233,7 +233,7 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile)
     writer.write_all(table.footer()).map_err(&unwritable)?;
     let mut problems = Vec::new();
     for (reader, Finished { table, seal }) in readers.into_iter().zip(shards) {
-        if !reader.is_whole(*seal)? {
+        if !reader.ends_with(*seal)? {
             problems.push(format!(
                 "{}: damaged: its checksum is not that of what was written: run its command again, which makes it anew",
                 table.display()

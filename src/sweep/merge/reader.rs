@@ -30,7 +30,7 @@ impl Read for Closed {
 /// Reads a shard from its first row to its end.
 #[derive(Debug)]
 pub(super) struct Reader<'a> {
-    reader: BufReader<Sealed<Closed>>,
+    input: BufReader<Sealed<Closed>>,
     path: &'a Path,
     table: &'a TextTable,
     rows: u64,
@@ -49,15 +49,15 @@ impl<'a> Reader<'a> {
         buffer: usize,
     ) -> Result<Self, SweepError> {
         let file = Sealed::new(Closed { path: path.to_owned(), at: 0 }, Sum::default());
-        let reader = BufReader::with_capacity(buffer, file);
-        let mut reader = Self { reader, path, table, rows: layout.rows(), read: 0, line: Vec::new() };
+        let input = BufReader::with_capacity(buffer, file);
+        let mut reader = Self { input, path, table, rows: layout.rows(), read: 0, line: Vec::new() };
         reader.next_line()?;
         if reader.line == table.header() { Ok(reader) } else { Err(damaged(path, "its first line")) }
     }
 
     fn next_line(&mut self) -> Result<(), SweepError> {
         self.line.clear();
-        let read = self.reader.read_until(b'\n', &mut self.line);
+        let read = self.input.read_until(b'\n', &mut self.line);
         read.map(drop).map_err(SweepError::file("cannot be read", self.path))
     }
 
@@ -74,12 +74,12 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether the file ends behind its last row, and was the one of this seal.
-    pub(super) fn is_whole(mut self, seal: Seal) -> Result<bool, SweepError> {
+    pub(super) fn ends_with(mut self, seal: Seal) -> Result<bool, SweepError> {
         self.next_line()?;
         let is_end = self.line == self.table.footer();
         // what comes behind is counted by the seal too
         self.next_line()?;
-        Ok(is_end && self.line.is_empty() && self.reader.get_ref().seal() == seal)
+        Ok(is_end && self.line.is_empty() && self.input.get_ref().seal() == seal)
     }
 }
 
