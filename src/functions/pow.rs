@@ -91,7 +91,8 @@ const LOGARITHMS: [Near; ENTRIES] = {
         let ends_at_one = begin + (1 << 45) == 1.0_f64.to_bits();
         if begin != 1.0_f64.to_bits() && !ends_at_one {
             // 256/c to the nearest whole number, and from 256 there in steps of one
-            #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 128 to 512
+            #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            // 128 to 512
             let parts = (PARTS / f64::from_bits(begin + (1 << 44)) + 0.5) as u64 as f64;
             let (mut k, mut logarithm) = (PARTS, (0.0, 0.0));
             while k < parts {

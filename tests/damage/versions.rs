@@ -32,6 +32,7 @@ fn rows_of_other_numbers_are_refused_and_both_versions_are_named() {
     // before there was such a number
     let oldest = |entries: &mut Map<String, Value>| drop(entries.remove("numbers"));
     let other = |entries: &mut Map<String, Value>| drop(entries.insert("version".to_owned(), Value::from("0.0.1")));
+    #[allow(clippy::type_complexity)] // one list
     let changes: [(&dyn Fn(&mut Map<String, Value>), &str); 3] = [
         (&older, "0.1.0 (table numbers 7000)"),
         (&oldest, "0.1.0 (table numbers 0)"),
