@@ -83,9 +83,9 @@ fn harmless(text: &str) -> String {
     let is_obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
     text.chars().fold(String::with_capacity(text.len()), |mut shown, c| {
         if is_obeyed(c) {
-            shown.extend(c.escape_default())
+            shown.extend(c.escape_default());
         } else {
-            shown.push(c)
+            shown.push(c);
         }
         shown
     })
