@@ -196,8 +196,9 @@ fn what_is_no_scenario_is_refused() {
 }
 
 #[test]
-fn ten_megabytes_are_read_or_refused_in_few_words() {
-    const SIZE: usize = 10 << 20;
+fn almost_a_megabyte_is_read_or_refused_in_few_words() {
+    const SIZE: usize = 1_000_000;
+    assert_refused(&Desk::with("x".repeat(10 * SIZE)), &["check", "s.toml"], &["s.toml: is larger than 1 MiB"]);
     let long_line = "x".repeat(SIZE);
     assert_refused(&Desk::with(&long_line), &["check", "s.toml"], &["s.toml:1:"]);
     let many_lines = "sped = 3\n".repeat(SIZE / 9);

@@ -68,10 +68,12 @@ fn has_rows(part: &Path) -> bool {
 
 #[test]
 fn of_two_runs_into_one_place_the_second_is_refused_and_the_table_is_whole() {
-    for (format, shard) in [("csv", "0/1"), ("json", "0/1"), ("csv", "1/2")] {
+    let whole: &[&str] = &[];
+    for (format, shard, name) in
+        [("csv", whole, "table.csv"), ("json", whole, "table.json"), ("csv", &["--shard", "1/2"], "table-1-of-2.csv")]
+    {
         let desk = Desk::with(sweep(4000));
-        let name = if shard == "0/1" { format!("table.{format}") } else { "table-1-of-2.csv".to_owned() };
-        let arguments = |out| ["run", "s.toml", "--quiet", "--format", format, "--shard", shard, "--out", out];
+        let arguments = |out| [&["run", "s.toml", "--quiet", "--format", format, "--out", out], shard].concat();
         ends(&desk, &arguments("alone"), 0);
         let part = desk.path(&format!("out/{name}.part"));
         let mut refused = 0;

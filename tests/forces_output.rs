@@ -82,14 +82,11 @@ fn without_a_closed_form_the_energy_ledger_stands_in_for_it() {
     // a law of other curves than powers has none under gravity
     let (line, _) = accuracy_and_warnings(&scenario("[law.jackson_green]\n", &[]));
     assert!(line.contains("energy drift; this scene has no closed form"), "{line}");
-    // an exponent of 1.2 near yield gives back more than was spent, with or without a closed form
+    // an exponent of 1.2 near yield gives back no more than was spent, also without a closed form to hold it against
     let soft = "[law.plm]\nunloading_exponent = 1.2\n[damping]\nhunt_crossley = 1e-6\n";
     let (line, warnings) = accuracy_and_warnings(&scenario(soft, &["impact.drop_height=10 um"]));
     assert!(line.contains("no closed form"), "{line}");
-    assert!(
-        warnings.iter().any(|warning| warning.contains("is above 1: an unloading exponent of 1.2")),
-        "{warnings:?}"
-    );
+    assert!(warnings.is_empty(), "{warnings:?}");
 }
 
 #[test]
