@@ -6,7 +6,9 @@ mod fit_plm;
 mod interrupt;
 mod laws;
 mod merge;
+mod reference;
 mod run;
+mod schema;
 mod sweep;
 mod threads;
 mod validate;
@@ -36,6 +38,8 @@ enum Command {
     Check(check::Arguments),
     Merge(merge::Arguments),
     Laws(laws::Arguments),
+    Schema(schema::Arguments),
+    Reference(reference::Arguments),
     Validate(validate::Arguments),
     FitPlm(fit_plm::Arguments),
 }
@@ -68,6 +72,8 @@ pub fn run() -> anyhow::Result<()> {
         Command::Check(arguments) => check::check(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
+        Command::Schema(arguments) => schema::schema(&arguments),
+        Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
     }

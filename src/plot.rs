@@ -18,6 +18,7 @@ pub mod lines;
 pub mod repeat;
 pub mod stack;
 mod style;
+pub mod sweep;
 
 use thiserror::Error;
 

@@ -2,13 +2,14 @@
 //! result; nothing here opens a file or prints.
 
 pub mod compare;
-pub mod human;
 pub mod indentation;
 pub mod inputs;
 pub mod laws;
+pub mod overview;
 pub mod plan;
 pub mod repeat;
 pub mod repeat_summary;
+pub mod resolved;
 pub mod summary;
 pub mod sweep;
 pub mod table;

@@ -10,9 +10,10 @@ use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot;
 use crate::report::inputs::Inputs;
+use crate::report::resolved::of_scene;
 use crate::report::{self, Provenance};
-use crate::scenario::resolved::of_scene;
-use crate::scenario::{Scenario, Scene};
+use crate::scenario::Scenario;
+use crate::scene::Scene;
 
 /// A scenario that was run.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,9 +102,11 @@ pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(),
 }
 
 fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str) -> Result<Provenance, Error> {
-    let is_plm = matches!(scene.law, LawChoice::Plm(_));
     let can_yield = scene.half_space.yield_strength.is_some();
-    let coefficients = (is_plm && can_yield).then_some(&scene.coefficients.provenance);
+    let coefficients = match &scene.law {
+        LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
+        _ => None,
+    };
     Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
@@ -112,7 +115,7 @@ fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str)
         method: method.name().to_owned(),
         tolerance: scene.solver.tolerance,
         law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
-        law_source: (can_yield && !is_plm).then(|| scene.law.source()),
+        law_source: (can_yield && coefficients.is_none()).then(|| scene.law.source()),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
     })

@@ -21,47 +21,36 @@
 //! # Ok::<(), plm_impact::scenario::ScenarioError>(())
 //! ```
 
+mod axes;
 mod columns;
 pub mod compare;
 mod document;
+mod entries;
 mod explain;
 mod extreme;
-pub mod file;
-pub mod forces;
+mod forces;
 pub mod indentation;
-pub mod keys;
 mod kind;
-pub mod law;
-pub mod overview;
+mod law;
+mod overrides;
 mod place;
-pub mod quantity;
-mod reader;
-pub mod repeat;
-pub mod resolved;
+mod repeat;
 mod source;
-pub mod sweep;
-mod swept;
-pub mod values;
-mod words;
+mod sweep;
+mod values;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::impact::{Contact, Forces, ImpactError, Solver, Warning};
-use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
+use crate::impact::{Solver, Warning};
 use crate::material::{HalfSpace, Material, Sphere};
+use crate::scene::{DEFAULT_SAMPLES, KEYS, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text};
-use file::{PlmTable, ScenarioFile, SphereTable};
-pub use keys::{KEYS, Key};
+use entries::Entries;
 pub use kind::Kind;
-use law::LawTable;
 pub use place::{Place, Refusal};
 pub use source::Source;
-
-/// Evenly spaced rows of a trace where the scenario names no other number.
-pub const DEFAULT_SAMPLES: usize = 400;
 
 /// Why a scenario is refused.
 #[derive(Debug, Error)]
@@ -103,59 +92,41 @@ pub enum ScenarioError {
     Refused(Box<Refusal>),
 }
 
-/// What a scenario comes to: bodies, speed, law, solver. Plain numbers in SI, all of them checked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scene {
-    /// The sphere.
-    pub sphere: Sphere,
-    /// The half-space.
-    pub half_space: HalfSpace,
-    /// Impact speed \[m/s\].
-    pub speed: f64,
-    /// The law; of the PLM, exponent and coefficients are those below.
-    pub law: LawChoice,
-    /// Height of the fall \[m\] that gives the speed, if the scene names one.
-    pub drop_height: Option<f64>,
-    /// Gravity and damping.
-    pub forces: Forces,
-    /// Exponent of the unloading branch.
-    pub exponent: UnloadingExponent,
-    /// Coefficients of the PLM.
-    pub coefficients: Arc<PlmCoefficients>,
-    /// Method and tolerance.
-    pub solver: Solver,
-    /// Evenly spaced rows of the trace.
-    pub samples: usize,
-    /// What of the scenario has no effect.
-    pub warnings: Vec<Warning>,
-}
-
-impl Scene {
-    /// The bodies paired under the law.
-    ///
-    /// # Errors
-    /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
-    pub fn contact(&self) -> Result<Contact, ImpactError> {
-        let contact = match &self.law {
-            LawChoice::Plm(_) => Contact::try_new(self.sphere, self.half_space, &self.coefficients, self.exponent)?,
-            law => Contact::with_law(self.sphere, self.half_space, law.get())?,
-        };
-        Ok(contact.with_forces(self.forces))
-    }
-}
-
 /// A scenario file, read and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scenario {
     /// Its text, and where a value stands in it.
     pub document: Document,
-    /// Its tables.
-    pub file: ScenarioFile,
+    /// What it gives.
+    entries: Entries,
     /// Files that it names are relative to this.
     directory: PathBuf,
     /// The text of the file of coefficients, where that is known without the file.
     coefficients: Option<String>,
 }
+
+/// What an impact cannot do without, any key of a group in place of the others.
+const NEEDED: [&[&str]; 7] = [
+    &["sphere.radius", "sphere.diameter"],
+    &["sphere.youngs_modulus"],
+    &["sphere.poissons_ratio"],
+    &["sphere.density"],
+    &["half_space.youngs_modulus"],
+    &["half_space.poissons_ratio"],
+    &["impact.speed", "impact.drop_height"],
+];
+
+/// Why a law has no use.
+const ELASTIC: &str =
+    "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
+
+/// Keys that say the same, each in place of the other.
+const EITHER: [[&str; 2]; 4] = [
+    ["sphere.radius", "sphere.diameter"],
+    ["impact.speed", "impact.drop_height"],
+    ["damping.hunt_crossley", "damping.viscous"],
+    ["compare.peak_indentation_ratio", "compare.peak_indentation"],
+];
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
@@ -178,8 +149,45 @@ impl Scenario {
 
     fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
-        let file = document.read()?;
-        Ok(Self { document, file, directory, coefficients: None })
+        let entries = document.entries()?;
+        let scenario = Self { document, entries, directory, coefficients: None };
+        scenario.check_tables()?;
+        Ok(scenario)
+    }
+
+    /// What holds for every kind of scene: the sphere, and no two keys that say the same.
+    fn check_tables(&self) -> Result<(), ScenarioError> {
+        for [one, other] in EITHER {
+            if self.entries.has(one) && self.entries.has(other) {
+                let name = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
+                let (one, second) = (name(one), name(other));
+                let message = format!("`{one}` is given too; write only one of `{one}` and `{second}`");
+                return Err(self.document.refuse(other, message));
+            }
+        }
+        if self.entries.has("damping") && self.entries.keys_in("damping").next().is_none() {
+            let message = "a key is missing: hunt_crossley = \"0.1 s/m\", or viscous = 0.05; or leave the table out";
+            return Err(self.document.refuse("damping", message.to_owned()));
+        }
+        if self.entries.has("gravity") && !self.entries.has("gravity.acceleration") {
+            return Err(self.document.missing("gravity", "acceleration"));
+        }
+        self.need(&NEEDED[..3])
+    }
+
+    /// Refuses a scenario that lacks one of these keys, unless it varies over the cases of a table.
+    fn need(&self, groups: &[&[&str]]) -> Result<(), ScenarioError> {
+        let is_there = |path: &&&str| self.entries.has(path) || self.entries.varies(path);
+        let Some([first, rest @ ..]) = groups.iter().find(|group| !group.iter().any(|path| is_there(&path))) else {
+            return Ok(());
+        };
+        let (table, name) = first.split_once('.').unwrap_or(("", first));
+        // bodies have more keys than the one that varies: a body without a table is an oversight
+        let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
+        if !self.entries.has(table) && !self.entries.varied().any(|path| table == "impact" && in_table(&path)) {
+            return Err(self.document.missing("", table));
+        }
+        Err(self.document.missing_one_of(table, name, rest))
     }
 
     /// The scene of an impact: defaults filled in, files read.
@@ -188,89 +196,107 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, law, solver, .. } = &self.file;
-        let plm = self.plm_table();
+        let shot = self.first_of_speeds()?;
+        self.need(&NEEDED[..if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() }])?;
+        let mut scene = self.blank()?;
+        for key in KEYS {
+            if let Some(value) = self.entries.number(key.path).or_else(|| self.entries.first(key.path)) {
+                (key.set)(&mut scene, value);
+            }
+        }
+        if let Some(speed) = shot {
+            scene.set_speed(speed);
+        }
+        self.needs_gravity()?;
+        self.refuse_waves(&scene)?;
+        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
+        Ok(scene)
+    }
+
+    /// The scene before its numbers are put into it: law, method, and the numbers without a key to vary.
+    fn blank(&self) -> Result<Scene, ScenarioError> {
         let defaults = Solver::default();
-        let half_space = half_space.as_ref().ok_or_else(|| self.document.missing("", "half_space"))?.resolve();
-        let density = sphere.density.ok_or_else(|| self.document.missing("sphere", "density"))?;
-        let forces = self.forces()?;
-        self.refuse_waves(&half_space, &forces)?;
-        let (speed, drop_height) = self.speed(&forces)?;
-        let sphere = Sphere {
-            radius: self.radius(sphere)?,
-            material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
-            density: density.0,
-            yield_strength: sphere.yield_strength.map(|strength| strength.0),
-        };
+        let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
+        let count = |path: &str| self.entries.count(path);
         Ok(Scene {
-            sphere,
-            half_space,
-            speed,
-            drop_height,
-            forces,
+            sphere: Sphere { radius: f64::NAN, material, density: f64::NAN, yield_strength: None },
+            half_space: HalfSpace { material, yield_strength: None, density: None },
+            speed: f64::NAN,
+            drop_height: None,
+            forces: crate::impact::Forces::default(),
             law: self.law()?,
-            exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
-            coefficients: self.coefficients(&plm)?,
             solver: Solver {
-                method: solver.method.map_or(defaults.method, |method| method.0),
-                tolerance: solver.tolerance.map_or(defaults.tolerance, |tolerance| tolerance.0),
-                steps_per_contact: solver.steps_per_contact.map_or(defaults.steps_per_contact, |steps| steps.0),
+                method: self.method().unwrap_or(defaults.method),
+                steps_per_contact: count("solver.steps_per_contact")
+                    .and_then(|steps| u32::try_from(steps).ok())
+                    .unwrap_or(defaults.steps_per_contact),
+                ..defaults
             },
             samples: self.samples(),
-            warnings: unused(law.as_ref(), half_space.yield_strength.is_none()),
+            warnings: Vec::new(),
         })
     }
 
-    /// Evenly spaced rows of a trace.
+    /// A numeric key that the scenario gives, in SI.
+    #[must_use]
+    pub fn number_of(&self, path: &str) -> Option<f64> {
+        self.entries.number(path)
+    }
+
+    /// The sphere's radius \[m\], by its radius or its diameter.
+    #[must_use]
+    pub fn sphere_radius(&self) -> Option<f64> {
+        let diameter = || Some(0.5 * self.entries.number("sphere.diameter")?);
+        self.entries.number("sphere.radius").or_else(diameter)
+    }
+
+    /// Rows of a trace.
     #[must_use]
     pub fn samples(&self) -> usize {
-        self.file.output.samples.map_or(DEFAULT_SAMPLES, |samples| samples.0)
+        let given = self.entries.count("output.samples").and_then(|samples| usize::try_from(samples).ok());
+        given.unwrap_or(DEFAULT_SAMPLES)
     }
 
-    fn radius(&self, sphere: &SphereTable) -> Result<f64, ScenarioError> {
-        match (sphere.radius, sphere.diameter) {
-            (Some(radius), None) => Ok(radius.0),
-            (None, Some(diameter)) => Ok(0.5 * diameter.0),
-            (None, None) => {
-                let message = "the key `radius` is missing: a length such as radius = \"5 mm\"; or `diameter`";
-                Err(self.document.refuse("sphere", message.to_owned()))
-            }
-            (Some(_), Some(_)) => {
-                let message = "`radius` is given too; write only one of `radius` and `diameter`";
-                Err(self.document.refuse("sphere.diameter", message.to_owned()))
-            }
+    /// The sphere's radius \[m\].
+    fn radius(&self) -> Result<f64, ScenarioError> {
+        self.sphere_radius().ok_or_else(|| self.document.missing("sphere", "radius"))
+    }
+
+    /// A number that the scene cannot do without.
+    fn number(&self, path: &str) -> Result<f64, ScenarioError> {
+        let (table, name) = path.rsplit_once('.').unwrap_or(("", path));
+        self.entries.number(path).ok_or_else(|| self.document.missing(table, name))
+    }
+
+    /// The sphere's material.
+    fn sphere_material(&self) -> Result<Material, ScenarioError> {
+        Ok(Material {
+            youngs_modulus: self.number("sphere.youngs_modulus")?,
+            poissons_ratio: self.number("sphere.poissons_ratio")?,
+        })
+    }
+
+    /// A half-space whose keys stand in this table.
+    fn half_space_in(&self, table: &str) -> Result<HalfSpace, ScenarioError> {
+        let path = |name: &str| format!("{table}.{name}");
+        Ok(HalfSpace {
+            material: Material {
+                youngs_modulus: self.number(&path("youngs_modulus"))?,
+                poissons_ratio: self.number(&path("poissons_ratio"))?,
+            },
+            yield_strength: self.entries.number(&path("yield_strength")),
+            density: self.entries.number(&path("density")),
+        })
+    }
+
+    /// Keys of a law that an elastic half-space does not need.
+    fn unused(&self, is_elastic: bool) -> Vec<Warning> {
+        const OF_PLM: [&str; 2] = ["law.plm.unloading_exponent", "law.plm.coefficients"];
+        if !is_elastic {
+            return Vec::new();
         }
+        let of_plm = OF_PLM.into_iter().filter(|path| self.entries.has(path));
+        let law = self.law_name().filter(|law| !matches!(*law, "plm" | "hertz")).map(|_| "law");
+        of_plm.chain(law).map(|key| Warning::UnusedKey { key, reason: ELASTIC }).collect()
     }
-
-    fn coefficients(&self, plm: &PlmTable) -> Result<Arc<PlmCoefficients>, ScenarioError> {
-        let Some(path) = &plm.coefficients else {
-            return Ok(Arc::new(PlmCoefficients::built_in().clone()));
-        };
-        let refuse = |message: String| self.document.refuse("law.plm.coefficients", message);
-        let text = self.coefficients_text().map_err(|error| refuse(error.to_string()))?.unwrap_or_default();
-        let table = PlmCoefficients::from_toml(&text).map_err(|error| {
-            refuse(format!("{}: {}", self.directory.join(path).display(), error.to_string().trim_end()))
-        })?;
-        Ok(Arc::new(table))
-    }
-}
-
-/// Why a law has no use.
-const ELASTIC: &str =
-    "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
-
-/// Keys of a law that an elastic half-space does not need.
-fn unused(law: Option<&LawTable>, is_elastic: bool) -> Vec<Warning> {
-    let keys: Vec<(&'static str, bool)> = match law {
-        None | Some(LawTable::Hertz(_)) => Vec::new(),
-        Some(LawTable::Plm(plm)) => vec![
-            ("law.plm.unloading_exponent", plm.unloading_exponent.is_some()),
-            ("law.plm.coefficients", plm.coefficients.is_some()),
-        ],
-        Some(_) => vec![("law", true)],
-    };
-    keys.into_iter()
-        .filter(|(_, is_given)| *is_given && is_elastic)
-        .map(|(key, _)| Warning::UnusedKey { key, reason: ELASTIC })
-        .collect()
 }

@@ -1,22 +1,19 @@
 //! Sweeps: many cases of one scene to one table, on all cores, in shards, resumable.
 //!
-//! A case number alone says what a row holds ([`plan`], [`random`]), so threads, shards and interruptions change nothing.
+//! A case number alone says what a row holds ([`crate::plan`]), so threads, shards and interruptions change nothing.
 //! Rows are computed and written as text in parallel chunks and appended in order ([`driver`]); memory does not grow with
 //! their number.
 
-pub mod axis;
 pub mod caution;
 pub mod count;
 pub mod driver;
+pub mod evaluator;
 pub mod merge;
 #[cfg(feature = "parquet")]
 mod ordered;
 pub mod pace;
 #[cfg(feature = "parquet")]
 pub mod parquet;
-pub mod pictures;
-pub mod plan;
-pub mod random;
 pub mod seal;
 pub mod shard;
 pub mod sidecar;
@@ -32,7 +29,6 @@ use thiserror::Error;
 use crate::output::OutputError;
 
 pub use driver::{Job, Progress, Written};
-pub use plan::{Cases, Plan};
 pub use shard::Shard;
 pub use table::Format;
 

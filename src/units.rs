@@ -4,12 +4,14 @@
 //! unit its exponent joins the decimal text before the one rounding to binary, so that "5 mm" is the same number as 0.005.
 
 mod format;
+pub mod nearest;
+pub mod rounded;
 mod table;
 
 use thiserror::Error;
 
-use crate::nearest::nearest;
 pub use format::{describe, four_digits, human, number, si};
+use nearest::nearest;
 use table::{Scale, UNITS, Unit};
 
 /// What a quantity measures.

@@ -14,7 +14,7 @@ use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 use plm_impact::material::Material;
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::plan::{Evaluator, Rows};
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use proptest::prelude::*;
 
 /// None, one, one less and one more than the lanes of an instruction set with 32 of them, many.

@@ -7,7 +7,7 @@ use common::STEEL;
 use plm_impact::impact::{Essentials, Method, Solver};
 use plm_impact::run::run;
 use plm_impact::scenario::{Scenario, ScenarioError};
-use plm_impact::sweep::plan::{Evaluator, Rows};
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use serde_json::Value;
 
 /// The steel sphere falls.

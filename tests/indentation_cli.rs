@@ -117,7 +117,11 @@ fn wrong_indentations_are_refused_by_both_commands() {
     let table: &[(&str, &str, &[&str])] = &[
         (STEPS, "steps = []", &["s.toml:12:", "indentation.steps: there is no step"]),
         (STEPS, "", &["indentation: the key `steps` is missing"]),
-        (STEPS, "steps = [{ load = \"-5 N\" }]", &["s.toml:12:19: indentation.steps: \"-5 N\" = -5 N", ">= 0 N"]),
+        (
+            STEPS,
+            "steps = [{ load = \"-5 N\" }]",
+            &["s.toml:12:19: indentation.steps[0].load: \"-5 N\" = -5 N", ">= 0 N"],
+        ),
         (STEPS, "steps = [{ indentation = \"-1 um\" }]", &["s.toml:12:26", "-1 um", ">= 0 m"]),
         (STEPS, "steps = [{ load = \"5 um\" }]", &["s.toml:12:19", "is a length, but a force is needed"]),
         (STEPS, "steps = [{ laod = \"5 N\" }]", &["s.toml:12:12", "unknown key `laod`, did you mean `load`?"]),

@@ -6,9 +6,10 @@ use plm_impact::impact::{Contact, Event, Impact, Solver};
 use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::report::inputs::Inputs;
+use plm_impact::report::resolved::of_scene;
 use plm_impact::report::{self, Provenance};
-use plm_impact::scenario::resolved::of_scene;
-use plm_impact::scenario::{Scenario, Scene};
+use plm_impact::scenario::Scenario;
+use plm_impact::scene::Scene;
 use serde_json::Value;
 
 mod common;

@@ -3,11 +3,11 @@
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::report::overview::{of_comparison, of_indentation, overview};
 use plm_impact::report::plan::plan_lines;
 use plm_impact::report::repeat::repeat_lines;
 use plm_impact::run::repeat::Computed;
 use plm_impact::run::{self, table};
-use plm_impact::scenario::overview::{of_comparison, of_indentation, overview};
 use plm_impact::scenario::{Kind, Scenario};
 
 use super::ScenarioArguments;
@@ -28,9 +28,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
         Kind::Compare => {
             let comparison = scenario.comparison().map_err(Error::from)?;
             super::run::warn(&comparison.warnings);
-            let text = plm_impact::report::compare::state(&comparison)
-                + "\n"
-                + &of_comparison(&scenario, &comparison).map_err(Error::from)?;
+            let text = plm_impact::report::compare::state(&comparison) + "\n" + &of_comparison(&scenario, &comparison);
             super::print(&text).context("standard output")
         }
         Kind::Indentation => indentation(&scenario),
@@ -60,5 +58,5 @@ fn impact(scenario: &Scenario) -> anyhow::Result<()> {
 fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, tested, warnings) = run::indentation::compute(scenario, None)?;
     super::run::warn(&warnings);
-    super::print(&of_indentation(&scene, &tested)).context("standard output")
+    super::print(&of_indentation(scenario, &scene, &tested)).context("standard output")
 }

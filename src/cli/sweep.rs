@@ -7,12 +7,13 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
+use plm_impact::plan::Plan;
+use plm_impact::plot::sweep::PICTURES;
 use plm_impact::report;
 use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::pictures::PICTURES;
 use plm_impact::sweep::sidecar::table_name;
-use plm_impact::sweep::{self, Job, Plan, Progress, Shard};
+use plm_impact::sweep::{self, Job, Progress, Shard};
 
 use super::interrupt::Interrupt;
 

@@ -1,8 +1,8 @@
 //! The comment lines of a loading curve that name its bodies.
 
 use crate::material::{HalfSpace, Material, Pair};
-use crate::nearest::nearest;
-use crate::scenario::quantity::{LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPHERE_MODULUS, STRENGTH};
+use crate::scene::quantity::{LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPHERE_MODULUS, STRENGTH};
+use crate::units::nearest::nearest;
 
 /// What is wrong, and in which line.
 type Refusal = (Option<u64>, String);

@@ -7,7 +7,7 @@ use super::solve::{CaseFit, Fit};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
 use crate::power::max_or_nan;
-use crate::report::human::number;
+use crate::units::rounded::number;
 
 fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)

@@ -1,7 +1,7 @@
 //! Axes: range, ticks and their labels, linear in engineering units or logarithmic.
 
 use crate::functions::{exp, ln, log10};
-use crate::report::human::{Prefix, power_of_ten, ten_to};
+use crate::units::rounded::{Prefix, power_of_ten, ten_to};
 
 /// Values beyond this are not drawn, nor those below its inverse on a logarithmic axis, so that neither the ends of an
 /// axis nor its length overflow.
@@ -202,7 +202,7 @@ fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
     };
     let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
-        _ if is_plain => crate::report::human::number(f64::from(digit) * ten_to(exponent)),
+        _ if is_plain => crate::units::rounded::number(f64::from(digit) * ten_to(exponent)),
         1 => power_of_ten(exponent),
         _ => format!("{digit}·{}", power_of_ten(exponent)),
     };

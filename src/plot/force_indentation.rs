@@ -7,7 +7,7 @@ use super::key::{self, Entry};
 use super::style::{DASHED, DOTTED, GREY, INK, Mark, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
 use crate::impact::{Event, Impact, TraceRow};
-use crate::report::human::{number, quantity};
+use crate::units::rounded::{number, quantity};
 
 /// Radius of markers, and of the small ones at knots \[px\].
 const MARK: f64 = 9.0;

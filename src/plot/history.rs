@@ -8,7 +8,7 @@ use super::key::{self, Entry};
 use super::style::{DASHED, GREY, INK, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
 use crate::impact::{Impact, TraceRow};
-use crate::report::human::quantity;
+use crate::units::rounded::quantity;
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;

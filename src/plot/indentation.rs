@@ -8,7 +8,7 @@ use super::key::{self, Entry};
 use super::style::{DASHED, GREY, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
 use crate::indentation::{Branch, Span, Tested, TraceRow};
-use crate::report::human::quantity;
+use crate::units::rounded::quantity;
 
 /// Radius of markers, and half the length of the ends of error bars \[px\].
 const MARK: f64 = 9.0;

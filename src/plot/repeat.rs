@@ -12,7 +12,7 @@ use crate::functions::pow;
 use crate::impact::{Event, Impact};
 use crate::repeat::flight::Flight;
 use crate::repeat::{Place, Repeat, Sequence};
-use crate::report::human::{number, quantity};
+use crate::units::rounded::{number, quantity};
 
 /// Points of a flight where there are few of them.
 const FLIGHT_POINTS: u32 = 48;

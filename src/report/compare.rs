@@ -5,15 +5,15 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::ReportError;
-use super::human::{number, quantity};
 use super::inputs::Inputs;
 use crate::compare::{Comparison, Origin};
 use crate::error::Error;
 use crate::law::Unloading;
 use crate::output::OutputFile;
 use crate::plot::{Axis, Lines, PlotError, Series};
+use crate::report::resolved::of_comparison;
 use crate::scenario::Scenario;
-use crate::scenario::resolved::of_comparison;
+use crate::units::rounded::{number, quantity};
 
 /// One law in the table; deviations are relative to the finite elements of the same peak.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -236,7 +236,7 @@ pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Res
         },
         laws: rows,
         warnings: comparison.warnings.iter().map(ToString::to_string).collect(),
-        inputs: Inputs(of_comparison(scenario, comparison)?),
+        inputs: Inputs(of_comparison(scenario, comparison)),
         version: env!("CARGO_PKG_VERSION"),
         scenario_sha256: scenario.sha256()?,
         command,

@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::ReportError;
-use super::human::{number, quantity};
 use super::inputs::Inputs;
 use super::table::aligned;
 use crate::indentation::{Span, Spans, Specimen, Step, Target, Tested};
+use crate::units::rounded::{number, quantity};
 
 /// Where a result comes from: enough to repeat it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -268,7 +268,7 @@ fn with_span(value: f64, span: Option<Span>, unit: &str) -> String {
     let text = quantity(value, unit);
     match span.filter(|span| span.high - span.low > 1e-9 * span.high.abs()) {
         Some(Span { low, high }) => {
-            let factor = super::human::Prefix::of(value).factor;
+            let factor = crate::units::rounded::Prefix::of(value).factor;
             format!("{text} ({} to {})", number(low / factor), number(high / factor))
         }
         None => text,

@@ -2,9 +2,9 @@
 
 use serde::ser::{Serialize, Serializer};
 
-use crate::scenario::resolved::{Entry, Given, RIGID, of_scene};
-use crate::sweep::axis::Setting;
-use crate::sweep::plan::{Cases, Plan};
+use super::resolved::{Entry, Given, of_scene};
+use crate::plan::axis::Setting;
+use crate::plan::{Cases, Plan};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,10 +21,10 @@ struct Value<'a>(&'a Given);
 impl Serialize for Value<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.0 {
-            Given::Number(value, _) if value.is_infinite() => serializer.serialize_str(RIGID), // JSON has no infinity
             Given::Number(value, _) => serializer.serialize_f64(*value),
             Given::Count(count) => serializer.serialize_u64(*count),
             Given::Word(word) => serializer.serialize_str(word),
+            Given::WordOf(word, _) => serializer.serialize_str(word),
         }
     }
 }

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::human::percent;
-use crate::sweep::axis::{Axis, Setting, Values};
-use crate::sweep::plan::{Cases, Plan, label};
-use crate::sweep::random::{Distribution, Variable};
+use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::random::{Distribution, Variable};
+use crate::plan::{Cases, Plan, label};
 use crate::sweep::table::column_names;
 use crate::units::human;
+use crate::units::rounded::percent;
 
 /// Values of an axis that are listed one by one.
 const MOST_LISTED: u64 = 8;

@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::ReportError;
-use super::human::{number, quantity};
 use super::trace::event_name;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
+use crate::units::rounded::{number, quantity};
 
 /// Why the series ended, for a person.
 #[must_use]

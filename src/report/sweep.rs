@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use super::ReportError;
 use super::inputs::Inputs;
-use crate::sweep::plan::{Cases, Plan};
-use crate::sweep::random;
+use crate::plan::random;
+use crate::plan::{Cases, Plan};
 use crate::sweep::sidecar::Tally;
 use crate::sweep::statistics::Distribution;
 

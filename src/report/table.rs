@@ -1,8 +1,8 @@
 //! The short table a person reads on the terminal.
 
-use super::human::{number, percent, quantity};
 use crate::impact::{Contact, Impact, UnderForces};
 use crate::power::max_or_nan;
+use crate::units::rounded::{number, percent, quantity};
 
 /// A few aligned lines: what came of the impact and how exact it is.
 #[must_use]

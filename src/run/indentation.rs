@@ -6,9 +6,9 @@ use crate::output::OutputFile;
 use crate::plot;
 use crate::report::indentation::{self, Provenance};
 use crate::report::inputs::Inputs;
+use crate::report::resolved::of_indentation;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::resolved::of_indentation;
 
 /// An indentation that was run.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +29,8 @@ pub struct Run {
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticContact>), Error> {
     let scene = scenario.indentation()?;
-    let contact = |half_space| StaticContact::try_new(scene.indenter, half_space, &scene.coefficients, scene.exponent);
+    let contact =
+        |half_space| StaticContact::try_new(scene.indenter, half_space, &scene.plm.coefficients, scene.plm.exponent);
     let contacts = scene.specimens.iter().map(|specimen| contact(&specimen.half_space)).collect::<Result<Vec<_>, _>>();
     let contacts = contacts.map_err(|range| refused(scenario, None, range.into()))?;
     for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
@@ -38,7 +39,9 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
         // neither may a corner of the uncertainties go where nothing holds
         let name = name.map(|name| format!("{name} at an end of its uncertainty"));
         let refuse = |reason| refused(scenario, name.as_deref(), reason);
-        specimen.spans(scene.indenter, &scene.coefficients, scene.exponent, &scene.targets, &middle).map_err(refuse)?;
+        specimen
+            .spans(scene.indenter, &scene.plm.coefficients, scene.plm.exponent, &scene.targets, &middle)
+            .map_err(refuse)?;
     }
     Ok((scene, contacts))
 }
@@ -59,7 +62,7 @@ pub fn compute(
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
         let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
         let spans = specimen
-            .spans(scene.indenter, &scene.coefficients, scene.exponent, &scene.targets, &indentation)
+            .spans(scene.indenter, &scene.plm.coefficients, scene.plm.exponent, &scene.targets, &indentation)
             .map_err(refuse)?;
         let named =
             |doubt| specimen.name.as_ref().map_or_else(|| format!("{doubt}"), |name| format!("{name}, {doubt}"));
@@ -75,7 +78,7 @@ pub fn compute(
 /// As [`compute`], and a picture that cannot be drawn.
 pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
-    let inputs = Inputs(of_indentation(&scene));
+    let inputs = Inputs(of_indentation(scenario, &scene));
     let provenance = provenance(scenario, &scene, command)?;
     let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
     let files = vec![
@@ -100,7 +103,7 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
 
 fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Result<Provenance, Error> {
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let coefficients = can_yield.then_some(&scene.coefficients.provenance);
+    let coefficients = can_yield.then_some(&scene.plm.coefficients.provenance);
     Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),

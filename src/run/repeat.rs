@@ -6,9 +6,10 @@ use crate::impact::{Contact, Method};
 use crate::output::OutputFile;
 use crate::plot;
 use crate::repeat::{Repeat, Sequence};
+use crate::report::resolved::of_scene;
 use crate::report::{self, inputs::Inputs};
-use crate::scenario::resolved::of_scene;
-use crate::scenario::{Scenario, Scene};
+use crate::scenario::Scenario;
+use crate::scene::Scene;
 
 /// A scenario with `[repeat]` that was run.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +46,7 @@ pub struct Computed {
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
     let (mut scene, contact) = held(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;
-    if scenario.file.solver.method.is_none() {
+    if !scenario.names_method() {
         // a series needs no steps where there is a closed form
         scene.solver.method = Method::Auto;
     }

@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::output::OutputFile;
+use crate::plan::Plan;
+use crate::plot::sweep::pictures;
 use crate::report::sweep::{Provenance, summary};
-use crate::sweep::Plan;
 use crate::sweep::caution::cautions;
-use crate::sweep::pictures::pictures;
 use crate::sweep::sidecar::Tally;
 
 /// The name of a table's summary.

@@ -5,15 +5,14 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Deserializer};
+use toml::de::{DeTable, DeValue};
 
 use super::ScenarioError;
-use super::explain::{explain, key_at, missing, span_of};
+use super::entries::{Entries, Refused};
+use super::explain::{missing, span_of};
+use super::overrides::choose_law;
 use super::place::{Place, Refusal};
-use super::swept::fill;
-use super::words::choose_law;
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
@@ -112,22 +111,13 @@ impl Document {
         self.overrides.iter().map(|given| given.text.clone()).collect()
     }
 
-    /// Reads the merged tables as a `T`.
+    /// Reads every key of the merged tables.
     ///
     /// # Errors
     /// [`ScenarioError::Refused`], pointing at file and line or at the override.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<T, ScenarioError> {
+    pub(super) fn entries(&self) -> Result<Entries, ScenarioError> {
         let root = self.root()?;
-        let mut filled = root.clone();
-        fill(&mut filled);
-        let spanned = Spanned::new(0..self.text.len(), filled);
-        T::deserialize(Deserializer::from(spanned)).map_err(|error| {
-            // an error about the whole file has no place in it
-            let span = error.span().filter(|span| *span != (0..self.text.len()));
-            let mut key = span.as_ref().and_then(|span| key_at(&root, span)).unwrap_or_default();
-            let message = explain(error.message(), &mut key, &root);
-            self.refusal(span, key, message)
-        })
+        Entries::read(&root).map_err(|Refused { key, fault }| self.refusal(Some(fault.span), key, fault.message))
     }
 
     /// A refusal of the value at `key`, pointing at it.
@@ -147,6 +137,14 @@ impl Document {
     #[must_use]
     pub fn missing(&self, table: &str, key: &str) -> ScenarioError {
         self.refuse(table, missing(key, table))
+    }
+
+    /// The same for a key that others could stand in the place of.
+    pub(super) fn missing_one_of(&self, table: &str, key: &str, others: &[&str]) -> ScenarioError {
+        let others: Vec<String> =
+            others.iter().map(|path| format!("`{}`", path.rsplit('.').next().unwrap_or(path))).collect();
+        let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
+        self.refuse(table, missing(key, table) + &or_others)
     }
 
     fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {

@@ -1,9 +1,10 @@
 //! Which number of a scenario is so large or small that a result leaves double precision.
 
-use super::quantity::Quantity;
-use super::{KEYS, Key, Scenario, ScenarioError};
+use super::{Scenario, ScenarioError};
 use crate::functions::log10;
 use crate::material::OutOfFloatRange;
+use crate::scene::quantity::Quantity;
+use crate::scene::{KEYS, Key};
 use crate::units::{number, parse, si};
 
 /// Powers of ten from ordinary numbers that make one stand out.

@@ -1,60 +1,14 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
-use std::collections::HashSet;
-use std::sync::Arc;
-
-use serde::Deserialize;
-
-use super::file::{HalfSpaceTable, PlmTable, ScenarioFile};
-use super::law::LawTable;
-use super::values::{Depth, Load, Modulus, PoissonsRatio, Strength};
-use super::{Kind, Scenario, ScenarioError, unused};
+use super::entries::STEPS_EXAMPLE;
+use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
-use crate::law::{PlmCoefficients, UnloadingExponent};
-use crate::material::Material;
+use crate::law::Plm;
 use crate::units::{Dimension, human};
 
 /// Rows of a trace that are held until they are written: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
-
-/// `[indentation]`
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub struct IndentationTable {
-    /// In their order.
-    pub steps: Vec<StepTable>,
-    /// `[[indentation.half_space]]`: several half-spaces, or one whose numbers are uncertain, in place of `[half_space]`.
-    pub half_space: Option<Vec<SpecimenTable>>,
-}
-
-/// One of `steps`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }")]
-pub struct StepTable {
-    /// Load to reach, or
-    pub load: Option<Load>,
-    /// indentation to reach: exactly one of the two.
-    pub indentation: Option<Depth>,
-}
-
-/// `[[indentation.half_space]]`
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub struct SpecimenTable {
-    /// In tables and pictures.
-    pub name: String,
-    /// Young's modulus.
-    pub youngs_modulus: Modulus,
-    /// Its uncertainty, ±.
-    pub youngs_modulus_uncertainty: Option<Modulus>,
-    /// Poisson's ratio.
-    pub poissons_ratio: PoissonsRatio,
-    /// Yield strength; without it the half-space is elastic.
-    pub yield_strength: Option<Strength>,
-    /// Its uncertainty, ±.
-    pub yield_strength_uncertainty: Option<Strength>,
-}
 
 /// What an `[indentation]` comes to. Plain numbers in SI, all of them checked.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,10 +17,8 @@ pub struct IndentationScene {
     pub indenter: Indenter,
     /// What it is pressed into; at least one.
     pub specimens: Vec<Specimen>,
-    /// Exponent of the unloading branch.
-    pub exponent: UnloadingExponent,
-    /// Coefficients of the PLM.
-    pub coefficients: Arc<PlmCoefficients>,
+    /// The law.
+    pub plm: Plm,
     /// Where the steps end; at least one.
     pub targets: Vec<Target>,
     /// Evenly spaced rows of the trace in each step.
@@ -84,20 +36,17 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, ScenarioError> {
-        let ScenarioFile { sphere, half_space, indentation, law, .. } = &self.file;
         self.refuse_columns("an indentation")?;
-        let table = indentation.as_ref().ok_or_else(|| self.document.missing("", "indentation"))?;
-        let plm = match law {
-            None => PlmTable::default(),
-            Some(LawTable::Plm(plm)) => plm.clone(),
-            Some(_) => {
-                let message = "an indentation is computed under the PLM: leave this law out";
-                return Err(self.document.refuse("law", message.to_owned()));
-            }
-        };
-        let specimens = self.specimens(half_space.as_ref(), table.half_space.as_deref())?;
+        if !self.entries.has("indentation") {
+            return Err(self.document.missing("", "indentation"));
+        }
+        if self.law_name().is_some_and(|law| law != "plm") {
+            let message = "an indentation is computed under the PLM: leave this law out";
+            return Err(self.document.refuse("law", message.to_owned()));
+        }
+        let specimens = self.specimens()?;
         let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
-        let targets = self.targets(&table.steps)?;
+        let targets = self.targets()?;
         let samples = self.samples();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
@@ -106,78 +55,91 @@ impl Scenario {
         }
         Ok(IndentationScene {
             indenter: Indenter {
-                radius: self.radius(sphere)?,
-                material: Material { youngs_modulus: sphere.youngs_modulus.0, poissons_ratio: sphere.poissons_ratio.0 },
-                yield_strength: sphere.yield_strength.map(|strength| strength.0),
+                radius: self.radius()?,
+                material: self.sphere_material()?,
+                yield_strength: self.entries.number("sphere.yield_strength"),
             },
             specimens,
-            exponent: plm.unloading_exponent.map(|exponent| exponent.0).unwrap_or_default(),
-            coefficients: self.coefficients(&plm)?,
+            plm: self.plm()?,
             targets,
             samples,
-            warnings: unused(law.as_ref(), is_elastic)
-                .into_iter()
-                .chain(Kind::Indentation.idle_keys(&self.file))
-                .collect(),
+            warnings: self.unused(is_elastic).into_iter().chain(self.idle_keys(Kind::Indentation)).collect(),
         })
     }
 
-    fn targets(&self, steps: &[StepTable]) -> Result<Vec<Target>, ScenarioError> {
-        const EXAMPLE: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
-        if steps.is_empty() {
-            return Err(self.document.refuse(STEPS, format!("there is no step; give one at least, as in {EXAMPLE}")));
+    fn targets(&self) -> Result<Vec<Target>, ScenarioError> {
+        let Some(count) = self.entries.length(STEPS) else {
+            return Err(self.document.missing("indentation", "steps"));
+        };
+        if count == 0 {
+            let message = format!("there is no step; give one at least, as in {STEPS_EXAMPLE}");
+            return Err(self.document.refuse(STEPS, message));
         }
-        let target = |(number, step): (usize, &StepTable)| match (step.load, step.indentation) {
-            (Some(load), None) => Ok(Target::Load(load.0)),
-            (None, Some(indentation)) => Ok(Target::Indentation(indentation.0)),
-            (both, _) => {
-                let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
-                let message = format!("step {number}: {what}; write exactly one of the two, as in {EXAMPLE}");
-                Err(self.document.refuse(STEPS, message))
+        let target = |i: usize| {
+            let number = |key: &str| self.entries.number(&format!("{STEPS}[{i}].{key}"));
+            match (number("load"), number("indentation")) {
+                (Some(load), None) => Ok(Target::Load(load)),
+                (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
+                (both, _) => {
+                    let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
+                    let message =
+                        format!("step {}: {what}; write exactly one of the two, as in {STEPS_EXAMPLE}", i + 1);
+                    Err(self.document.refuse(STEPS, message))
+                }
             }
         };
-        (1..).zip(steps).map(target).collect()
+        (0..count).map(target).collect()
     }
 
-    fn specimens(
-        &self,
-        one: Option<&HalfSpaceTable>,
-        several: Option<&[SpecimenTable]>,
-    ) -> Result<Vec<Specimen>, ScenarioError> {
+    fn specimens(&self) -> Result<Vec<Specimen>, ScenarioError> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
-        let tables = match (one, several) {
-            (Some(_), Some(_)) => {
+        let several = self.entries.length(SPECIMENS);
+        if self.entries.has("half_space") {
+            if several.is_some() {
                 return refuse("[half_space] is given too; write only one of the two".to_owned());
             }
-            (Some(table), None) => {
-                let half_space = table.resolve();
-                let known = Specimen { name: None, half_space, modulus_uncertainty: None, strength_uncertainty: None };
-                return Ok(vec![known]);
-            }
-            (None, tables) => tables.unwrap_or_default(),
-        };
-        if tables.is_empty() {
-            return Err(self.document.missing("", "half_space"));
+            let half_space = self.half_space_in("half_space")?;
+            return Ok(vec![Specimen {
+                name: None,
+                half_space,
+                modulus_uncertainty: None,
+                strength_uncertainty: None,
+            }]);
         }
-        let mut names = HashSet::new();
-        for (i, table) in tables.iter().enumerate() {
-            if let Some(problem) = problem_of_name(&table.name) {
+        let Some(count) = several.filter(|count| *count > 0) else {
+            return Err(self.document.missing("", "half_space"));
+        };
+        let mut specimens: Vec<Specimen> = Vec::new();
+        for i in 0..count {
+            let table = format!("{SPECIMENS}[{i}]");
+            let number = |key: &str| self.entries.number(&format!("{table}.{key}"));
+            let Some(name) = self.entries.text(&format!("{table}.name")) else {
+                return Err(self.document.missing(&table, "name"));
+            };
+            if let Some(problem) = problem_of_name(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }
-            if !names.insert(&table.name) {
-                return refuse(format!("two are called \"{}\"; give each its own name", table.name));
+            if specimens.iter().any(|other| other.name.as_deref() == Some(name)) {
+                return refuse(format!("two are called \"{name}\"; give each its own name"));
             }
-            self.check_uncertainties(table)?;
+            let specimen = Specimen {
+                name: Some(name.to_owned()),
+                half_space: self.half_space_in(&table)?,
+                modulus_uncertainty: number("youngs_modulus_uncertainty"),
+                strength_uncertainty: number("yield_strength_uncertainty"),
+            };
+            self.check_uncertainties(name, &specimen)?;
+            specimens.push(specimen);
         }
-        Ok(tables.iter().map(specimen).collect())
+        Ok(specimens)
     }
 
     /// An interval that reaches zero has no stiffness or strength at its lower end.
-    fn check_uncertainties(&self, table: &SpecimenTable) -> Result<(), ScenarioError> {
-        let strength = table.yield_strength.map(|strength| strength.0);
+    fn check_uncertainties(&self, name: &str, specimen: &Specimen) -> Result<(), ScenarioError> {
+        let half_space = &specimen.half_space;
         let pairs = [
-            ("youngs_modulus", Some(table.youngs_modulus.0), table.youngs_modulus_uncertainty.map(|by| by.0)),
-            ("yield_strength", strength, table.yield_strength_uncertainty.map(|by| by.0)),
+            ("youngs_modulus", Some(half_space.material.youngs_modulus), specimen.modulus_uncertainty),
+            ("yield_strength", half_space.yield_strength, specimen.strength_uncertainty),
         ];
         for (key, value, uncertainty) in pairs {
             let Some(uncertainty) = uncertainty.filter(|by| value.is_none_or(|value| *by >= value)) else { continue };
@@ -186,7 +148,7 @@ impl Scenario {
                 Some(value) => format!("must be smaller than {key}, {}", human(value, Dimension::Pressure)),
                 None => format!("needs {key}, which is missing"),
             };
-            let message = format!("\"{}\": {key}_uncertainty = {written} {problem}", table.name);
+            let message = format!("\"{name}\": {key}_uncertainty = {written} {problem}");
             return Err(self.document.refuse(SPECIMENS, message));
         }
         Ok(())
@@ -204,20 +166,5 @@ fn problem_of_name(name: &str) -> Option<String> {
         Some(_) => name
             .contains(char::is_control)
             .then(|| format!("is called \"{}\"; leave the control character out", name.escape_debug())),
-    }
-}
-
-fn specimen(table: &SpecimenTable) -> Specimen {
-    let half_space = HalfSpaceTable {
-        youngs_modulus: table.youngs_modulus,
-        poissons_ratio: table.poissons_ratio,
-        yield_strength: table.yield_strength,
-        density: None,
-    };
-    Specimen {
-        name: Some(table.name.clone()),
-        half_space: half_space.resolve(),
-        modulus_uncertainty: table.youngs_modulus_uncertainty.map(|by| by.0),
-        strength_uncertainty: table.yield_strength_uncertainty.map(|by| by.0),
     }
 }

@@ -1,6 +1,5 @@
 //! What a scenario is about, told by its tables: one impact, unless a table says otherwise.
 
-use super::file::{OutputTable, ScenarioFile, SolverTable};
 use super::{Scenario, ScenarioError};
 use crate::impact::Warning;
 
@@ -39,45 +38,23 @@ impl Kind {
         ("indentation", Self::Indentation),
     ];
 
-    fn is_given(self, file: &ScenarioFile) -> bool {
+    /// The tables that this kind has no use for, and why.
+    fn idle_tables(self) -> &'static [(&'static str, &'static str)] {
         match self {
-            Self::Impact => file.impact.is_some(),
-            Self::Sweep => file.sweep.is_some(),
-            Self::MonteCarlo => file.monte_carlo.is_some(),
-            Self::Repeat => file.repeat.is_some(),
-            Self::Compare => file.compare.is_some(),
-            Self::Indentation => file.indentation.is_some(),
+            Self::Indentation => &[
+                ("impact", "an indentation is slow"),
+                ("gravity", NO_MOTION),
+                ("damping", NO_MOTION),
+                ("solver", "an indentation is computed in closed form"),
+            ],
+            Self::Compare => &[
+                ("solver", "unloading is computed in closed form"),
+                ("output", "a comparison has no trace"),
+                ("gravity", NO_MOTION),
+                ("damping", NO_MOTION),
+            ],
+            _ => &[],
         }
-    }
-
-    /// A table of the file that this kind has no use for, if there is one, and why.
-    fn idle_table(self, file: &ScenarioFile) -> Option<(&'static str, &'static str)> {
-        let has_solver = file.solver != SolverTable::default();
-        match self {
-            Self::Indentation if file.impact.is_some() => Some(("impact", "an indentation is slow")),
-            Self::Indentation if has_solver => Some(("solver", "an indentation is computed in closed form")),
-            Self::Compare if has_solver => Some(("solver", "unloading is computed in closed form")),
-            Self::Compare if file.output != OutputTable::default() => Some(("output", "a comparison has no trace")),
-            Self::Indentation | Self::Compare if file.gravity.is_some() => Some(("gravity", NO_MOTION)),
-            Self::Indentation | Self::Compare if file.damping.is_some() => Some(("damping", NO_MOTION)),
-            _ => None,
-        }
-    }
-
-    /// Keys of the bodies that this kind has no use for: they may stand in a file that is also run as another kind.
-    pub(super) fn idle_keys(self, file: &ScenarioFile) -> Vec<Warning> {
-        if !matches!(self, Self::Indentation | Self::Compare) {
-            return Vec::new();
-        }
-        let strength = self == Self::Compare && file.sphere.yield_strength.is_some();
-        let density = file.half_space.as_ref().is_some_and(|table| table.density.is_some());
-        let keys = [
-            ("sphere.density", file.sphere.density.is_some(), NO_MASS),
-            ("sphere.yield_strength", strength, NO_SPHERE),
-            ("half_space.density", density, NO_MASS),
-        ];
-        let idle = keys.into_iter().filter(|(_, is_given, _)| *is_given);
-        idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
     }
 }
 
@@ -87,10 +64,10 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError::Refused`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, ScenarioError> {
-        let mut given = Kind::TABLES.iter().filter(|(_, kind)| kind.is_given(&self.file));
+        let mut given = Kind::TABLES.iter().filter(|(table, _)| self.is_given(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
-            (Some((table, kind)), None) => match kind.idle_table(&self.file) {
+            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.is_given(idle)) {
                 None => Ok(*kind),
                 Some((idle, reason)) => {
                     let message = format!("[{table}] is given too, and {reason}; write only one of the two");
@@ -101,6 +78,28 @@ impl Scenario {
                 let message = format!("[{first}] is given too; write only one of the two");
                 Err(self.document.refuse(second, message))
             }
+        }
+    }
+
+    /// Keys of the bodies that a kind has no use for: they may stand in a file that is also run as another kind.
+    pub(super) fn idle_keys(&self, kind: Kind) -> Vec<Warning> {
+        if !matches!(kind, Kind::Indentation | Kind::Compare) {
+            return Vec::new();
+        }
+        let keys = [
+            ("sphere.density", true, NO_MASS),
+            ("sphere.yield_strength", kind == Kind::Compare, NO_SPHERE),
+            ("half_space.density", true, NO_MASS),
+        ];
+        let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.entries.has(key));
+        idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
+    }
+
+    fn is_given(&self, table: &str) -> bool {
+        match table {
+            "sweep" => self.entries.axes.is_some(),
+            "monte_carlo" => self.entries.variables.is_some(),
+            table => self.entries.has(table),
         }
     }
 }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::document::{LARGEST_SCENARIO, read_text};
+use super::law::COEFFICIENTS;
 use super::{Scenario, ScenarioError};
 
 /// All that a result depends on, as text.
@@ -75,7 +76,7 @@ impl Scenario {
 
     /// The text of the file of coefficients, if the scenario names one.
     pub(super) fn coefficients_text(&self) -> Result<Option<String>, ScenarioError> {
-        match (self.plm_table().coefficients, &self.coefficients) {
+        match (self.entries.text(COEFFICIENTS), &self.coefficients) {
             (None, _) => Ok(None),
             (Some(_), Some(text)) => Ok(Some(text.clone())),
             (Some(path), None) => read_text(&self.directory.join(path), LARGEST_SCENARIO).map(Some),

@@ -1,50 +1,13 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-mod axes;
-mod distributions;
-
-use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error};
-
-use super::keys::{KEYS, Key};
-use super::quantity::Quantity;
-use super::{Kind, Scenario, ScenarioError, unused};
+use super::axes::{AxisEntry, Variables};
+use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
-use crate::nearest::nearest;
-use crate::sweep::axis::{Axis, Setting, Values};
-use crate::sweep::plan::{Cases, Plan};
-use crate::sweep::random::{Distribution, Variable};
-
-/// The keys of a sweep that are no numbers.
-pub const METHOD: &str = "solver.method";
-/// The law, by name.
-pub const LAW: &str = "law";
-
-/// `[sweep]`: axes in the order of the file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweepTable(pub Vec<(&'static str, AxisEntry)>);
-
-/// What an axis runs through.
-#[derive(Debug, Clone, PartialEq)]
-pub enum AxisEntry {
-    /// Numbers in SI.
-    Numbers(Values),
-    /// Methods.
-    Methods(Vec<Method>),
-    /// Laws.
-    Laws(Vec<LawChoice>),
-}
-
-/// `[monte_carlo]`
-#[derive(Debug, Clone, PartialEq)]
-pub struct MonteCarloTable {
-    /// How many samples.
-    pub samples: u64,
-    /// Which random numbers; 0 if not given.
-    pub seed: u64,
-    /// Random keys in the order of the file.
-    pub variables: Vec<(&'static str, Distribution)>,
-}
+use crate::plan::axis::{Axis, Setting};
+use crate::plan::random::Variable;
+use crate::plan::{Cases, Plan};
+use crate::scene::Key;
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -56,15 +19,15 @@ impl Scenario {
             return Ok(None);
         }
         let mut scene = self.resolve()?;
-        if self.file.solver.method.is_none() {
+        if self.method().is_none() {
             // a table has no trace, so the closed form is enough
             scene.solver.method = Method::Auto;
         }
         let own_law = scene.law.clone();
         let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
-        let (cases, table) = match (&self.file.sweep, &self.file.monte_carlo) {
+        let (cases, table) = match (&self.entries.axes, &self.entries.variables) {
             (None, None) => return Ok(None),
-            (Some(SweepTable(axes)), _) => {
+            (Some(axes), _) => {
                 // the law that the scenario names has its parameters from there
                 let own = |law: &LawChoice| if law.name() == own_law.name() { own_law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
@@ -78,7 +41,7 @@ impl Scenario {
                 }
                 (Cases::Grid(axes), "sweep")
             }
-            (None, Some(MonteCarloTable { samples, seed, variables })) => {
+            (None, Some(Variables { samples, seed, variables })) => {
                 let variables = variables.iter().filter_map(|(path, distribution)| {
                     let key = Key::find(path)?;
                     Some(Variable::new(key, *distribution, key.quantity.range()))
@@ -91,12 +54,14 @@ impl Scenario {
             }
         };
         // what stands in for a key that varies may give the half-space its yield strength
-        scene.warnings = unused(self.file.law.as_ref(), scene.half_space.yield_strength.is_none());
+        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         scene.warnings.extend(self.unused_law(&own_law, &cases));
         let mut plan = Plan { scene, cases, columns: None };
         self.choose_columns(&mut plan)?;
-        if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
-            return refuse(&format!("{table}.{path}"), problem.to_owned());
+        if let Some((path, problem)) =
+            self.contradicted(&plan.paths()).or_else(|| plan.unused().map(|(path, problem)| (path, problem.to_owned())))
+        {
+            return refuse(&format!("{table}.{path}"), problem);
         }
         if plan.lacks_closed_form() {
             let is_swept = plan.paths().contains(&"solver.method");
@@ -119,7 +84,7 @@ impl Scenario {
     /// The table of a law beside an axis of laws that does not have it.
     fn unused_law(&self, own: &LawChoice, cases: &Cases) -> Option<Warning> {
         let Cases::Grid(axes) = cases else { return None };
-        self.file.law.as_ref()?;
+        self.law_name()?;
         let laws = axes.iter().find_map(|axis| match &axis.setting {
             Setting::Law(laws) => Some(laws),
             Setting::Number { .. } | Setting::Method(_) => None,
@@ -131,41 +96,3 @@ impl Scenario {
 
 /// A distribution of which less lies in the allowed range is a slip.
 const LEAST_KEPT: f64 = 1e-3;
-
-/// Reads a key that may vary, so that an unknown one is shown where it stands.
-struct PathSeed {
-    has_words: bool,
-}
-
-impl<'de> DeserializeSeed<'de> for PathSeed {
-    type Value = &'static str;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<&'static str, D::Error> {
-        known(&String::deserialize(deserializer)?, self.has_words)
-    }
-}
-
-/// The known key of that path.
-fn known<E: Error>(path: &str, has_words: bool) -> Result<&'static str, E> {
-    if let Some(word) = [METHOD, LAW].into_iter().find(|word| has_words && path == *word) {
-        return Ok(word);
-    }
-    if let Some(key) = Key::find(path) {
-        return Ok(key.path);
-    }
-    let paths = || KEYS.iter().map(|key| key.path);
-    let dotted = format!("{path}.");
-    let hint = if let Some(inner) = paths().find(|known| known.starts_with(&dotted)) {
-        format!("; write the whole key in quotes, such as \"{inner}\" = ...")
-    } else if let Some(near) = nearest(path, paths().chain([METHOD])) {
-        format!(", did you mean \"{near}\"?")
-    } else {
-        String::new()
-    };
-    let all: Vec<_> = paths().collect();
-    Err(E::custom(format!("`{path}` is no numeric key of a scenario{hint}; numeric keys are {}", all.join(", "))))
-}
-
-fn quantity(path: &str) -> Option<&'static Quantity> {
-    Key::find(path).map(|key| key.quantity)
-}

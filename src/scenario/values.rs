@@ -1,152 +1,142 @@
-//! The values of the keys as the file is read into them: each knows the quantity it is checked against.
+//! Values as they stand in a file, read and checked by the form that the registry gives their key.
 
-use serde::de::{Deserialize, Deserializer, Error};
+use std::ops::Range;
 
-use super::forces::{ACCELERATION, DROP_HEIGHT, HUNT_CROSSLEY, VISCOUS};
-use super::quantity::{
-    AREA_FACTOR, DENSITY, DEPTH_RATIO, ENERGY, EXPONENT, FACTOR, FORCE, INDENTATION, LENGTH, LOAD, MODULUS,
-    POISSONS_RATIO, SAMPLES, SHARE, SPEED, SPHERE_MODULUS, STEPS, STRENGTH, TOLERANCE, TRANSITION_RATIO,
-};
-use super::reader::{OrWord, Reader, whole};
-use super::repeat::{IMPACTS, SHOT_SPEED};
-use crate::impact::Method;
-use crate::law::UnloadingExponent;
-use crate::nearest::nearest;
+use toml::Spanned;
+use toml::de::DeValue;
 
-macro_rules! checked {
-    ($($(#[$doc:meta])* $name:ident: $quantity:expr;)*) => {$(
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct $name(
-            /// In SI.
-            pub f64,
-        );
+use crate::scene::keys::{Form, Words};
+use crate::scene::quantity::Quantity;
+use crate::units::nearest::did_you_mean;
 
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                deserializer.deserialize_any(Reader(&$quantity)).map(Self)
-            }
+/// A value that was read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    /// In SI.
+    Number(f64),
+    /// In SI.
+    Numbers(Vec<f64>),
+    /// A text, or a word that is known.
+    Text(String),
+    /// Words that are known.
+    Texts(Vec<String>),
+}
+
+/// A value that is refused: where it stands, and why.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub(super) span: Range<usize>,
+    pub(super) message: String,
+}
+
+impl Fault {
+    pub(super) fn at(value: &Spanned<DeValue>, message: impl Into<String>) -> Self {
+        Self { span: value.span(), message: message.into() }
+    }
+}
+
+/// Reads a value of this form.
+pub(super) fn read(form: &Form, value: &Spanned<DeValue>) -> Result<Value, Fault> {
+    match form {
+        Form::Number(quantity, word) => number(quantity, *word, value).map(Value::Number),
+        Form::Count(quantity) => count(quantity, value).map(Value::Number),
+        Form::Numbers(quantity) => numbers(quantity, value).map(Value::Numbers),
+        Form::Word(words) => word(words, value).map(Value::Text),
+        Form::WordList(words) => {
+            let example = (words.known)().first().cloned().unwrap_or_default();
+            list(value, &format!("[\"{example}\"]"))?
+                .iter()
+                .map(|item| word(words, item))
+                .collect::<Result<_, _>>()
+                .map(Value::Texts)
         }
-    )*};
-}
-
-checked! {
-    /// A radius or diameter.
-    Length: LENGTH;
-    /// A Young's modulus.
-    Modulus: MODULUS;
-    /// A yield strength.
-    Strength: STRENGTH;
-    /// A density.
-    Density: DENSITY;
-    /// A speed.
-    Speed: SPEED;
-    /// The speed of a shot.
-    ShotSpeed: SHOT_SPEED;
-    /// Gravity.
-    Acceleration: ACCELERATION;
-    /// A drop height.
-    DropHeight: DROP_HEIGHT;
-    /// χ of Hunt and Crossley.
-    HuntCrossley: HUNT_CROSSLEY;
-    /// Fraction of critical damping.
-    ViscousFraction: VISCOUS;
-    /// A load.
-    Load: LOAD;
-    /// An indentation.
-    Depth: INDENTATION;
-    /// A Poisson's ratio.
-    PoissonsRatio: POISSONS_RATIO;
-    /// A relative tolerance.
-    Tolerance: TOLERANCE;
-    /// A factor of a published law.
-    Factor: FACTOR;
-    /// An area factor.
-    AreaFactor: AREA_FACTOR;
-    /// A transition ratio.
-    TransitionRatio: TRANSITION_RATIO;
-    /// Indentation over that at yield.
-    DepthRatio: DEPTH_RATIO;
-    /// A force.
-    Force: FORCE;
-    /// An energy.
-    Energy: ENERGY;
-    /// A ratio of at most 1.
-    Share: SHARE;
-}
-
-/// The sphere's Young's modulus; infinite if "rigid".
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SphereModulus(
-    /// In Pa.
-    pub f64,
-);
-
-impl<'de> Deserialize<'de> for SphereModulus {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let visitor = OrWord { quantity: &SPHERE_MODULUS, words: &[("rigid", f64::INFINITY)] };
-        deserializer.deserialize_any(visitor).map(Self)
+        Form::Text(example) => text(value, example).map(Value::Text),
+        Form::Axes | Form::Variables => Err(Fault::at(value, "is read by itself")),
     }
 }
 
-/// The exponent of the unloading branch.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Exponent(pub UnloadingExponent);
-
-impl From<f64> for Exponent {
-    fn from(value: f64) -> Self {
-        Self(match value {
-            1.5 => UnloadingExponent::Paper,
-            _ if value.is_infinite() => UnloadingExponent::PressureShape,
-            _ => UnloadingExponent::Fixed(value),
-        })
+/// What was found in place of a value, for messages.
+pub(super) fn described(value: &DeValue) -> String {
+    match value {
+        DeValue::String(text) => format!("\"{text}\""),
+        DeValue::Integer(number) => format!("`{number}`"),
+        DeValue::Float(number) => format!("`{number}`"),
+        DeValue::Boolean(word) => format!("`{word}`"),
+        DeValue::Datetime(date) => format!("the date `{date}`"),
+        DeValue::Array(_) => "a list".to_owned(),
+        DeValue::Table(_) => "a table".to_owned(),
     }
 }
 
-impl<'de> Deserialize<'de> for Exponent {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        // infinity, which no number of the range is, stands for the word between reader and type
-        let visitor = OrWord { quantity: &EXPONENT, words: &[("pressure-shape", f64::INFINITY)] };
-        deserializer.deserialize_any(visitor).map(Self::from)
-    }
+/// The refusal of a value of the wrong kind.
+fn unexpected(value: &Spanned<DeValue>, expected: &str) -> Fault {
+    Fault::at(value, format!("found {}, expected {expected}", described(value.get_ref())))
 }
 
-macro_rules! counted {
-    ($($(#[$doc:meta])* $name:ident($number:ty): $quantity:expr;)*) => {$(
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub struct $name(pub $number);
-
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a whole number within the range
-                whole(deserializer, &$quantity).map(|count| Self(count as $number))
-            }
+/// A number in SI or a text with a unit, or the word, which is an infinite number.
+pub(super) fn number(quantity: &Quantity, word: Option<&str>, value: &Spanned<DeValue>) -> Result<f64, Fault> {
+    let or_word = word.map_or_else(String::new, |word| format!(", or \"{word}\""));
+    let plain = |text: &str, radix| match i64::from_str_radix(text, radix) {
+        #[allow(clippy::cast_precision_loss)] // as if it had been written with a decimal point
+        Ok(number) => Ok(number as f64),
+        Err(_) => text.parse::<f64>(),
+    };
+    let read = match value.get_ref() {
+        DeValue::Integer(digits) => plain(digits.as_str(), digits.radix()),
+        DeValue::Float(digits) => digits.as_str().parse(),
+        DeValue::String(text) if word.is_some_and(|word| word == text.trim()) => return Ok(f64::INFINITY),
+        DeValue::String(text) => {
+            let or_write = word.map_or_else(String::new, |word| format!("; or write \"{word}\""));
+            return quantity.parse(text).map_err(|message| Fault::at(value, format!("{message}{or_write}")));
         }
-    )*};
+        _ => return Err(unexpected(value, &format!("{} such as {}{or_word}", quantity.name, quantity.example))),
+    };
+    let read = read.map_err(|_| unexpected(value, &format!("{} such as {}", quantity.name, quantity.example)))?;
+    quantity.check(read).map_err(|error| Fault::at(value, error.to_string()))
 }
 
-counted! {
-    /// Rows of a trace.
-    Samples(usize): SAMPLES;
-    /// Steps of the fixed-step method.
-    Steps(u32): STEPS;
-    /// Repeated impacts.
-    Impacts(u64): IMPACTS;
-}
-
-/// A method by its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct MethodName(pub Method);
-
-impl<'de> Deserialize<'de> for MethodName {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Method::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| Self(*method)).ok_or_else(|| {
-            let names = || Method::ALL.iter().map(|(name, _)| *name);
-            let guess = nearest(&name, names()).map_or_else(String::new, |near| format!(", did you mean \"{near}\"?"));
-            let known: Vec<_> = names().map(|name| format!("\"{name}\"")).collect();
-            D::Error::custom(format!("unknown method \"{name}\"{guess}; methods are {}", known.join(", ")))
-        })
+/// A whole number.
+pub(super) fn count(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<f64, Fault> {
+    let read = number(quantity, None, value)?;
+    if read.fract() == 0.0 {
+        return Ok(read);
     }
+    Err(Fault::at(value, format!("{read} is not allowed: {} must be a whole number", quantity.name)))
+}
+
+/// Several numbers in a list.
+pub(super) fn numbers(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<Vec<f64>, Fault> {
+    list(value, &format!("[{}]", quantity.example))?.iter().map(|item| number(quantity, None, item)).collect()
+}
+
+/// The items of a list.
+pub(super) fn list<'v, 'i>(
+    value: &'v Spanned<DeValue<'i>>,
+    example: &str,
+) -> Result<&'v [Spanned<DeValue<'i>>], Fault> {
+    match value.get_ref() {
+        DeValue::Array(items) => Ok(items),
+        _ => Err(unexpected(value, &format!("a list in [ ] such as {example}"))),
+    }
+}
+
+/// Any text.
+pub(super) fn text(value: &Spanned<DeValue>, example: &str) -> Result<String, Fault> {
+    match value.get_ref() {
+        DeValue::String(text) => Ok(text.to_string()),
+        _ => Err(unexpected(value, &format!("a text in quotes such as \"{example}\""))),
+    }
+}
+
+/// A word that is known.
+pub(super) fn word(words: &Words, value: &Spanned<DeValue>) -> Result<String, Fault> {
+    let known = (words.known)();
+    let given = text(value, known.first().map_or("", String::as_str))?;
+    if known.contains(&given) {
+        return Ok(given);
+    }
+    let guess = did_you_mean(&given, known.iter().map(String::as_str), '"');
+    let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
+    let message = format!("unknown {} \"{given}\"{guess}; {} are {}", words.one, words.several, all.join(", "));
+    Err(Fault::at(value, message))
 }

@@ -3,11 +3,11 @@
 
 use std::mem::discriminant;
 
-use super::axis::{Axis, Setting, Values};
-use super::plan::{Cases, Plan, label};
-use super::random::Variable;
 use crate::impact::{Method, Solver, Warning};
-use crate::scenario::Scene;
+use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::random::Variable;
+use crate::plan::{Cases, Plan, label};
+use crate::scene::Scene;
 use crate::units::human;
 
 /// Corners that are looked at; more come only from more than a dozen axes.

@@ -1,6 +1,6 @@
 //! How rows are counted: results, rows outside a law, failures.
 
-use super::plan::Failure;
+use super::evaluator::Failure;
 use crate::impact::Essentials;
 
 /// How a row counts.

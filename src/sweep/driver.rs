@@ -10,13 +10,14 @@ use rayon::prelude::*;
 
 use super::SweepError;
 use super::count::Count;
+use super::evaluator::{Evaluator, Rows};
 use super::pace::Pace;
-use super::plan::{Evaluator, Plan, Rows};
 use super::seal::Sealed;
 use super::shard::{Layout, Shard};
 use super::sidecar::{Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
+use crate::plan::Plan;
 use crate::scenario::Source;
 
 /// Rows a task computes and writes as text, at most: large against the cost of a task, small against memory.

@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 
 use self::reader::Reader;
 use super::SweepError;
-use super::plan::Plan;
 use super::seal::Seal;
 use super::shard::{Layout, Shard};
 use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
+use crate::plan::Plan;
 use crate::scenario::Scenario;
 
 const SIDECAR: &str = ".sidecar.json";

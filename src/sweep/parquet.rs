@@ -20,9 +20,9 @@ use self::group::{Encoder, Group};
 use super::SweepError;
 use super::count::Count;
 use super::driver::{Job, Progress};
+use super::evaluator::{Evaluator, Failure};
 use super::ordered::in_order;
 use super::pace::Pace;
-use super::plan::{Evaluator, Failure};
 use super::sidecar::Tally;
 use crate::output::NewFile;
 

@@ -4,10 +4,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::axis::{Axis, Setting, Values};
 use super::count::Count;
-use super::plan::{Cases, Failure, Plan, Rows};
+use super::evaluator::{Failure, Rows};
 use crate::impact::Essentials;
+use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::{Cases, Plan};
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

@@ -7,11 +7,12 @@ use rayon::prelude::*;
 
 use super::SweepError;
 use super::driver::{CHUNK, Job, compute};
+use super::evaluator::Evaluator;
 use super::pace::Pace;
-use super::plan::{Evaluator, Plan};
 use super::shard::{Layout, Shard};
 use super::table::Format;
 use crate::output::OutputDirectory;
+use crate::plan::Plan;
 use crate::scenario::Source;
 
 /// Rows a second, each the best of the rounds.

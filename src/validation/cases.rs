@@ -49,7 +49,7 @@ impl Cycle {
     /// "case3_small, x = 105.1".
     #[must_use]
     pub fn name(&self) -> String {
-        format!("{}, x = {}", self.run, crate::report::human::number(self.peak.indentation))
+        format!("{}, x = {}", self.run, crate::units::rounded::number(self.peak.indentation))
     }
 
     /// Whether the dent spans enough elements to have a shape.

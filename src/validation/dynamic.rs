@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::check::{Check, Tolerance};
 use super::{EXPONENTS, ValidationError};
 use crate::impact::Impact;
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::reference::impacts::{self, ImpactRow, Sample};
 use crate::reference::{DYNAMIC, ReferenceError};
 use crate::scenario::Scenario;
@@ -56,9 +56,8 @@ pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationErro
                 .ok_or_else(|| ReferenceError { table: impacts::TABLE, problem: format!("has no row {name}") })?;
             let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
             let mut scene = scene.map_err(ValidationError::Scenario)?;
-            scene.coefficients = Arc::clone(&coefficients);
             let impacts = EXPONENTS.map(|(exponent, _)| {
-                scene.exponent = exponent;
+                scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent });
                 scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES)).map_err(ValidationError::from)
             });
             let samples = samples.iter().filter(|sample| sample.case == name).cloned().collect();

@@ -82,7 +82,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
         let off = |(_, [expected, got]): &(f64, [f64; 2])| deviation(*expected, *got).abs();
         let worst = along(case, &law, force).into_iter().max_by(|a, b| off(a).total_cmp(&off(b)));
         if let Some((x, numbers)) = worst {
-            let at = format!("{}, x = {}", case.name, crate::report::human::number(x));
+            let at = format!("{}, x = {}", case.name, crate::units::rounded::number(x));
             checks.push(Check::numbers(
                 "loading: force, largest over the curve",
                 at,

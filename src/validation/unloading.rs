@@ -44,7 +44,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
         let quantity = format!("unloading: force, largest deviation over peak force, {name}");
         for (case, cycle) in cycles() {
             if let Some((x, numbers)) = farthest(cycle, &branch(case, cycle, coefficients, exponent)) {
-                let at = format!("{}, at x = {}", cycle.name(), crate::report::human::number(x));
+                let at = format!("{}, at x = {}", cycle.name(), crate::units::rounded::number(x));
                 let check = Check::numbers(&quantity, at, STATIC, "F_m", numbers, FORCE);
                 checks.push(Check { deviation: numbers[1] - numbers[0], ..check });
             }

@@ -13,7 +13,7 @@ use std::process::{Command, Output};
 use approx::assert_relative_eq;
 use common::STEEL;
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::plan::{Evaluator, Rows};
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
 
 fn rows(text: &str) -> Rows {
     let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();

@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::plan::{Evaluator, Rows};
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
 
 use super::common::STEEL;
 use super::{rows, summary};

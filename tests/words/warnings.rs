@@ -119,7 +119,7 @@ fn tables_and_keys_that_a_kind_of_scene_has_no_use_for_are_refused_by_name() {
         }
     }
     let compared = Desk::with(format!("{massless}{compare}"));
-    for set in ["output.samples=50", "output.columns=[\"peak_force\"]"] {
+    for set in ["output.samples=50", "output.columns=[\"peak_force_N\"]"] {
         let output = compared.call(&["check", "s.toml", "--set", set]);
         assert_eq!(output.status.code(), Some(2), "{set}");
         assert!(text(&output.stderr).contains("output: [compare] is given too"), "{}", text(&output.stderr));

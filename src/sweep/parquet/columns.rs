@@ -8,8 +8,8 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPrope
 use parquet::schema::types::{SchemaDescriptor, Type, TypePtr};
 
 use super::BATCH;
-use crate::sweep::axis::{Setting, Values};
-use crate::sweep::plan::{Cases, Plan};
+use crate::plan::axis::{Setting, Values};
+use crate::plan::{Cases, Plan};
 use crate::sweep::table::{ResultColumn, column_names, result_columns};
 
 /// Where the values of a column come from.

@@ -14,10 +14,10 @@ use parquet::schema::types::SchemaDescriptor;
 
 use super::BATCH;
 use super::columns::Column;
-use crate::sweep::axis::Values;
+use crate::plan::axis::Values;
 use crate::sweep::count::Count;
+use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::pace::Pace;
-use crate::sweep::plan::{Evaluator, Rows};
 use crate::sweep::sidecar::Tally;
 
 /// An encoded column of a row group.

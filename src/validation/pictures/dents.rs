@@ -5,7 +5,7 @@ use super::super::dents::residual_radius;
 use super::{Picture, sampled, slug};
 use crate::functions::powi;
 use crate::plot::{Axis, Guide, Series};
-use crate::report::human::number;
+use crate::units::rounded::number;
 
 pub(super) fn picture(case: &Case) -> Option<Picture> {
     let cycle = case.cycles.iter().find(|cycle| !cycle.dent.is_empty())?;

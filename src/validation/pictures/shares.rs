@@ -7,7 +7,7 @@ use super::{Picture, loop_axes, sampled, slug};
 use crate::functions::pow;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::plot::{Axis, Series};
-use crate::report::human::number;
+use crate::units::rounded::number;
 
 /// Unloadings of one picture of shapes.
 const MOST_SHAPES: usize = 6;

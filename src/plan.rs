@@ -1,13 +1,13 @@
-//! Which cases a sweep has; what they come to is computed by its [`Evaluator`].
+//! Which cases a table has: what varies, over which values, and what is reported.
 
-mod evaluator;
+pub mod axis;
+pub mod random;
 
-use super::axis::{Axis, Setting};
-use super::random::Variable;
 use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
-use crate::scenario::Scene;
-pub use evaluator::{Evaluator, Failure, Rows};
+use crate::scene::Scene;
+use axis::{Axis, Setting};
+use random::Variable;
 
 /// Where the cases come from.
 #[derive(Debug, Clone)]

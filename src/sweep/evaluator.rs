@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-use super::{Cases, Plan, places};
 use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver, batch};
 use crate::integrate::IntegrationError;
-use crate::scenario::Scene;
-use crate::sweep::axis::{Axis, keeps_contact};
-use crate::sweep::random::{Draws, Variable};
+use crate::plan::axis::{Axis, keeps_contact};
+use crate::plan::random::{Draws, Variable};
+use crate::plan::{Cases, Plan, places};
+use crate::scene::Scene;
 
 /// Why a row has no numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

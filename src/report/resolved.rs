@@ -1,20 +1,21 @@
 //! All that a scenario came to, its defaults included: what `check` prints and what a summary lists as `inputs`.
 
-use super::file::SphereTable;
-use super::indentation::IndentationScene;
-use super::{KEYS, Scenario, ScenarioError, Scene};
 use crate::compare::Comparison;
 use crate::impact::Method;
 use crate::law::jackson_green::{Hardness, Jumps};
-use crate::law::{LawChoice, PlmCoefficients, UnloadingExponent};
-use crate::material::Material;
+use crate::law::{LawChoice, Plm};
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
+use crate::scene::{KEYS, Key, Scene};
 use crate::units::{Dimension, describe};
 
 /// What a key came to.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Given {
-    /// A number in SI; an infinite one is the modulus of a rigid sphere.
+    /// A number in SI.
     Number(f64, Dimension),
+    /// A word in place of a number.
+    WordOf(&'static str, Dimension),
     /// A count.
     Count(u64),
     /// A word.
@@ -30,12 +31,15 @@ pub struct Entry {
     pub value: Given,
 }
 
-/// An infinite modulus in words.
-pub const RIGID: &str = "rigid";
-
 impl Entry {
-    fn number(key: &'static str, value: f64, dimension: Dimension) -> Self {
-        Self { key, value: Given::Number(value, dimension) }
+    /// A number, or the word that stands in its place.
+    fn of(key: &Key, value: f64) -> Self {
+        match key.word {
+            Some(word) if value.is_infinite() => {
+                Self { key: key.path, value: Given::WordOf(word, key.quantity.dimension) }
+            }
+            _ => Self { key: key.path, value: Given::Number(value, key.quantity.dimension) },
+        }
     }
 
     fn word(key: &'static str, word: impl Into<String>) -> Self {
@@ -51,7 +55,7 @@ impl Entry {
     pub fn column(&self) -> String {
         let name = self.key.replace('.', "_");
         match self.value {
-            Given::Number(_, dimension) => name + dimension.suffix(),
+            Given::Number(_, dimension) | Given::WordOf(_, dimension) => name + dimension.suffix(),
             Given::Count(_) | Given::Word(_) => name,
         }
     }
@@ -60,10 +64,10 @@ impl Entry {
     #[must_use]
     pub fn text(&self) -> String {
         match &self.value {
-            Given::Number(value, _) if value.is_infinite() => RIGID.to_owned(),
             Given::Number(value, dimension) => describe(*value, *dimension),
             Given::Count(count) => count.to_string(),
             Given::Word(word) => word.clone(),
+            Given::WordOf(word, _) => (*word).to_owned(),
         }
     }
 }
@@ -74,8 +78,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     let can_yield = scene.half_space.yield_strength.is_some();
     // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys
     let keys = KEYS.iter().filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")));
-    let mut entries: Vec<Entry> =
-        keys.filter_map(|key| Some(Entry::number(key.path, (key.get)(scene)?, key.quantity.dimension))).collect();
+    let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
     if can_yield {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(words_of_law(scene));
@@ -100,11 +103,7 @@ fn words_of_law(scene: &Scene) -> Vec<Entry> {
         )
     };
     match &scene.law {
-        LawChoice::Plm(_) => {
-            // an exponent that is a number is among the numbers
-            let shape = (scene.exponent == UnloadingExponent::PressureShape).then(|| exponent(scene.exponent));
-            shape.into_iter().chain([coefficients(&scene.coefficients)]).collect()
-        }
+        LawChoice::Plm(plm) => vec![coefficients(plm)],
         LawChoice::JacksonGreen(law) => {
             let hardness = match law.hardness {
                 Hardness::Exponential => "exponential",
@@ -118,61 +117,49 @@ fn words_of_law(scene: &Scene) -> Vec<Entry> {
     }
 }
 
-fn exponent(exponent: UnloadingExponent) -> Entry {
-    let key = "law.plm.unloading_exponent";
-    match exponent {
-        UnloadingExponent::Paper => Entry::number(key, 1.5, Dimension::Ratio),
-        UnloadingExponent::Fixed(value) => Entry::number(key, value, Dimension::Ratio),
-        UnloadingExponent::PressureShape => Entry::word(key, "pressure-shape"),
-    }
+/// The PLM of a scene without an impact.
+fn of_plm(plm: &Plm) -> Vec<Entry> {
+    let exponent = Key::find("law.plm.unloading_exponent").map(|key| Entry::of(key, plm.exponent.into()));
+    exponent.into_iter().chain([coefficients(plm)]).collect()
 }
 
-fn coefficients(coefficients: &PlmCoefficients) -> Entry {
-    let provenance = &coefficients.provenance;
+fn coefficients(plm: &Plm) -> Entry {
+    let provenance = &plm.coefficients.provenance;
     Entry::word("law.plm.coefficients", format!("{} ({})", provenance.name, provenance.source))
 }
 
-fn sphere(radius: f64, material: Material, yield_strength: Option<f64>) -> Vec<Entry> {
-    let mut entries = vec![
-        Entry::number("sphere.radius", radius, Dimension::Length),
-        Entry::number("sphere.youngs_modulus", material.youngs_modulus, Dimension::Pressure),
-        Entry::number("sphere.poissons_ratio", material.poissons_ratio, Dimension::Ratio),
-    ];
-    entries
-        .extend(yield_strength.map(|strength| Entry::number("sphere.yield_strength", strength, Dimension::Pressure)));
-    entries
+/// Numeric keys that a scenario without an impact gives, the radius also by the diameter.
+fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
+    let value = |path: &str| match path {
+        "sphere.radius" => scenario.sphere_radius(),
+        path => scenario.number_of(path),
+    };
+    let keys = KEYS.iter().filter(|key| paths.contains(&key.path));
+    keys.filter_map(|key| Some(Entry::of(key, value(key.path)?))).collect()
 }
+
+const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poissons_ratio"];
 
 /// What an indentation came to, but for its steps and half-spaces.
 #[must_use]
-pub fn of_indentation(scene: &IndentationScene) -> Vec<Entry> {
-    let indenter = &scene.indenter;
-    let mut entries = sphere(indenter.radius, indenter.material, indenter.yield_strength);
+pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
+    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"]].concat());
     if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
-        entries.extend([exponent(scene.exponent), coefficients(&scene.coefficients)]);
+        entries.extend(of_plm(&scene.plm));
     }
     entries.push(Entry::count("output.samples", scene.samples));
     entries
 }
 
 /// What a comparison came to, but for its peak and its laws.
-///
-/// # Errors
-/// [`ScenarioError`] as from [`Scenario::comparison`].
-pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Result<Vec<Entry>, ScenarioError> {
-    let SphereTable { youngs_modulus, poissons_ratio, .. } = &scenario.file.sphere;
-    let material = Material { youngs_modulus: youngs_modulus.0, poissons_ratio: poissons_ratio.0 };
-    let half_space = scenario.file.half_space.as_ref().ok_or_else(|| scenario.document.missing("", "half_space"))?;
-    let mut entries = sphere(comparison.bodies.pair.radius, material, None);
-    entries.extend([
-        Entry::number("half_space.youngs_modulus", half_space.youngs_modulus.0, Dimension::Pressure),
-        Entry::number("half_space.poissons_ratio", half_space.poissons_ratio.0, Dimension::Ratio),
-        Entry::number("half_space.yield_strength", comparison.bodies.yield_strength, Dimension::Pressure),
-    ]);
+#[must_use]
+pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
+    let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", "half_space.yield_strength"];
+    let mut entries = given(scenario, &[SPHERE, half_space].concat());
     for law in &comparison.laws {
         if let LawChoice::Plm(plm) = law {
-            entries.extend([exponent(plm.exponent), coefficients(&plm.coefficients)]);
+            entries.extend(of_plm(plm));
         }
     }
-    Ok(entries)
+    entries
 }

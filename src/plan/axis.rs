@@ -3,7 +3,7 @@
 use crate::functions::{log10, pow};
 use crate::impact::Method;
 use crate::law::LawChoice;
-use crate::scenario::{Key, Scene};
+use crate::scene::{Key, Scene};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
 const TABULATED: u64 = 1 << 19;

@@ -1,12 +1,13 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, how random e is spread.
 
-use super::axis::{Axis, Setting};
-use super::count::Count;
-use super::plan::{Cases, Evaluator, Plan, Rows, label};
-use super::sidecar::Tally;
 use crate::law::Bodies;
+use crate::plan::axis::{Axis, Setting};
+use crate::plan::{Cases, Plan, label};
 use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
 use crate::reference::quasi_static;
+use crate::sweep::count::Count;
+use crate::sweep::evaluator::{Evaluator, Rows};
+use crate::sweep::sidecar::Tally;
 
 /// Points of a curve: more than there are pixels.
 const MOST_POINTS: u64 = 2000;

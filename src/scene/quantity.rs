@@ -32,7 +32,7 @@ pub struct Quantity {
     pub is_hint_low: bool,
 }
 
-pub(in crate::scenario) const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
     Quantity {
         name,
         dimension,
@@ -44,11 +44,11 @@ pub(in crate::scenario) const fn positive(name: &'static str, dimension: Dimensi
     }
 }
 
-pub(super) const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
+const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
     Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
 }
 
-pub(super) const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
+const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
     Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
 }
 
@@ -102,6 +102,48 @@ pub const SAMPLES: Quantity = Quantity {
 };
 /// Steps of the fixed-step method: at least one, and no more than seconds of computing.
 pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
+
+/// Gravity.
+pub const ACCELERATION: Quantity = Quantity {
+    hint: "to do without gravity leave the table out",
+    is_hint_low: true,
+    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
+};
+/// A height that the sphere falls from.
+pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Length, "\"0.5 m\"");
+/// χ of Hunt and Crossley.
+pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
+/// Fraction of critical damping.
+///
+/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only creeps, and
+/// the number of steps that follow a creep goes with the square of this fraction: more than any run takes.
+pub const VISCOUS: Quantity = Quantity {
+    hint: "beyond that a contact only creeps",
+    ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
+};
+
+/// The speed of one shot of a list.
+pub const SHOT_SPEED: Quantity =
+    Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
+/// Repeated impacts: as many as a table of some hundred megabytes has rows.
+pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
+
+/// Random cases of a table.
+pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
+/// Which random numbers.
+pub const SEED: Quantity = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
+/// Values of an axis.
+pub const POINTS: Quantity = Quantity {
+    hint: "an axis needs at least one value",
+    is_hint_low: true,
+    ..number("a number of values", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "11")
+};
+
+/// Any positive number of this dimension.
+#[must_use]
+pub const fn positive_of(dimension: Dimension) -> Quantity {
+    positive("a number", dimension, "")
+}
 
 /// A value outside its range.
 #[derive(Debug, Clone, PartialEq, Error)]

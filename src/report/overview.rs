@@ -3,14 +3,15 @@
 
 use std::fmt::Write as _;
 
-use super::indentation::IndentationScene;
 use super::resolved::{self, Entry};
-use super::{Scenario, ScenarioError, Scene};
 use crate::compare::Comparison;
 use crate::impact::Contact;
 use crate::indentation::{Target, Tested};
 use crate::law::LawChoice;
 use crate::material::Pair;
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
+use crate::scene::Scene;
 use crate::units::{Dimension, describe, human, number};
 
 /// A few aligned lines.
@@ -24,8 +25,8 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 
 /// The same for an indentation, with the contact of every half-space.
 #[must_use]
-pub fn of_indentation(scene: &IndentationScene, tested: &[Tested]) -> String {
-    let mut rows = rows(&resolved::of_indentation(scene));
+pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
+    let mut rows = rows(&resolved::of_indentation(scenario, scene));
     let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
     for (i, target) in (1..).zip(&scene.targets) {
         let (what, value) = match *target {
@@ -55,16 +56,14 @@ pub fn of_indentation(scene: &IndentationScene, tested: &[Tested]) -> String {
 }
 
 /// The same for a comparison of unloading laws.
-///
-/// # Errors
-/// [`ScenarioError`] as from [`Scenario::comparison`].
-pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Result<String, ScenarioError> {
-    let mut rows = rows(&resolved::of_comparison(scenario, comparison)?);
+#[must_use]
+pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> String {
+    let mut rows = rows(&resolved::of_comparison(scenario, comparison));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
     rows.push(("laws".to_owned(), names.join(", ")));
     rows.push((String::new(), String::new()));
     rows.extend(paired(&comparison.bodies.pair));
-    Ok(aligned(&rows))
+    aligned(&rows)
 }
 
 fn rows(entries: &[Entry]) -> Vec<(String, String)> {

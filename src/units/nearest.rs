@@ -12,6 +12,11 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// ", did you mean `word`?" with this quotation mark, or nothing where no candidate is near.
+pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char) -> String {
+    nearest(word, candidates).map_or_else(String::new, |near| format!(", did you mean {mark}{near}{mark}?"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::nearest;

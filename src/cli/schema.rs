@@ -1,0 +1,13 @@
+//! `plm-impact schema`
+
+use anyhow::Context as _;
+use clap::Args;
+
+/// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
+#[derive(Debug, Args)]
+pub struct Arguments {}
+
+pub fn schema(_: &Arguments) -> anyhow::Result<()> {
+    let text = serde_json::to_string_pretty(&plm_impact::scene::schema::schema())?;
+    super::print(&(text + "\n")).context("standard output")
+}

@@ -1,0 +1,248 @@
+//! The keys of a file, found in the registry and read one by one: what is known, what is not, and where.
+
+use std::collections::BTreeMap;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::axes::{self, AxisEntry, Variables};
+use super::values::{Fault, Value, described, read};
+use crate::law::LawChoice;
+use crate::plan::random::Distribution;
+use crate::scene::keys::{Form, forms};
+use crate::units::nearest::did_you_mean;
+
+/// What a scenario gives: values by their place in the file, with the number of the item in a list of tables
+/// (`indentation.steps[2].load`, counted from 0).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Entries {
+    values: BTreeMap<String, Value>,
+    /// Lengths of the lists of tables.
+    lists: BTreeMap<String, usize>,
+    /// Tables that are there, also empty ones.
+    tables: Vec<String>,
+    /// Axes of `[sweep]`, in the order of the file.
+    pub(super) axes: Option<Vec<(&'static str, AxisEntry)>>,
+    /// `[monte_carlo]`.
+    pub(super) variables: Option<Variables>,
+}
+
+/// A key that is refused, its value or its name, and why.
+#[derive(Debug)]
+pub(super) struct Refused {
+    pub(super) key: String,
+    pub(super) fault: Fault,
+}
+
+impl Entries {
+    /// Reads every key of a document, in the order of the file.
+    pub(super) fn read(root: &DeTable) -> Result<Self, Refused> {
+        let mut entries = Self::default();
+        entries.table(root, "", "")?;
+        Ok(entries)
+    }
+
+    /// A number, in SI.
+    pub(super) fn number(&self, path: &str) -> Option<f64> {
+        match self.values.get(path)? {
+            Value::Number(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// A whole number.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and in the range of its quantity
+    pub(super) fn count(&self, path: &str) -> Option<u64> {
+        self.number(path).map(|value| value as u64)
+    }
+
+    /// Numbers, in SI.
+    pub(super) fn numbers(&self, path: &str) -> Option<&[f64]> {
+        match self.values.get(path)? {
+            Value::Numbers(values) => Some(values),
+            _ => None,
+        }
+    }
+
+    /// A text or a word.
+    pub(super) fn text(&self, path: &str) -> Option<&str> {
+        match self.values.get(path)? {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// Texts or words.
+    pub(super) fn texts(&self, path: &str) -> Option<&[String]> {
+        match self.values.get(path)? {
+            Value::Texts(texts) => Some(texts),
+            _ => None,
+        }
+    }
+
+    /// Whether a key, a table or a list of tables is given.
+    pub(super) fn has(&self, path: &str) -> bool {
+        self.values.contains_key(path) || self.lists.contains_key(path) || self.tables.iter().any(|table| table == path)
+    }
+
+    /// How many tables a list has, if it is given.
+    pub(super) fn length(&self, path: &str) -> Option<usize> {
+        self.lists.get(path).copied()
+    }
+
+    /// The keys that are given in a table, without its name.
+    pub(super) fn keys_in<'a>(&'a self, table: &'a str) -> impl Iterator<Item = &'a str> {
+        self.values.keys().filter_map(move |path| path.strip_prefix(table)?.strip_prefix('.'))
+    }
+
+    /// Whether a key varies over the cases of a table.
+    pub(super) fn varies(&self, path: &str) -> bool {
+        self.varied().any(|varied| varied == path)
+    }
+
+    /// The keys that vary.
+    pub(super) fn varied(&self) -> impl Iterator<Item = &'static str> {
+        let axes = self.axes.iter().flatten().map(|(path, _)| *path);
+        axes.chain(self.variables.iter().flat_map(|table| &table.variables).map(|(path, _)| *path))
+    }
+
+    /// The first value of a key that varies: of its axis, or the mean or lower end of its distribution.
+    pub(super) fn first(&self, path: &str) -> Option<f64> {
+        let axis = self.axes.iter().flatten().find(|(varied, _)| *varied == path);
+        if let Some((_, AxisEntry::Numbers(values))) = axis {
+            return Some(values.at(0));
+        }
+        let table = self.variables.as_ref()?;
+        table.variables.iter().find(|(varied, _)| *varied == path).map(|(_, distribution)| match *distribution {
+            Distribution::Uniform { from, .. } => from,
+            Distribution::Normal { mean, .. } | Distribution::Lognormal { mean, .. } => mean,
+        })
+    }
+
+    /// Reads a table: `place` is where it is, `pattern` the same without the numbers of items.
+    fn table(&mut self, table: &DeTable, place: &str, pattern: &str) -> Result<(), Refused> {
+        if !place.is_empty() {
+            self.tables.push(place.to_owned());
+        }
+        for (name, value) in table {
+            let (place, pattern) = (joined(place, name.get_ref()), joined(pattern, name.get_ref()));
+            let form = forms().find(|(path, _)| *path == pattern);
+            let refused = |fault| Refused { key: place.clone(), fault };
+            match (form, value.get_ref()) {
+                (Some((_, Form::Axes)), DeValue::Table(inner)) => {
+                    self.axes = Some(axes::axes(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                }
+                (Some((_, Form::Variables)), DeValue::Table(inner)) => {
+                    self.variables =
+                        Some(axes::variables(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                }
+                (Some((_, Form::Axes | Form::Variables)), _) => return Err(refused(not_a_table(value))),
+                (Some((_, form)), _) => {
+                    let value = read(&form, value).map_err(refused)?;
+                    self.values.insert(place, value);
+                }
+                (None, DeValue::Table(inner)) if pattern == "law" => {
+                    one_law(inner, value.span()).map_err(refused)?;
+                    self.table(inner, &place, &pattern)?;
+                }
+                (None, DeValue::Table(inner)) if is_table(&pattern) => self.table(inner, &place, &pattern)?,
+                (None, DeValue::Array(items)) if is_list(&pattern) => self.tables_of(items, &place, &pattern)?,
+                (None, _) if pattern == "law" => {
+                    return Err(refused(Fault::at(value, format!("not a table; {ONE_LAW}"))));
+                }
+                (None, _) if is_table(&pattern) => return Err(refused(not_a_table(value))),
+                (None, _) if is_list(&pattern) => {
+                    let example =
+                        if pattern == STEPS { STEPS_EXAMPLE } else { "[[indentation.half_space]] with a name" };
+                    let message = format!("found {}, expected a list of tables: {example}", described(value.get_ref()));
+                    return Err(refused(Fault::at(value, message)));
+                }
+                (None, _) => {
+                    let fault = Fault { span: name.span(), message: unknown(&pattern) };
+                    return Err(Refused { key: place, fault });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn tables_of(&mut self, items: &[Spanned<DeValue>], place: &str, pattern: &str) -> Result<(), Refused> {
+        self.lists.insert(place.to_owned(), items.len());
+        for (i, item) in items.iter().enumerate() {
+            let (place, pattern) = (format!("{place}[{i}]"), format!("{pattern}[]"));
+            match item.get_ref() {
+                DeValue::Table(inner) => self.table(inner, &place, &pattern)?,
+                other => {
+                    let example = if pattern == "indentation.steps[]" { STEP } else { "a table with a name" };
+                    let message = format!("found {}, expected {example}", described(other));
+                    return Err(Refused { key: place, fault: Fault::at(item, message) });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+const STEPS: &str = "indentation.steps";
+const STEP: &str = "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }";
+/// How the steps of an indentation are written.
+pub(super) const STEPS_EXAMPLE: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
+const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
+
+fn named(table: &str, key: Option<String>, fault: Fault) -> Refused {
+    Refused { key: key.map_or_else(|| table.to_owned(), |key| format!("{table}.{key}")), fault }
+}
+
+fn joined(place: &str, name: &str) -> String {
+    if place.is_empty() { name.to_owned() } else { format!("{place}.{name}") }
+}
+
+fn not_a_table(value: &Spanned<DeValue>) -> Fault {
+    Fault::at(value, format!("found {}, expected a table", described(value.get_ref())))
+}
+
+/// Whether keys of the registry stand below this place; laws without keys have tables too.
+fn is_table(pattern: &str) -> bool {
+    let dotted = format!("{pattern}.");
+    let is_law = || pattern.strip_prefix("law.").is_some_and(|law| LawChoice::names().contains(&law));
+    forms().any(|(path, _)| path.starts_with(&dotted)) || is_law()
+}
+
+fn is_list(pattern: &str) -> bool {
+    let list = format!("{pattern}[].");
+    forms().any(|(path, _)| path.starts_with(&list))
+}
+
+/// A scenario has one law.
+fn one_law(laws: &DeTable, span: std::ops::Range<usize>) -> Result<(), Fault> {
+    if laws.len() == 1 {
+        return Ok(());
+    }
+    let found: Vec<&str> = laws.keys().map(|name| name.get_ref().as_ref()).collect();
+    let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
+    Err(Fault { span, message: format!("a scenario has exactly one law, found {found}; {ONE_LAW}") })
+}
+
+/// What is said of a key or table that there is not.
+fn unknown(pattern: &str) -> String {
+    let (table, name) = pattern.rsplit_once('.').unwrap_or(("", pattern));
+    let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
+    let mut known: Vec<String> = Vec::new();
+    let laws = if table == "law" { LawChoice::names() } else { Vec::new() };
+    let next = |path: &'static str| path.strip_prefix(prefix.as_str())?.split(['.', '[']).next();
+    for name in laws.into_iter().chain(forms().filter_map(|(path, _)| next(path))) {
+        if !known.iter().any(|other| other == name) {
+            known.push(name.to_owned());
+        }
+    }
+    let (thing, things) = match table {
+        "" => ("table", "tables"),
+        "law" => ("law", "laws"),
+        _ => ("key", "keys here"),
+    };
+    if known.is_empty() {
+        return format!("unknown {thing} `{name}`; this table takes none");
+    }
+    let guess = did_you_mean(name, known.iter().map(String::as_str), '`');
+    format!("unknown {thing} `{name}`{guess}; {things} are {}", known.join(", "))
+}

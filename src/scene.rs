@@ -1,0 +1,72 @@
+//! The scene of an impact in plain numbers, and the registry of the keys that a scenario gives them by.
+
+pub mod keys;
+pub mod quantity;
+pub mod reference;
+pub mod results;
+pub mod schema;
+
+use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
+use crate::law::LawChoice;
+use crate::material::{HalfSpace, Sphere};
+pub use keys::{KEYS, Key};
+
+/// Evenly spaced rows of a trace where the scenario names no other number.
+pub const DEFAULT_SAMPLES: usize = 400;
+
+/// What a scenario comes to: bodies, speed, law, solver. Plain numbers in SI, all of them checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The sphere.
+    pub sphere: Sphere,
+    /// The half-space.
+    pub half_space: HalfSpace,
+    /// Impact speed \[m/s\].
+    pub speed: f64,
+    /// The law with its parameters.
+    pub law: LawChoice,
+    /// Height of the fall \[m\] that gives the speed, if the scene names one.
+    pub drop_height: Option<f64>,
+    /// Gravity and damping.
+    pub forces: Forces,
+    /// Method and tolerance.
+    pub solver: Solver,
+    /// Evenly spaced rows of the trace.
+    pub samples: usize,
+    /// What of the scenario has no effect.
+    pub warnings: Vec<Warning>,
+}
+
+impl Scene {
+    /// The bodies paired under the law.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
+    pub fn contact(&self) -> Result<Contact, ImpactError> {
+        let contact = Contact::with_law(self.sphere, self.half_space, self.law.get())?;
+        Ok(contact.with_forces(self.forces))
+    }
+}
+
+impl Scene {
+    /// Puts gravity \[m/s²\] into the scene; a drop height then gives another speed.
+    pub fn set_gravity(&mut self, acceleration: f64) {
+        self.forces.gravity = Some(acceleration);
+        if let Some(height) = self.drop_height {
+            self.speed = drop_speed(acceleration, height);
+        }
+    }
+
+    /// Puts a drop height \[m\] into the scene; the speed follows if there is gravity.
+    pub fn set_drop_height(&mut self, height: f64) {
+        self.drop_height = Some(height);
+        if let Some(gravity) = self.forces.gravity {
+            self.speed = drop_speed(gravity, height);
+        }
+    }
+
+    /// Puts an impact speed \[m/s\] into the scene, in place of a drop height if there was one.
+    pub fn set_speed(&mut self, speed: f64) {
+        (self.speed, self.drop_height) = (speed, None);
+    }
+}

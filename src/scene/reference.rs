@@ -1,0 +1,105 @@
+//! The tables of the reference page, made from the registries: every key, and every result.
+
+use std::fmt::Write as _;
+
+use super::keys::{Form, KEYS, OTHER_KEYS};
+use super::quantity::Quantity;
+use crate::law::LawChoice;
+
+/// All keys as Markdown, a table for every table of a scenario.
+#[must_use]
+pub fn keys() -> String {
+    let numeric = KEYS.iter().map(|key| Row {
+        path: key.path,
+        written: written(&Form::Number(key.quantity, key.word)),
+        default: key.default,
+        about: key.about,
+        varies: true,
+    });
+    let others = OTHER_KEYS.iter().map(|key| Row {
+        path: key.path,
+        written: written(&key.form),
+        default: key.default,
+        about: key.about,
+        varies: false,
+    });
+    let rows: Vec<Row> = numeric.chain(others).collect();
+    let mut tables: Vec<&str> = Vec::new();
+    for row in &rows {
+        if !tables.contains(&row.table()) {
+            tables.push(row.table());
+        }
+    }
+    // the tables in the order of the registry, those of the laws together
+    tables.sort_by_key(|table| rows.iter().position(|row| row.path.split('.').next() == table.split('.').next()));
+    let mut text = String::new();
+    for table in tables {
+        let _ = writeln!(text, "### {}\n\n| key | value | default | meaning |\n|---|---|---|---|", heading(table));
+        for row in rows.iter().filter(|row| row.table() == table) {
+            let axis = if row.varies { " \u{2195}" } else { "" };
+            let default = if row.default.is_empty() { "\u{2013}" } else { row.default };
+            let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", row.name(), row.written, row.about);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// A line of the page.
+struct Row {
+    path: &'static str,
+    written: String,
+    default: &'static str,
+    about: &'static str,
+    varies: bool,
+}
+
+impl Row {
+    /// The table that the key stands in; `sweep` and `monte_carlo` are tables themselves.
+    fn table(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or(self.path, |(table, _)| table)
+    }
+
+    fn name(&self) -> &'static str {
+        self.path.rsplit('.').next().unwrap_or(self.path)
+    }
+}
+
+fn heading(table: &str) -> String {
+    let name = match table.strip_suffix("[]") {
+        Some(list) => format!("`[[{list}]]`"),
+        None => format!("`[{table}]`"),
+    };
+    let law = table.strip_prefix("law.").and_then(LawChoice::from_name);
+    law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
+}
+
+fn written(form: &Form) -> String {
+    let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
+    match form {
+        Form::Number(quantity, None) => number(quantity),
+        Form::Number(quantity, Some(word)) => format!("{}, or `\"{word}\"`", number(quantity)),
+        Form::Count(quantity) => format!("a whole number {}", quantity.allowed()),
+        Form::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
+        Form::Word(words) => quoted(&(words.known)()),
+        Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
+        Form::Text(example) => format!("a text such as `\"{example}\"`"),
+        Form::Axes | Form::Variables => "a table, see below".to_owned(),
+    }
+}
+
+fn quoted(words: &[String]) -> String {
+    words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The marks between which a page holds what is written here.
+pub const MARKS: [&str; 2] = ["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"];
+
+/// A page with the text between the marks made anew; `None` for a page without them.
+#[must_use]
+pub fn renewed(page: &str) -> Option<String> {
+    let [begin, end] = MARKS;
+    let (before, rest) = page.split_once(begin)?;
+    let (_, after) = rest.split_once(end)?;
+    Some(format!("{before}{begin}\n\n{}{end}{after}", keys()))
+}

@@ -1,0 +1,153 @@
+//! The JSON Schema of a scenario, made from the registry of keys: for editors, and for programs that write scenarios.
+
+use serde_json::{Map, Value, json};
+
+use super::keys::{Form, KEYS, METHODS, OTHER_KEYS, Words};
+use super::quantity::{Bound, Quantity};
+use crate::law::LawChoice;
+
+/// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys
+/// go together, only the program itself checks.
+#[must_use]
+pub fn schema() -> Value {
+    let mut root = table();
+    for law in LawChoice::names() {
+        insert(&mut root, &format!("law.{law}"), table());
+    }
+    for key in KEYS {
+        insert(&mut root, key.path, described(number(key.quantity, key.word), key.about));
+    }
+    for key in OTHER_KEYS {
+        insert(&mut root, key.path, described(of_form(&key.form), key.about));
+    }
+    root["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    root["title"] = json!("Scenario of plm-impact");
+    root["properties"]["law"]["minProperties"] = json!(1);
+    root["properties"]["law"]["maxProperties"] = json!(1);
+    root
+}
+
+fn table() -> Value {
+    json!({ "type": "object", "additionalProperties": false, "properties": {} })
+}
+
+/// Puts the schema of a key where its path says; `[]` behind a name is a list of tables.
+fn insert(root: &mut Value, path: &str, leaf: Value) {
+    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
+    let (name, is_list) = first.strip_suffix("[]").map_or((first, false), |name| (name, true));
+    let place = &mut root["properties"][name];
+    match rest {
+        None if place.is_null() => *place = leaf,
+        None => {}
+        Some(rest) if is_list => {
+            if place.is_null() {
+                *place = json!({ "type": "array", "items": table() });
+            }
+            insert(&mut place["items"], rest, leaf);
+        }
+        Some(rest) => {
+            if place.is_null() {
+                *place = table();
+            }
+            insert(place, rest, leaf);
+        }
+    }
+}
+
+fn described(mut schema: Value, about: &str) -> Value {
+    schema["description"] = json!(about);
+    schema
+}
+
+fn of_form(form: &Form) -> Value {
+    match form {
+        Form::Number(quantity, word) => number(quantity, *word),
+        Form::Count(quantity) => ranged("integer", quantity),
+        Form::Numbers(quantity) => json!({ "type": "array", "items": number(quantity, None) }),
+        Form::Word(words) => one_of(words),
+        Form::WordList(words) => json!({ "type": "array", "items": one_of(words) }),
+        Form::Text(_) => json!({ "type": "string" }),
+        Form::Axes => axes(),
+        Form::Variables => variables(),
+    }
+}
+
+fn one_of(words: &Words) -> Value {
+    json!({ "enum": (words.known)() })
+}
+
+/// A number in SI within its range, a text with a unit, or the word.
+fn number(quantity: &Quantity, word: Option<&str>) -> Value {
+    let text = json!({ "type": "string", "pattern": "^\\s*[+-]?[0-9.]" });
+    let words = word.map(|word| json!({ "const": word }));
+    let forms: Vec<Value> = [ranged("number", quantity), text].into_iter().chain(words).collect();
+    json!({ "anyOf": forms })
+}
+
+fn ranged(kind: &str, quantity: &Quantity) -> Value {
+    let mut schema = Map::from_iter([("type".to_owned(), json!(kind))]);
+    let mut bound = |open: &str, closed: &str, bound: Bound| match bound {
+        Bound::Open(value) if value.is_finite() => drop(schema.insert(open.to_owned(), json!(value))),
+        Bound::Closed(value) => drop(schema.insert(closed.to_owned(), json!(value))),
+        Bound::Open(_) => {}
+    };
+    bound("exclusiveMinimum", "minimum", quantity.low);
+    bound("exclusiveMaximum", "maximum", quantity.high);
+    Value::Object(schema)
+}
+
+/// `[sweep]`: numeric keys with values, and two keys with words.
+fn axes() -> Value {
+    let mut schema = table();
+    for key in KEYS {
+        let value = number(key.quantity, None);
+        let space = |name: &str| {
+            json!({
+                "type": "object",
+                "additionalProperties": false,
+                "required": [name, "points"],
+                "properties": {
+                    name: { "type": "array", "items": value, "minItems": 2, "maxItems": 2 },
+                    "points": { "type": "integer", "minimum": 1 }
+                }
+            })
+        };
+        let list = json!({ "type": "array", "items": value, "minItems": 1 });
+        schema["properties"][key.path] = json!({ "anyOf": [list, space("linspace"), space("logspace")] });
+    }
+    let words = |item: Value| json!({ "type": "array", "items": item, "minItems": 1 });
+    schema["properties"]["solver.method"] = words(one_of(&METHODS));
+    schema["properties"]["law"] = words(json!({ "type": "string" }));
+    schema
+}
+
+/// `[monte_carlo]`: numeric keys with distributions.
+fn variables() -> Value {
+    let mut schema = table();
+    for key in KEYS {
+        let value = number(key.quantity, None);
+        let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
+        let moments = json!({
+            "type": "object",
+            "additionalProperties": false,
+            "required": ["mean", "sd"],
+            "properties": { "mean": value, "sd": spread }
+        });
+        schema["properties"][key.path] = json!({
+            "type": "object",
+            "minProperties": 1,
+            "maxProperties": 1,
+            "additionalProperties": false,
+            "properties": {
+                "normal": moments,
+                "lognormal": moments,
+                "uniform": { "type": "array", "items": value, "minItems": 2, "maxItems": 2 }
+            }
+        });
+    }
+    schema["properties"]["samples"] = json!({ "type": "integer", "minimum": 1, "description": "Number of cases." });
+    schema["properties"]["seed"] =
+        json!({ "type": "integer", "minimum": 0, "description": "Which random numbers; 0 if left out." });
+    schema["required"] = json!(["samples"]);
+    schema
+}
