@@ -1,28 +1,27 @@
-//! Integrators for one smooth piece of motion, d'' = −g(d), landed on its end.
+//! Integrators for one smooth piece of motion, d'' = γ − g(d) − drag(d, d'), landed on its end.
 //!
 //! Nothing here knows bodies, laws or units: of contact mechanics only that a force grows along a piece, and that drag can be
-//! made of it or of its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any
-//! other smooth force; a [`Leg`] is the way along it, and an [`Integrator`] carries a state to where the leg ends: at a given distance, or where
-//! the speed reaches zero. The state lands *on* the end, so that no step ever crosses a kink.
+//! made of it or of its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any other
+//! smooth force. A [`Path`] is the way along it with the pull γ and the drag that act there, and an [`Integrator`] carries a
+//! state to where that way ends: at a given distance, where the speed or the contact force vanishes, or near rest. The state
+//! lands *on* the end, so that no step ever crosses a kink.
 
+mod cubic;
 pub mod damped;
 mod dense;
 mod dop853;
 pub mod exact;
-mod field;
-pub mod forced;
 mod landing;
 mod lanes;
+pub mod library;
 pub mod lockstep;
-mod motions;
 mod nystrom;
-pub mod ode_forced;
-pub mod ode_solvers;
-pub mod pulled;
+mod piece;
 pub mod rk8;
-pub mod verlet;
 
 use thiserror::Error;
+
+use crate::power::max_or_nan;
 
 /// The deceleration g(d) along one piece, d measured from the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,26 +62,41 @@ impl Restoring {
             Self::Smooth { force, start, factor } => factor * force.value(start, distance),
         }
     }
+
+    /// √g'(d).
+    fn root_of_slope(&self, distance: f64) -> f64 {
+        match *self {
+            Self::Power { coefficient, exponent: 1.5 } => (1.5 * coefficient).sqrt() * distance.abs().sqrt().sqrt(),
+            Self::Power { coefficient, exponent } => {
+                (coefficient * exponent).sqrt() * crate::power::power(distance.abs(), 0.5 * (exponent - 1.0))
+            }
+            Self::Straight { slope, .. } => slope.sqrt(),
+            Self::Smooth { force, start, factor } => root_of(factor * force.slope(start, distance)),
+        }
+    }
 }
 
-/// Time, distance along the piece, and speed.
+/// A state on the way along a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
-    /// Since first touch.
+    /// Time since first touch.
     pub time: f64,
     /// d, from the start of the piece.
     pub distance: f64,
     /// d'; negative on the way back.
     pub speed: f64,
+    /// ∫ drag d' dt: what drag has taken so far, in units of speed².
+    pub loss: f64,
 }
 
-/// The way along one piece: outward until `end` or the turning point, whichever comes first; or back from rest to 0.
+/// The way along one piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Leg {
-    /// Outward from d = 0 with positive speed; the piece ends at this distance (infinite for the last one).
+    /// Outward with positive speed, until the turning point or this distance, where the piece ends (infinite for the last
+    /// one).
     Outward(f64),
-    /// Back from rest to d = 0.
-    Back,
+    /// Back from rest to this distance.
+    Back(f64),
 }
 
 /// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
@@ -94,15 +108,122 @@ pub struct Sizes {
     pub speed: f64,
 }
 
-/// One smooth piece and the way along it.
+/// How the contact resists motion beside the restoring force g: drag = (χ g + η √g') d'.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drag<T = f64> {
+    /// χ: drag in proportion to the force.
+    pub chi: T,
+    /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
+    pub eta: T,
+}
+
+impl Drag {
+    /// No resistance.
+    pub const NONE: Self = Self { chi: 0.0, eta: 0.0 };
+
+    /// g χ d'.
+    #[must_use]
+    pub const fn of_force(chi: f64) -> Self {
+        Self { chi, ..Self::NONE }
+    }
+
+    /// η √g' d'.
+    #[must_use]
+    pub const fn of_stiffness(eta: f64) -> Self {
+        Self { eta, ..Self::NONE }
+    }
+
+    /// Whether the contact force can vanish before the restoring force does.
+    #[must_use]
+    pub fn lifts_off(self) -> bool {
+        self.eta > 0.0
+    }
+
+    /// Drag per speed where the force is `force`; its slope is asked for only if it counts.
+    #[inline]
+    #[must_use]
+    pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> f64 {
+        self.per_speed(force, if self.eta == 0.0 { 0.0 } else { root_of(slope()) })
+    }
+}
+
+impl<T: lanes::Lane> Drag<T> {
+    /// χ g + η √g', the drag per speed.
+    #[inline(always)]
+    #[must_use]
+    pub fn per_speed(self, force: T, root_of_slope: T) -> T {
+        force * self.chi + self.eta * root_of_slope
+    }
+}
+
+/// √g' for a slope g'. A formula may slope down by its rounding where it should be level: it is level there.
+#[inline]
+fn root_of(slope: f64) -> f64 {
+    max_or_nan(slope, 0.0).sqrt()
+}
+
+/// A place where a damped motion may come to rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rest {
+    /// Its distance along the piece.
+    pub distance: f64,
+    /// How far from there still counts as rest.
+    pub within: f64,
+    /// The largest speed that still counts as rest.
+    pub below: f64,
+}
+
+/// One smooth piece, the way along it, and what acts there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Path {
-    /// The deceleration.
+    /// The deceleration g.
     pub restoring: Restoring,
     /// From where to where.
     pub leg: Leg,
     /// What errors are measured against.
     pub sizes: Sizes,
+    /// γ ≥ 0: a constant acceleration outward.
+    pub pull: f64,
+    /// Resistance.
+    pub drag: Drag,
+    /// Where the motion may end without an event.
+    pub rest: Option<Rest>,
+}
+
+impl Path {
+    /// A way that only the restoring force acts on.
+    #[must_use]
+    pub const fn free(restoring: Restoring, leg: Leg, sizes: Sizes) -> Self {
+        Self { restoring, leg, sizes, pull: 0.0, drag: Drag::NONE, rest: None }
+    }
+
+    /// g(d), and the drag at this speed.
+    #[must_use]
+    pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64) {
+        let force = self.restoring.at(distance);
+        let root = if self.drag.eta == 0.0 { 0.0 } else { self.restoring.root_of_slope(distance) };
+        (force, self.drag.per_speed(force, root) * speed)
+    }
+
+    /// Whether the contact force can vanish before the restoring force does.
+    #[must_use]
+    pub fn can_lift_off(&self) -> bool {
+        matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
+    }
+
+    /// Whether this state counts as rest.
+    #[must_use]
+    pub fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
+        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= rest.within && speed.abs() <= rest.below)
+    }
+
+    /// The distance of a landing: exactly the end's, or where the motion came to.
+    fn landed_at(&self, landing: Landing, distance: f64) -> f64 {
+        match (landing, self.leg) {
+            (Landing::End, Leg::Outward(end) | Leg::Back(end)) => end,
+            _ => distance,
+        }
+    }
 }
 
 /// Where a leg ended.
@@ -112,6 +233,21 @@ pub enum Landing {
     End,
     /// At speed zero, exactly.
     Turning,
+    /// Where the contact force vanishes on the way back, before the restoring force does.
+    LiftOff,
+    /// As near to rest as the path says.
+    Rest,
+}
+
+/// What ends a leg with drag: a function of the state that falls through zero there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Crossing {
+    /// Of the speed.
+    Turning,
+    /// Of the way to the end of the piece.
+    End,
+    /// Of the contact force.
+    LiftOff,
 }
 
 /// What the integration cost.
@@ -123,6 +259,17 @@ pub struct Work {
     pub rejected: u64,
     /// Evaluations of the deceleration.
     pub force_evaluations: u64,
+}
+
+impl std::ops::Add for Work {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            force_evaluations: self.force_evaluations + other.force_evaluations,
+        }
+    }
 }
 
 /// More steps than any leg needs, accepted and rejected, unless its drag is hundreds of times beyond critical: explicit steps
@@ -172,15 +319,13 @@ pub struct Sampler {
     next: usize,
     /// The samples of the current leg.
     pub states: Vec<State>,
-    /// What drag had taken at each of them, where there is drag.
-    pub losses: Vec<f64>,
 }
 
 impl Sampler {
     /// Samples at i × `interval`, i = 1 … `count`; the first touch at time 0 is not among them.
     #[must_use]
     pub fn every(interval: f64, count: usize) -> Self {
-        Self { interval, count, next: 1, states: Vec::new(), losses: Vec::new() }
+        Self { interval, count, next: 1, states: Vec::new() }
     }
 
     /// The next sample time before `end`, if there is one left.
@@ -213,4 +358,18 @@ pub trait Integrator {
 
     /// Cost so far.
     fn work(&self) -> Work;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
+        let viscous = Drag::of_stiffness(0.2);
+        assert_eq!(viscous.at(1.0, || -1e-17), 0.0);
+        assert!(viscous.at(1.0, || f64::NAN).is_nan());
+        // η √g'
+        assert_eq!(viscous.at(1.0, || 2.25), 0.2 * 1.5);
+    }
 }

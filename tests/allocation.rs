@@ -8,10 +8,8 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use common::Scene;
-use plm_impact::impact::forced::{self, Load};
-use plm_impact::impact::{Damping, balance, batch, closed_form, course};
+use plm_impact::impact::{Damping, ScaledForces, batch, closed_form, course};
 use plm_impact::integrate::Integrator;
-use plm_impact::integrate::pulled::Pulled;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 
@@ -37,7 +35,9 @@ fn rk8_allocates_nothing() {
         for tolerance in [1e-3, 1e-9, 1e-13] {
             let mut rk8 = Rk8::new(tolerance);
             let mut outcome = None;
-            let counted = measure(|| outcome = Some(course::integrate(black_box(&law), speed, &mut rk8, None)));
+            let counted = measure(|| {
+                outcome = Some(course::integrate(black_box(&law), speed, &ScaledForces::NONE, &mut rk8, None));
+            });
             assert_eq!(counted.count_total, 0, "{name} at {tolerance:e}");
             assert!(outcome.unwrap().unwrap().restitution > 0.0 && rk8.work().steps > 0, "{name} at {tolerance:e}");
         }
@@ -59,13 +59,13 @@ fn gravity_and_damping_allocate_nothing() {
     for (name, law, speed) in cases() {
         let damping = [None, Some(Damping::Viscous(0.1)), Some(Damping::HuntCrossley(0.1 / speed))];
         for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
-            let load = Load { weight, damping };
-            let mut stepper = Pulled::new(1e-9);
+            let forces = ScaledForces { weight, damping };
+            let mut stepper = Rk8::new(1e-9);
             let counted = measure(|| {
-                black_box(balance::solve(black_box(&law), speed, &load));
-                forced::integrate(&law, speed, &load, &mut stepper, None).unwrap();
+                black_box(closed_form::solve_with(black_box(&law), speed, &forces));
+                course::integrate(&law, speed, &forces, &mut stepper, None).unwrap();
             });
-            assert_eq!(counted.count_total, 0, "{name} {load:?}");
+            assert_eq!(counted.count_total, 0, "{name} {forces:?}");
         }
     }
 }
@@ -73,8 +73,9 @@ fn gravity_and_damping_allocate_nothing() {
 #[test]
 fn a_batch_allocates_its_outcomes_and_nothing_per_step_or_impact() {
     let cases = cases();
-    let many: Vec<(&Law, f64)> = cases.iter().cycle().map(|(_, law, speed)| (law, *speed)).take(300).collect();
-    let count = |cases: &[(&Law, f64)], tolerance| {
+    let problems = cases.iter().map(|(_, law, speed)| (law, *speed, ScaledForces::NONE));
+    let many: Vec<batch::Problem> = problems.cycle().take(300).collect();
+    let count = |cases: &[batch::Problem], tolerance| {
         measure(|| assert!(black_box(batch::integrate(cases, tolerance)).iter().all(Result::is_ok))).count_total
     };
     let few = count(&many[..1], 1e-3);

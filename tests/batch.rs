@@ -6,10 +6,9 @@ mod common;
 
 use common::{STEEL, Scene};
 use plm_impact::bench::problems::kinked_law;
-use plm_impact::impact::forced::{self, Fate, ForcedOutcome, Load};
-use plm_impact::impact::{Contact, Damping, Forces, Method, Outcome, Solver, batch, course, forced_batch};
+use plm_impact::impact::batch::Problem;
+use plm_impact::impact::{Contact, Damping, Fate, Forces, Method, Outcome, ScaledForces, Solver, batch, course};
 use plm_impact::integrate::IntegrationError;
-use plm_impact::integrate::pulled::Pulled;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 use plm_impact::material::Material;
@@ -21,29 +20,34 @@ use proptest::prelude::*;
 const SIZES: [usize; 5] = [0, 1, 31, 33, 200];
 const TOLERANCES: [f64; 3] = [1e-4, 1e-10, 1e-13];
 
-type Bits = Result<[u64; 7], IntegrationError>;
+type Bits = Result<([u64; 10], Fate), IntegrationError>;
 
 fn bits(outcome: Result<Outcome, IntegrationError>) -> Bits {
-    outcome.map(|Outcome { unloading, restitution, loading_time, contact_time }| {
-        let peak = unloading.peak;
-        [
+    outcome.map(|outcome| {
+        let peak = outcome.unloading.peak;
+        let numbers = [
             peak.indentation,
             peak.force,
             peak.elastic_approach,
-            unloading.exponent,
-            restitution,
-            loading_time,
-            contact_time,
-        ]
-        .map(f64::to_bits)
+            outcome.unloading.exponent,
+            outcome.restitution,
+            outcome.loading_time,
+            outcome.contact_time,
+            outcome.end_indentation,
+            outcome.end_speed,
+            outcome.loss,
+        ];
+        (numbers.map(f64::to_bits), outcome.fate)
     })
 }
 
-fn alone(law: &Law, speed: f64, tolerance: f64) -> Bits {
-    bits(course::integrate(law, speed, &mut Rk8::new(tolerance), None))
+/// What each case comes to by itself.
+fn alone(cases: &[Problem], tolerance: f64) -> Vec<Bits> {
+    let one = |(law, q, forces): &Problem| bits(course::integrate(law, *q, forces, &mut Rk8::new(tolerance), None));
+    cases.iter().map(one).collect()
 }
 
-fn together(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Bits> {
+fn together(cases: &[Problem], tolerance: f64) -> Vec<Bits> {
     batch::integrate(cases, tolerance).into_iter().map(bits).collect()
 }
 
@@ -77,12 +81,13 @@ proptest! {
         tolerance in prop::sample::select(TOLERANCES.to_vec()),
     ) {
         let speeds = log_speeds.iter().map(|log| 10_f64.powf(*log));
-        let cases: Vec<(&Law, f64)> = laws.iter().cycle().zip(speeds).take(size).collect();
+        let of_law = |(law, speed)| (law, speed, ScaledForces::NONE);
+        let cases: Vec<Problem> = laws.iter().cycle().zip(speeds).map(of_law).take(size).collect();
         let got = together(&cases, tolerance);
         prop_assert_eq!(got.len(), size);
-        for (i, ((law, speed), got)) in cases.iter().zip(got).enumerate() {
+        for (i, (got, want)) in got.into_iter().zip(alone(&cases, tolerance)).enumerate() {
             prop_assert!(got.is_ok(), "case {} of {}: {:?}", i, size, got);
-            prop_assert_eq!(got, alone(law, *speed, tolerance), "case {} of {}, q = {}", i, size, speed);
+            prop_assert_eq!(got, want, "case {} of {}, q = {}", i, size, cases[i].1);
         }
     }
 }
@@ -95,36 +100,15 @@ fn every_size_meets_every_tolerance() {
         // no two cases alike, and neighbours far apart: some lanes take ten times the steps of others
         #[allow(clippy::cast_precision_loss)]
         let speed = |i: usize| 1.37_f64.powi(i32::try_from(i * 7 % 29).unwrap()) * (1.0 + 1e-3 * i as f64);
-        let cases: Vec<(&Law, f64)> = (0..size).map(|i| (&laws[i % laws.len()], speed(i))).collect();
+        let cases: Vec<Problem> = (0..size).map(|i| (&laws[i % laws.len()], speed(i), ScaledForces::NONE)).collect();
         for tolerance in TOLERANCES {
-            let want: Vec<Bits> = cases.iter().map(|(law, speed)| alone(law, *speed, tolerance)).collect();
-            assert_eq!(together(&cases, tolerance), want, "{size} cases at {tolerance:e}");
+            assert_eq!(together(&cases, tolerance), alone(&cases, tolerance), "{size} cases at {tolerance:e}");
         }
     }
 }
 
-type ForcedBits = Result<([u64; 9], Fate), IntegrationError>;
-
-fn forced_bits(outcome: Result<ForcedOutcome, IntegrationError>) -> ForcedBits {
-    outcome.map(|ForcedOutcome { unloading, restitution, loading_time, end, fate, loss }| {
-        let peak = unloading.peak;
-        let numbers = [
-            peak.indentation,
-            peak.force,
-            peak.elastic_approach,
-            restitution,
-            loading_time,
-            end.time,
-            end.distance,
-            end.speed,
-            loss,
-        ];
-        (numbers.map(f64::to_bits), fate)
-    })
-}
-
 /// No damping and both kinds of it, far beyond critical too; no weight, a small one, and one that captures.
-fn any_load() -> impl Strategy<Value = Load> {
+fn any_forces() -> impl Strategy<Value = ScaledForces> {
     let damping = prop_oneof![
         1 => Just(None),
         1 => Just(Some(Damping::Viscous(0.0))),
@@ -132,19 +116,7 @@ fn any_load() -> impl Strategy<Value = Load> {
         6 => (-3.0..0.5_f64).prop_map(|log| Some(Damping::Viscous(10_f64.powf(log)))),
     ];
     let weight = prop_oneof![Just(0.0), (-6.0..-2.0_f64).prop_map(|log| 10_f64.powf(log)), 0.01..3.0_f64];
-    (weight, damping).prop_map(|(weight, damping)| Load { weight, damping })
-}
-
-/// What each case comes to by itself.
-fn forced_alone(cases: &[(&Law, f64, Load)], tolerance: f64) -> Vec<ForcedBits> {
-    let one = |(law, q, load): &(&Law, f64, Load)| {
-        forced_bits(forced::integrate(law, *q, load, &mut Pulled::new(tolerance), None))
-    };
-    cases.iter().map(one).collect()
-}
-
-fn forced_together(cases: &[(&Law, f64, Load)], tolerance: f64) -> Vec<ForcedBits> {
-    forced_batch::integrate(cases, tolerance).into_iter().map(forced_bits).collect()
+    (weight, damping).prop_map(|(weight, damping)| ScaledForces { weight, damping })
 }
 
 proptest! {
@@ -153,15 +125,15 @@ proptest! {
     #[test]
     fn a_damped_batch_gives_the_bits_of_the_stepper_in_the_order_of_its_cases(
         laws in prop::collection::vec(any_law(), 2..6),
-        loads in prop::collection::vec(any_load(), SIZES[4]),
+        forces in prop::collection::vec(any_forces(), SIZES[4]),
         log_speeds in prop::collection::vec(-2.0..3.0_f64, SIZES[4]),
         size in prop::sample::select(SIZES.to_vec()),
         tolerance in prop::sample::select(TOLERANCES.to_vec()),
     ) {
         let speeds = log_speeds.iter().map(|log| 10_f64.powf(*log));
-        let cases: Vec<(&Law, f64, Load)> =
-            laws.iter().cycle().zip(speeds).zip(loads).map(|((law, q), load)| (law, q, load)).take(size).collect();
-        let (got, want) = (forced_together(&cases, tolerance), forced_alone(&cases, tolerance));
+        let cases: Vec<Problem> =
+            laws.iter().cycle().zip(speeds).zip(forces).map(|((law, q), forces)| (law, q, forces)).take(size).collect();
+        let (got, want) = (together(&cases, tolerance), alone(&cases, tolerance));
         prop_assert_eq!(got.len(), size);
         for (i, (got, want)) in got.into_iter().zip(want).enumerate() {
             prop_assert_eq!(got, want, "case {} of {}: q = {}, {:?}", i, size, cases[i].1, cases[i].2);
@@ -180,17 +152,17 @@ fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
         for damping in dampings {
             for weight in [0.0, 1e-3, 0.3, 2.0] {
                 for q in [0.1, 1.0, 7.0, 90.0] {
-                    cases.push((law, q, Load { weight, damping: Some(damping) }));
+                    cases.push((law, q, ScaledForces { weight, damping: Some(damping) }));
                 }
                 if weight > 0.0 {
                     // let go at rest
-                    cases.push((law, 0.0, Load { weight, damping: Some(damping) }));
+                    cases.push((law, 0.0, ScaledForces { weight, damping: Some(damping) }));
                 }
             }
         }
     }
-    let got = forced_together(&cases, 1e-10);
-    assert_eq!(got, forced_alone(&cases, 1e-10));
+    let got = together(&cases, 1e-10);
+    assert_eq!(got, alone(&cases, 1e-10));
     let fates = |fate| got.iter().flatten().filter(|(_, of)| *of == fate).count();
     assert!(fates(Fate::Captured) > 40 && fates(Fate::Separated) > 100, "{}", fates(Fate::Captured));
 }
@@ -200,9 +172,9 @@ fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
 fn a_lane_that_only_creeps_gives_up_as_the_stepper_does() {
     let law = Law::hertz();
     // as many as keep the lanes busy, so that none is finished by itself
-    let cases = [(&law, 1.0, Load { weight: 0.1, damping: Some(Damping::Viscous(3000.0)) }); 5];
-    let got = forced_together(&cases, 1e-6);
-    assert_eq!(got, forced_alone(&cases, 1e-6));
+    let cases = [(&law, 1.0, ScaledForces { weight: 0.1, damping: Some(Damping::Viscous(3000.0)) }); 5];
+    let got = together(&cases, 1e-6);
+    assert_eq!(got, alone(&cases, 1e-6));
     assert!(matches!(got[0], Err(IntegrationError::Creeping { .. })), "{:?}", got[0]);
 }
 
@@ -224,7 +196,7 @@ fn rows_with_damping_are_those_of_one_impact_at_a_time() {
         contacts.iter().flat_map(|contact| speeds.map(|speed| (contact, speed))).collect();
     for method in [Method::Rk8, Method::Auto] {
         let solver = Solver { method, tolerance: 1e-9, ..Solver::default() };
-        let rows = batch::essentials(&impacts, &solver);
+        let rows = Contact::essentials_together(&impacts, &solver);
         assert_eq!(rows.len(), impacts.len());
         for ((contact, speed), row) in impacts.iter().zip(rows) {
             assert_eq!(row, contact.essentials_by(*speed, &solver), "{:?} at {speed} by {method:?}", contact.forces());
@@ -266,9 +238,10 @@ fn damped_rows_in_lock_step_are_those_by_themselves() {
 #[test]
 fn a_lane_whose_state_is_no_number_says_so() {
     let law = Scene::steel().law();
-    let cases = [(&law, 5.0), (&law, f64::NAN), (&law, 20.0)];
+    let cases = [5.0, f64::NAN, 20.0].map(|speed| (&law, speed, ScaledForces::NONE));
     let got = together(&cases, 1e-9);
     assert!(matches!(got[1], Err(IntegrationError::NotFinite { .. })), "{:?}", got[1]);
-    assert!(matches!(alone(&law, f64::NAN, 1e-9), Err(IntegrationError::NotFinite { .. })));
-    assert_eq!((&got[0], &got[2]), (&alone(&law, 5.0, 1e-9), &alone(&law, 20.0, 1e-9)));
+    let want = alone(&cases, 1e-9);
+    assert!(matches!(want[1], Err(IntegrationError::NotFinite { .. })), "{:?}", want[1]);
+    assert_eq!((&got[0], &got[2]), (&want[0], &want[2]));
 }

@@ -8,8 +8,7 @@ mod common;
 
 use common::{STEPPING, Scene, any_scene, off, solver, worst};
 use plm_impact::compare::Comparison;
-use plm_impact::impact::forced_batch;
-use plm_impact::impact::{Contact, Damping, Forces, Method, Solver, Spot, Warning, batch, closed_form};
+use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, batch, closed_form};
 use plm_impact::indentation::{Indenter, StaticContact, Target};
 use plm_impact::law::{Bodies, Law, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
@@ -95,10 +94,10 @@ proptest! {
             prop_assert!(off(outcome.unloading.exponent, exact.unloading.exponent) < factor * 1e-9);
         }
         let (alone, _) = common::run(law, q, Method::Rk8, 1e-9).unwrap();
-        let lane = batch::integrate(&[(law, q)], 1e-9).remove(0).unwrap();
+        let lane = batch::integrate(&[(law, q, ScaledForces::NONE)], 1e-9).remove(0).unwrap();
         prop_assert_eq!(lane, alone);
         let fine = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
-        let (verlet, _) = plm_impact::impact::run(law, q, &exact, &fine, None).unwrap();
+        let (verlet, _) = plm_impact::impact::run(law, q, &ScaledForces::NONE, Some(&exact), &fine, None).unwrap();
         prop_assert!(off(verlet.restitution, exact.restitution) < 1e-3, "{}", verlet.restitution);
     }
 }
@@ -123,7 +122,7 @@ fn forces_and_lanes_take_the_limited_branch_too() {
     let traced = damped.impact(speed, &solver(Method::Rk8, 1e-9), Some(50)).unwrap();
     assert!(traced.restitution < 1.0 && traced.energy.drift < 1e-7, "{:e}", traced.energy.drift);
     let by_steps = Solver { method: Method::Rk8, tolerance: 1e-9, ..Solver::default() };
-    let rows = forced_batch::essentials(&[(&damped, speed), (&damped, 1.1 * speed)], &by_steps);
+    let rows = Contact::essentials_together(&[(&damped, speed), (&damped, 1.1 * speed)], &by_steps);
     for (row, speed) in rows.into_iter().zip([speed, 1.1 * speed]) {
         let (row, alone) = (row.unwrap(), damped.impact(speed, &by_steps, None).unwrap());
         assert!(off(row.restitution, alone.restitution) < 1e-8 && row.plastic_fraction == 0.0);
@@ -134,8 +133,8 @@ fn forces_and_lanes_take_the_limited_branch_too() {
 fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
     // w x_m = W(x_m): by its own weight to 1.6 times the yield indentation, on Hertz where W = (2/5) x^2.5
     let law = steel(1.2).law();
-    let load = plm_impact::impact::forced::Load { weight: 0.4 * 1.6_f64.powf(1.5), damping: None };
-    let outcome = plm_impact::impact::balance::solve(&law, 0.0, &load).unwrap();
+    let forces = ScaledForces { weight: 0.4 * 1.6_f64.powf(1.5), damping: None };
+    let outcome = closed_form::solve_with(&law, 0.0, &forces).unwrap();
     let peak = outcome.unloading.peak;
     assert!(off(peak.indentation, 1.6) < 1e-14 && peak.residual() > 0.0);
     assert!(off(outcome.unloading.exponent, ruled(&law, 1.6, 1.2)) < 1e-14);

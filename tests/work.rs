@@ -6,7 +6,7 @@
 #![allow(clippy::unwrap_used)]
 
 use plm_impact::bench::problems::{Problem, problems};
-use plm_impact::impact::course;
+use plm_impact::impact::{ScaledForces, course};
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::integrate::{Integrator, Work};
 
@@ -16,7 +16,7 @@ fn problem(name: &str) -> Problem {
 
 fn work(problem: &Problem, tolerance: f64) -> Work {
     let mut rk8 = Rk8::new(tolerance);
-    course::integrate(&problem.law, problem.speed, &mut rk8, None).unwrap();
+    course::integrate(&problem.law, problem.speed, &ScaledForces::NONE, &mut rk8, None).unwrap();
     rk8.work()
 }
 

@@ -5,11 +5,10 @@ use std::time::{Duration, Instant};
 
 use super::problems::Problem;
 use crate::functions::pow;
-use crate::impact::{Method, Outcome, batch, closed_form, course};
-use crate::integrate::ode_solvers::{self, OdeSolvers};
+use crate::impact::{Method, Outcome, ScaledForces, batch, closed_form, course, verlet};
+use crate::integrate::library::{Library, Pair};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::Law;
 use crate::power::max_or_nan;
 
 /// What is measured: the methods of the scenarios, and the batch form of rk8.
@@ -98,24 +97,27 @@ impl Measurement {
     }
 }
 
+/// The methods are compared on impacts by the law alone.
+const NONE: ScaledForces = ScaledForces::NONE;
+
 /// Impacts of one batch; their speeds differ by up to a thousandth, so that the lanes do not march as one.
 const BATCH: usize = 512;
 
 /// A method ready to run a problem many times.
 enum Runner<'a> {
     Rk8(Rk8),
-    Library(OdeSolvers),
+    Library(Library),
     Verlet { step: f64, most_steps: u64 },
     Exact,
-    Batch { cases: Vec<(&'a Law, f64)>, tolerance: f64 },
+    Batch { problems: Vec<batch::Problem<'a>>, tolerance: f64 },
 }
 
 impl<'a> Runner<'a> {
     fn new(contender: Contender, rung: Rung, phase: f64, problem: &'a Problem) -> Self {
         let tolerance = if let Rung::Tolerance(tolerance) = rung { tolerance } else { 0.0 };
         match contender {
-            Contender::Method(Method::Dopri5) => Self::Library(OdeSolvers::new(ode_solvers::Method::Dopri5, tolerance)),
-            Contender::Method(Method::Dop853) => Self::Library(OdeSolvers::new(ode_solvers::Method::Dop853, tolerance)),
+            Contender::Method(Method::Dopri5) => Self::Library(Library::new(Pair::Dopri5, tolerance)),
+            Contender::Method(Method::Dop853) => Self::Library(Library::new(Pair::Dop853, tolerance)),
             Contender::Method(Method::Verlet) => {
                 let steps = if let Rung::Steps(steps) = rung { steps } else { 1 };
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);
@@ -126,7 +128,7 @@ impl<'a> Runner<'a> {
             Contender::Batch => {
                 #[allow(clippy::cast_precision_loss)]
                 let speed = |i: usize| problem.speed * (1.0 + 1e-3 * (i % 61) as f64 / 61.0);
-                Self::Batch { cases: (0..BATCH).map(|i| (&problem.law, speed(i))).collect(), tolerance }
+                Self::Batch { problems: (0..BATCH).map(|i| (&problem.law, speed(i), NONE)).collect(), tolerance }
             }
         }
     }
@@ -135,14 +137,14 @@ impl<'a> Runner<'a> {
     fn run(&mut self, problem: &Problem) -> Result<Outcome, IntegrationError> {
         let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
         match self {
-            Self::Rk8(rk8) => course::integrate(law, speed, rk8, None),
-            Self::Library(library) => course::integrate(law, speed, library, None),
+            Self::Rk8(rk8) => course::integrate(law, speed, &NONE, rk8, None),
+            Self::Library(library) => course::integrate(law, speed, &NONE, library, None),
             Self::Verlet { step, most_steps } => {
-                course::march_verlet(law, speed, *step, *most_steps, &mut Work::default(), None)
+                verlet::march(law, speed, &NONE, *step, *most_steps, &mut Work::default(), None)
             }
             Self::Exact => Ok(closed_form::solve(law, speed)),
-            Self::Batch { cases, tolerance } => {
-                let mut outcomes = batch::integrate(black_box(cases), *tolerance);
+            Self::Batch { problems, tolerance } => {
+                let mut outcomes = batch::integrate(black_box(problems), *tolerance);
                 outcomes.swap_remove(0)
             }
         }
@@ -150,7 +152,7 @@ impl<'a> Runner<'a> {
 
     /// Impacts of one run.
     fn size(&self) -> usize {
-        if let Self::Batch { cases, .. } = self { cases.len() } else { 1 }
+        if let Self::Batch { problems, .. } = self { problems.len() } else { 1 }
     }
 
     /// Cost of one impact. The lanes of a batch do what rk8 does alone.
@@ -160,7 +162,7 @@ impl<'a> Runner<'a> {
             Self::Library(library) => library.work(),
             Self::Verlet { step, most_steps } => {
                 let mut work = Work::default();
-                let _ = course::march_verlet(&problem.law, problem.speed, *step, *most_steps, &mut work, None);
+                let _ = verlet::march(&problem.law, problem.speed, &NONE, *step, *most_steps, &mut work, None);
                 work
             }
             Self::Exact => Work::default(),

@@ -7,7 +7,7 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::functions::pow;
-use crate::impact::closed_form::energy_balance;
+use crate::impact::closed_form::{self, energy_balance};
 use crate::impact::{Contact, Outcome};
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
@@ -36,7 +36,8 @@ impl Problem {
         let unloading_time =
             quarter_period(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
-        let exact = Outcome { unloading, restitution, loading_time, contact_time };
+        let by_formula = closed_form::solve(&law, speed);
+        let exact = Outcome { unloading, restitution, loading_time, contact_time, ..by_formula };
         Self { name, about, law, speed, exact }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::hard_cases::HardCase;
 use super::measure::{Contender, Measurement, Rung};
 use super::problems::Problem;
-use crate::impact::{Method, Solver, closed_form, run};
+use crate::impact::{Method, ScaledForces, Solver, closed_form, run};
 use crate::integrate::IntegrationError;
 use crate::output::OutputFile;
 use crate::plot::PlotError;
@@ -200,7 +200,7 @@ pub fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
         let _ = write!(text, "| {} | {:.4} |", case.name, case.restitution);
         for method in methods {
             let solver = Solver { method, ..Solver::default() };
-            let (outcome, _) = run(&case.law, case.speed, &exact, &solver, None)?;
+            let (outcome, _) = run(&case.law, case.speed, &ScaledForces::NONE, Some(&exact), &solver, None)?;
             let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
             let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
             let _ = write!(text, " {:.0e} |", max_or_nan(of_restitution, of_time));

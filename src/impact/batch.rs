@@ -1,162 +1,135 @@
 //! Many impacts in lock step: the batch form of rk8, for sweeps of scenes that need stepping.
+//!
+//! Lanes do the straight and the Hertz pieces, without gravity and damping or with damping. An impact that meets another
+//! piece (a law that is no power, or an unloading exponent other than 3/2) leaves its lane and is integrated to its end by
+//! itself; so are the last few, when most lanes would idle, and impacts that no lanes are for. Each outcome has the bits
+//! that rk8 gives by itself.
 
-use super::course::{self, entry_of, loading_sizes, unloading_from, way_back, way_out};
+use super::course::Course;
 use super::outcome::Outcome;
-use super::{Contact, Essentials, ImpactError, Solver, forced_batch};
-use crate::integrate::lockstep::{LANES, Lockstep};
+use super::scaled_forces::ScaledForces;
+use crate::integrate::lockstep::conservative::Conservative;
+use crate::integrate::lockstep::damped::Damped;
+use crate::integrate::lockstep::{LANES, Landed, Lanes, Started};
 use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Sizes, State};
-use crate::law::curve::Shape;
-use crate::law::{Law, Unloading};
+use crate::integrate::{Drag, IntegrationError};
+use crate::law::Law;
 
-/// Where the impact of a lane is.
-#[derive(Debug, Clone, Copy)]
-enum Phase {
-    Loading { piece: usize, sizes: Sizes },
-    Unloading { unloading: Unloading, loading_time: f64 },
-}
+/// An impact to be integrated: law, q = v/V, and what acts beside the law.
+pub type Problem<'a> = (&'a Law, f64, ScaledForces);
 
-/// One impact on its way.
-#[derive(Debug, Clone, Copy)]
-struct Flight {
-    case: usize,
-    phase: Phase,
-    /// The common step before which it began.
-    begun: u64,
-}
-
-/// Lanes whose state is no number, or that go on for ever, are looked for once in so many common steps.
-const LOOK: u64 = 1024;
-
-/// Integrates every (law, q) with rk8 at this relative tolerance, as many at a time as there are lanes; a lane that has
-/// finished takes the next case. Each outcome has the bits that rk8 gives by itself.
+/// Integrates every impact at this relative tolerance, as many at a time as there are lanes; a lane that has finished takes
+/// the next one.
 #[must_use]
-pub fn integrate(cases: &[(&Law, f64)], tolerance: f64) -> Vec<Result<Outcome, IntegrationError>> {
-    let mut lockstep = Lockstep::new(tolerance);
+pub fn integrate(problems: &[Problem], tolerance: f64) -> Vec<Result<Outcome, IntegrationError>> {
     let mut alone = Rk8::new(tolerance);
-    let mut outcomes = vec![Err(IntegrationError::NotFinite { time: 0.0 }); cases.len()];
-    let mut flights: [Option<Flight>; LANES] = [None; LANES];
-    let mut next = 0;
-    let mut under_way = 0;
-    let mut steps = 0;
-    for ((law, speed), outcome) in cases.iter().zip(&mut outcomes).filter(|((law, _), _)| !fits_lanes(law)) {
-        *outcome = course::integrate(law, *speed, &mut alone, None);
-    }
-    for (lane, flight) in flights.iter_mut().enumerate() {
-        *flight = launch(&mut lockstep, lane, cases, &mut next, steps);
-        under_way += usize::from(flight.is_some());
-    }
-    while under_way > 0 {
-        steps += 1;
-        let has_landed = lockstep.step();
-        let looks = steps.is_multiple_of(LOOK);
-        if !has_landed && !looks {
-            continue;
-        }
-        for (lane, slot) in flights.iter_mut().enumerate() {
-            let Some(flight) = slot else { continue };
-            let ended = match lockstep.take_landing(lane) {
-                Some((landing, state)) => {
-                    let outcome = go_on(&mut lockstep, &mut alone, lane, cases, flight, landing, state);
-                    outcome.map(|outcome| outcomes[flight.case] = outcome).is_some()
-                }
-                None if looks && (!lockstep.is_number(lane) || steps - flight.begun >= MOST_STEPS) => {
-                    // by itself it says what is wrong, or does not fail
-                    let (law, speed) = cases[flight.case];
-                    outcomes[flight.case] = course::integrate(law, speed, &mut alone, None);
-                    true
-                }
-                None => false,
-            };
-            if ended {
-                *slot = launch(&mut lockstep, lane, cases, &mut next, steps);
-                under_way -= usize::from(slot.is_none());
-            }
+    let mut outcomes = vec![Err(IntegrationError::NotFinite { time: 0.0 }); problems.len()];
+    let drag = |problem: &Problem| problem.2.drag();
+    fly(problems, |problem| problem.2.is_none(), || Conservative::new(tolerance), &mut alone, &mut outcomes);
+    fly(
+        problems,
+        |problem| Damped::<2>::fits(drag(problem)),
+        || Damped::<2>::new(tolerance),
+        &mut alone,
+        &mut outcomes,
+    );
+    fly(
+        problems,
+        |problem| Damped::<4>::fits(drag(problem)),
+        || Damped::<4>::new(tolerance),
+        &mut alone,
+        &mut outcomes,
+    );
+    for ((law, q, forces), outcome) in problems.iter().zip(&mut outcomes) {
+        if !forces.is_none() && forces.drag() == Drag::NONE {
+            *outcome = Course::begin(law, *q, forces, None).finish(&mut alone, None);
         }
     }
     outcomes
 }
 
-/// The rows of a table: impacts of these contacts at these speeds \[m/s\]. Without gravity and damping by rk8 at the
-/// tolerance of the solver, with them by its method.
-#[must_use]
-pub fn essentials(impacts: &[(&Contact, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
-    if impacts.iter().any(|(contact, _)| !contact.forces().is_none()) {
-        return forced_batch::essentials(impacts, solver);
-    }
-    let scaled: Vec<_> = impacts.iter().map(|(contact, speed)| contact.scaled(*speed)).collect();
-    let cases: Vec<_> = scaled.iter().flatten().map(|(_, law, q)| (*law, *q)).collect();
-    let mut outcomes = integrate(&cases, solver.tolerance).into_iter();
-    let rows = scaled.into_iter().zip(impacts).map(|(scaled, (contact, speed))| {
-        let (scales, law, _) = scaled?;
-        // there is one outcome for every case that could be scaled
-        let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
-        law.accept(&outcome.unloading.peak)?;
-        Essentials::new(contact, *speed, &scales, law, &outcome)
-    });
-    rows.collect()
+/// One impact on its way.
+struct InLane<'a> {
+    index: usize,
+    course: Course<'a>,
 }
 
-/// Whether lanes can do the loading curve: Hertz and straight pieces.
-fn fits_lanes(law: &Law) -> bool {
-    law.loading.pieces().iter().all(|piece| match piece.shape {
-        Shape::Power { exponent, .. } => exponent == 1.5,
-        Shape::Straight { .. } => true,
-        Shape::LatePower { .. } | Shape::Smooth(_) => false,
-    })
-}
-
-/// Starts the next case that fits, if there is one, in a lane.
-fn launch(lockstep: &mut Lockstep, lane: usize, cases: &[(&Law, f64)], next: &mut usize, begun: u64) -> Option<Flight> {
-    let case = *next + cases.get(*next..)?.iter().position(|(law, _)| fits_lanes(law))?;
-    let (law, speed) = cases[case];
-    *next = case + 1;
-    let sizes = loading_sizes(law, speed);
-    let mut path = way_out(law, 0, sizes);
-    if law.stays_on_branch(0.4 * speed * speed, 0.0) {
-        path.leg = Leg::Outward(f64::INFINITY);
-    }
-    let started = lockstep.start(lane, &path, &State { time: 0.0, distance: 0.0, speed });
-    started.then_some(Flight { case, phase: Phase::Loading { piece: 0, sizes }, begun })
-}
-
-/// The next leg of a flight that has landed, or its outcome.
-fn go_on(
-    lockstep: &mut Lockstep,
-    alone: &mut Rk8,
-    lane: usize,
-    cases: &[(&Law, f64)],
-    flight: &mut Flight,
-    landing: Landing,
-    mut state: State,
-) -> Option<Result<Outcome, IntegrationError>> {
-    let (law, speed) = cases[flight.case];
-    let finish = |unloading, loading_time, state: &State| Outcome {
-        unloading,
-        restitution: -state.speed / speed,
-        loading_time,
-        contact_time: state.time,
-    };
-    match flight.phase {
-        Phase::Unloading { unloading, loading_time } => Some(Ok(finish(unloading, loading_time, &state))),
-        Phase::Loading { ref mut piece, sizes } if landing == Landing::End => {
-            *piece += 1;
-            state.distance = entry_of(law, *piece);
-            let _ = lockstep.start(lane, &way_out(law, *piece, sizes), &state);
-            None
-        }
-        Phase::Loading { piece, .. } => {
-            let unloading = unloading_from(law, piece, state.distance);
-            let loading_time = state.time;
-            let back = way_back(&unloading);
-            state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };
-            if lockstep.start(lane, &back, &state) {
-                flight.phase = Phase::Unloading { unloading, loading_time };
-                return None;
+impl InLane<'_> {
+    /// Puts the next leg into a lane. If there is none that the lane can do, this is the outcome.
+    fn set_out(
+        &mut self,
+        lanes: &mut impl Lanes,
+        lane: usize,
+        alone: &mut Rk8,
+    ) -> Option<Result<Outcome, IntegrationError>> {
+        loop {
+            let (landing, at) = match lanes.start(lane, self.course.path(), &self.course.at) {
+                Started::UnderWay => return None,
+                Started::Foreign => return Some(self.course.finish(alone, None)),
+                Started::Landed(landing, at) => (landing, at),
+            };
+            self.course.at = at;
+            if let Some(outcome) = self.course.landed(landing, None) {
+                return Some(Ok(outcome));
             }
-            // an exponent that lanes cannot do
-            let landed = alone.traverse(&back, &mut state, None);
-            Some(landed.map(|_| finish(unloading, loading_time, &state)))
+        }
+    }
+
+    /// On to the start of the next leg from where one has landed. The outcome, if that is the end.
+    fn go_on(&mut self, landed: Landed) -> Option<Result<Outcome, IntegrationError>> {
+        match landed {
+            Ok((landing, at)) => {
+                self.course.at = at;
+                self.course.landed(landing, None).map(Ok)
+            }
+            Err(error) => Some(Err(error)),
+        }
+    }
+}
+
+/// Integrates the impacts that `fits` picks in these lanes.
+fn fly<L: Lanes>(
+    problems: &[Problem],
+    fits: impl Fn(&Problem) -> bool,
+    new_lanes: impl FnOnce() -> L,
+    alone: &mut Rk8,
+    outcomes: &mut [Result<Outcome, IntegrationError>],
+) {
+    let mut waiting = (0..problems.len()).filter(|index| fits(&problems[*index])).peekable();
+    if waiting.peek().is_none() {
+        return;
+    }
+    let mut lanes = new_lanes();
+    // starts the next impact in a lane
+    let mut launch = |lanes: &mut L, lane, alone: &mut Rk8, outcomes: &mut [_]| loop {
+        let index = waiting.next()?;
+        let (law, q, forces) = &problems[index];
+        let mut flying = InLane { index, course: Course::begin(law, *q, forces, None) };
+        match flying.set_out(lanes, lane, alone) {
+            Some(outcome) => outcomes[index] = outcome,
+            None => return Some(flying),
+        }
+    };
+    let mut flying: Vec<_> = (0..LANES).map(|lane| launch(&mut lanes, lane, alone, outcomes)).collect();
+    let mut under_way = flying.iter().flatten().count();
+    // lanes are empty only when no impact is left
+    while under_way > L::FEW {
+        if !lanes.step() {
+            continue;
+        }
+        for (lane, slot) in flying.iter_mut().enumerate() {
+            let Some(impact) = slot else { continue };
+            let Some(landed) = lanes.take_landing(lane) else { continue };
+            if let Some(outcome) = impact.go_on(landed).or_else(|| impact.set_out(&mut lanes, lane, alone)) {
+                outcomes[impact.index] = outcome;
+                *slot = launch(&mut lanes, lane, alone, outcomes);
+                under_way -= usize::from(slot.is_none());
+            }
+        }
+    }
+    for (lane, slot) in flying.iter_mut().enumerate() {
+        if let (Some(impact), Some(landed)) = (slot, lanes.finish(lane)) {
+            outcomes[impact.index] = impact.go_on(landed).unwrap_or_else(|| impact.course.finish(alone, None));
         }
     }
 }

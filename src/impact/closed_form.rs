@@ -1,16 +1,28 @@
 //! An impact without stepping: energy balance for the peak and the restitution, exact times on every piece.
 //!
-//! Without gravity and damping the motion is conservative on each branch, u² = q² − (5/2) w(x), so the peak is where the
+//! Without gravity and damping (for those see `with_forces`) the motion is conservative on each branch, u² = q² − (5/2) w(x), so the peak is where the
 //! work is the kinetic energy, w(x_m) = (2/5) q², and e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an
 //! arctangent, on a power piece an incomplete beta function, on any other a quadrature.
 
-use super::outcome::Outcome;
+mod with_forces;
+
+use super::outcome::{Fate, Outcome};
+use super::scaled_forces::ScaledForces;
+use super::scales::ACCELERATION;
 use crate::functions::atan;
-use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::power::{arctangent, power_time, quarter_period};
 use crate::smooth::Smooth;
+
+pub use with_forces::{closes, way_to_peak};
+
+/// The exact outcome of an impact at q = v/V, where there is one: without forces, under gravity without damping, or with
+/// the damping of Hunt and Crossley without gravity.
+#[must_use]
+pub fn solve_with(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
+    if forces.is_none() { Some(solve(law, q)) } else { with_forces::solve(law, q, forces) }
+}
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 #[must_use]
@@ -61,7 +73,7 @@ impl Balance {
     }
 }
 
-/// The whole outcome of an impact at q = v/V, exact to rounding.
+/// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
 #[must_use]
 pub fn solve(law: &Law, speed: f64) -> Outcome {
     if law.is_plain() { outcome(law, speed, plain_balance(law, speed)) } else { outcome_of_other(law, speed) }
@@ -91,7 +103,16 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
     } else {
         other_unloading_time(&unloading, restitution * speed)
     };
-    Outcome { unloading, restitution, loading_time, contact_time: loading_time + unloading_time }
+    Outcome {
+        unloading,
+        restitution,
+        loading_time,
+        contact_time: loading_time + unloading_time,
+        fate: Fate::Separated,
+        end_indentation: law.dent(peak).residual(),
+        end_speed: -restitution * speed,
+        loss: 0.0,
+    }
 }
 
 /// The time of a branch that is no power, left at speed `exit`.

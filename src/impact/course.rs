@@ -1,105 +1,282 @@
-//! The course of one impact: piece after piece up the loading curve, the turning point, and back down the unloading branch.
+//! The course of one impact, leg by leg: piece after piece up the loading curve, the turning point, and back down the
+//! unloading branch.
+//!
+//! ```text
+//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u        (w = m g/Φ, χ in units of 1/V)
+//! ```
+//!
+//! The contact ends where its total force vanishes on the way out: at the residual indentation, or before it under viscous
+//! damping. It does not end if the sphere is captured:
+//!
+//! * without damping, if the recovered work cannot lift the sphere out of the dent, f_m ε/(n + 1) ≤ w ε, or if it had no
+//!   speed to begin with; the run then ends at the static indentation on the way out;
+//! * with damping, if the sphere turns back towards the half-space before the contact force has vanished. Phase curves
+//!   do not cross, so every later swing lies inside of this one and ends in it. The run ends there; or where an
+//!   overdamped sphere (ζ from 0.9 on) has crept up to its static indentation, to one part in a thousand.
 
-use super::outcome::Outcome;
+use super::closed_form::way_to_peak;
+use super::outcome::{Fate, Outcome};
+use super::record::{Along, Event, Recorder};
+use super::scaled_forces::{Creep, ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
-use crate::integrate::verlet::{self, Deceleration};
-use crate::integrate::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, Sizes, State, Work};
+use crate::integrate::{Drag, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
 use crate::law::curve::{Piece, Shape};
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{Law, Unloading};
 
-/// What happens on the way; the kinds in their order of time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Event {
-    /// First touch.
-    Touch,
-    /// The half-space begins to yield (x = 1).
-    Yield,
-    /// The loading curve passes from one piece to the next.
-    Knot,
-    /// Maximum compression.
-    Peak,
-    /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
-    Separation,
-    /// Where the run of a sphere that does not separate ends.
-    Captured,
+/// Where an impact is.
+#[derive(Debug, Clone, Copy)]
+enum Phase {
+    /// On a piece of the loading curve; what is at the end of the leg, and the creep to rest if it ends near that.
+    Loading { piece: usize, event: Option<Event>, creep: Option<Creep> },
+    /// On the way back, as far as the creep to rest would begin, or all of it.
+    Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep> },
 }
 
-/// A point of a trace, dimensionless.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// τ.
-    pub time: f64,
-    /// x.
-    pub indentation: f64,
-    /// u.
-    pub speed: f64,
-    /// f.
-    pub force: f64,
-    /// ε: the part of x recovered if unloaded from here.
-    pub elastic_approach: f64,
-    /// Whether compression is over.
-    pub is_unloading: bool,
-    /// The event, if it is one.
-    pub event: Option<Event>,
+/// An impact on its way, leg by leg: whoever integrates it carries `at` along `path` and says where that has landed.
+#[derive(Debug, Clone)]
+pub struct Course<'a> {
+    law: &'a Law,
+    forces: ScaledForces,
+    q: f64,
+    pull: f64,
+    drag: Drag,
+    sizes: Sizes,
+    stops_at_yield: bool,
+    phase: Phase,
+    path: Path,
+    /// The state at the start of that leg, and then at its end.
+    pub at: State,
 }
 
-/// Collects a trace: even samples in time and every event.
-#[derive(Debug, Clone, Default)]
-pub struct Recorder {
-    sampler: Sampler,
-    /// The points in order of time.
-    pub points: Vec<Point>,
+/// Integrates an impact at q = v/V from first touch to its end.
+///
+/// # Errors
+/// What the integrator reports.
+pub fn integrate<I: Integrator>(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    integrator: &mut I,
+    mut recorder: Option<&mut Recorder>,
+) -> Result<Outcome, IntegrationError> {
+    let mut course = Course::begin(law, q, forces, recorder.as_deref_mut());
+    course.finish(integrator, recorder)
 }
 
-impl Recorder {
-    /// A recorder of `samples` points evenly spaced over `contact_time`, both ends included (they are events).
+impl<'a> Course<'a> {
+    /// At first touch; with a recorder, legs end at first yield too.
     #[must_use]
-    pub fn new(samples: usize, contact_time: f64) -> Self {
-        let inner = samples.saturating_sub(2);
-        #[allow(clippy::cast_precision_loss)]
-        let interval = contact_time / (inner + 1) as f64;
-        Self { sampler: Sampler::every(interval, inner), points: Vec::with_capacity(samples + 16) }
+    pub fn begin(law: &'a Law, q: f64, forces: &ScaledForces, recorder: Option<&mut Recorder>) -> Self {
+        let distance = way_to_peak(law, 0.4 * q * q, forces);
+        let pull = ACCELERATION * forces.weight;
+        let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+        let is_reload = law.branch().is_some();
+        let yields_at = law.elastic_until();
+        let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+        let drag = forces.drag();
+        let mut course = Self {
+            law,
+            forces: *forces,
+            q,
+            pull,
+            drag,
+            sizes,
+            stops_at_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
+            phase: Phase::Loading { piece: 0, event: None, creep: None },
+            path: way_out(law, 0, sizes),
+            at: touch,
+        };
+        course.at = course.start();
+        if let Some(recorder) = recorder {
+            recorder.take(&course.along(0), Some((Event::Touch, &touch)));
+        }
+        course.set_out(0);
+        course
     }
 
-    fn loading(&mut self, law: &Law, index: usize) {
-        for state in self.sampler.states.drain(..) {
-            self.points.push(loading_point(law, index, state, None));
+    /// The leg to be integrated.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Integrates the rest.
+    ///
+    /// # Errors
+    /// What the integrator reports.
+    pub fn finish<I: Integrator>(
+        &mut self,
+        integrator: &mut I,
+        mut recorder: Option<&mut Recorder>,
+    ) -> Result<Outcome, IntegrationError> {
+        loop {
+            let sampler = recorder.as_deref_mut().map(|recorder| &mut recorder.sampler);
+            let landing = integrator.traverse(&self.path, &mut self.at, sampler)?;
+            if let Some(outcome) = self.landed(landing, recorder.as_deref_mut()) {
+                return Ok(outcome);
+            }
         }
     }
 
-    fn unloading(&mut self, unloading: &Unloading) {
-        for state in self.sampler.states.drain(..) {
-            self.points.push(unloading_point(unloading, state, None));
+    /// Goes on where a leg has landed: to the next leg, or to the end.
+    pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) -> Option<Outcome> {
+        match self.phase {
+            Phase::Loading { piece, event, creep } => {
+                if let Some(recorder) = recorder.as_deref_mut() {
+                    recorder.take(&self.along(piece), None);
+                }
+                let is_near_rest = creep.is_some_and(|creep| self.at.speed <= creep.below);
+                if landing == Landing::End && !is_near_rest {
+                    self.go_on(piece, event, recorder);
+                    return None;
+                }
+                let is_at_rest = landing == Landing::Rest || landing == Landing::End;
+                self.turn(piece, is_at_rest, recorder)
+            }
+            Phase::Unloading { unloading, loading_time, is_captured, creep } => {
+                let is_still = |creep: Creep| -self.at.speed <= creep.below;
+                let creeps = landing == Landing::End && creep.is_some_and(is_still);
+                if creep.is_some() && landing == Landing::End && !creeps {
+                    self.path.leg = Leg::Back(self.back_to(&unloading, is_captured));
+                    self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep: None };
+                    return None;
+                }
+                let fate = match landing {
+                    Landing::End | Landing::LiftOff if !is_captured && !creeps => Fate::Separated,
+                    _ => Fate::Captured,
+                };
+                if let Some(recorder) = recorder {
+                    let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
+                    recorder
+                        .take(&Along::Unloading { unloading: &unloading, drag: self.drag }, Some((event, &self.at)));
+                }
+                Some(self.outcome(unloading, loading_time, fate))
+            }
         }
     }
-}
 
-/// The state at a distance of the integrator, which counts from the zero of the force on a power law.
-pub(super) fn loaded(law: &Law, index: usize, distance: f64) -> Peak {
-    law.state_at(index, distance - law.loading.pieces()[index].shape.lead())
-}
+    /// Whether it may come to rest without turning: only with a weight and damping.
+    fn may_creep(&self) -> bool {
+        self.pull > 0.0 && self.drag != Drag::NONE
+    }
 
-fn loading_point(law: &Law, index: usize, state: State, event: Option<Event>) -> Point {
-    point(loaded(law, index, state.distance), state, event)
-}
+    fn along(&self, piece: usize) -> Along<'a> {
+        Along::Loading { law: self.law, index: piece, drag: self.drag }
+    }
 
-fn point(loaded: Peak, state: State, event: Option<Event>) -> Point {
-    let Peak { indentation, force, elastic_approach } = loaded;
-    Point { time: state.time, indentation, speed: state.speed, force, elastic_approach, is_unloading: false, event }
-}
+    /// The first state: at first touch, or after so little of a fall from rest that the force is nothing beside the weight.
+    fn start(&self) -> State {
+        if self.q != 0.0 {
+            return self.at;
+        }
+        let distance = 1e-22 * (equilibrium(self.law, self.forces.weight).0 - self.law.touch());
+        let speed = (2.0 * distance * self.pull).sqrt();
+        State { time: speed / self.pull, distance, speed, loss: 0.0 }
+    }
 
-fn unloading_point(unloading: &Unloading, state: State, event: Option<Event>) -> Point {
-    let residual = unloading.peak.residual();
-    let force = unloading.force_after(state.distance.max(0.0));
-    let (time, speed) = (state.time, state.speed);
-    Point {
-        time,
-        indentation: residual + state.distance,
-        speed,
-        force,
-        elastic_approach: state.distance,
-        is_unloading: true,
-        event,
+    /// The leg along a piece, what is at its end, and the creep to rest if it ends near that.
+    fn leg(&self, index: usize) -> (Path, Option<Event>, Option<Creep>) {
+        let piece = &self.law.loading.pieces()[index];
+        let zero = piece.start - piece.shape.lead();
+        let mut path = way_out(self.law, index, self.sizes);
+        if self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
+            path.leg = Leg::Outward(f64::INFINITY);
+        }
+        let mut event = Some(Event::Knot);
+        let creep = self
+            .may_creep()
+            .then(|| equilibrium(self.law, self.forces.weight))
+            .filter(|(_, of)| *of == index)
+            .and_then(|(x, _)| Some((x - zero, self.forces.creep(x - self.law.touch(), piece.slope_at(x))?)));
+        let mut rests = None;
+        if let Leg::Outward(mut end) = path.leg {
+            if let Some((distance, creep)) = creep
+                && self.at.distance < distance - creep.within
+                && distance - creep.within < end
+            {
+                (end, event, rests) = (distance - creep.within, None, Some(creep));
+            }
+            let yields_at = self.law.elastic_until();
+            if self.stops_at_yield && piece.start + end > yields_at {
+                (end, event, rests) = (yields_at - piece.start, Some(Event::Yield), None);
+            }
+            path.leg = Leg::Outward(end);
+        }
+        let rest = creep.map(|(distance, creep)| creep.rest(distance));
+        (Path { pull: self.pull, drag: self.drag, rest, ..path }, event, rests)
+    }
+
+    /// Onto a piece of the loading curve.
+    fn set_out(&mut self, piece: usize) {
+        let (path, event, creep) = self.leg(piece);
+        self.path = path;
+        self.phase = Phase::Loading { piece, event, creep };
+    }
+
+    /// On from the end of a leg of the loading curve.
+    fn go_on(&mut self, mut piece: usize, mut event: Option<Event>, recorder: Option<&mut Recorder>) {
+        if event == Some(Event::Knot) {
+            let is_end_of_branch = piece == 0 && self.law.branch().is_some();
+            piece += 1;
+            let begins_at_yield = self.law.loading.pieces()[piece].start == self.law.elastic_until();
+            if is_end_of_branch || self.stops_at_yield && begins_at_yield {
+                event = Some(Event::Yield);
+            }
+            self.at.distance = entry_of(self.law, piece);
+        }
+        self.stops_at_yield &= event != Some(Event::Yield);
+        if let (Some(recorder), Some(event)) = (recorder, event) {
+            recorder.take(&self.along(piece), Some((event, &self.at)));
+        }
+        self.set_out(piece);
+    }
+
+    /// Compression has ended: onto the way back, unless the sphere has crept up to its static indentation.
+    fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) -> Option<Outcome> {
+        let unloading = unloading_from(self.law, piece, self.at.distance);
+        if let Some(recorder) = recorder {
+            let event = if is_at_rest { Event::Captured } else { Event::Peak };
+            recorder.take(&self.along(piece), Some((event, &self.at)));
+        }
+        let loading_time = self.at.time;
+        self.at.distance = unloading.peak.elastic_approach;
+        if is_at_rest {
+            return Some(self.outcome(unloading, loading_time, Fate::Captured));
+        }
+        self.at.speed = 0.0;
+        // a sphere that had no speed has none to leave with
+        let is_captured = self.q == 0.0 || self.forces.is_conservative() && self.forces.captures(&unloading, self.q);
+        let (mut creep, mut rest, mut back_to) = (None, None, self.back_to(&unloading, is_captured));
+        if self.may_creep() {
+            let at_rest = self.forces.static_approach(&unloading);
+            creep = self.forces.creep(at_rest, self.forces.static_slope(&unloading, at_rest));
+            rest = creep.map(|creep| creep.rest(at_rest));
+            creep = creep.filter(|creep| at_rest + creep.within < self.at.distance);
+            back_to = creep.map_or(back_to, |creep| at_rest + creep.within);
+        }
+        self.path = Path { pull: self.pull, drag: self.drag, rest, ..way_back(&unloading, back_to) };
+        self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
+        None
+    }
+
+    /// Where the way back ends, if nothing ends it before.
+    fn back_to(&self, unloading: &Unloading, is_captured: bool) -> f64 {
+        if is_captured && self.forces.is_conservative() { self.forces.static_approach(unloading) } else { 0.0 }
+    }
+
+    /// The outcome of a run that ends here; distances have been from the residual indentation.
+    fn outcome(&self, unloading: Unloading, loading_time: f64, fate: Fate) -> Outcome {
+        let State { time, distance, speed, loss } = self.at;
+        Outcome {
+            unloading,
+            restitution: if fate == Fate::Captured { 0.0 } else { -speed / self.q },
+            loading_time,
+            contact_time: time,
+            fate,
+            end_indentation: distance + self.law.dent(&unloading.peak).residual(),
+            end_speed: speed,
+            loss: loss / ACCELERATION,
+        }
     }
 }
 
@@ -116,187 +293,27 @@ fn restoring(piece: &Piece) -> Restoring {
     }
 }
 
-/// Sizes of the loading: the depth that the work curve gives (it only scales the error) and the impact speed.
-pub(super) fn loading_sizes(law: &Law, speed: f64) -> Sizes {
-    let pieces = law.loading.pieces();
-    let kinetic = 0.4 * speed * speed;
-    let deepest = &pieces[law.turning_piece(kinetic)];
-    Sizes { distance: (deepest.start - pieces[0].start) + deepest.distance_at_work(kinetic), speed }
-}
-
 /// The way along a piece of the loading curve.
-pub(super) fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
+fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
     let end = end + pieces[index].shape.lead();
-    Path { restoring: restoring(&pieces[index]), leg: Leg::Outward(end), sizes }
+    Path::free(restoring(&pieces[index]), Leg::Outward(end), sizes)
 }
 
 /// The unloading branch from where a piece of the loading curve was left.
-pub(super) fn unloading_from(law: &Law, index: usize, distance: f64) -> Unloading {
-    law.unloading(loaded(law, index, distance))
+fn unloading_from(law: &Law, index: usize, distance: f64) -> Unloading {
+    law.unloading(law.state_at(index, distance - entry_of(law, index)))
 }
 
 /// The distance of the integrator at the start of a piece.
-pub(super) fn entry_of(law: &Law, index: usize) -> f64 {
+fn entry_of(law: &Law, index: usize) -> f64 {
     law.loading.pieces()[index].shape.lead()
 }
 
-/// The way back from rest at the peak to separation.
-pub(super) fn way_back(unloading: &Unloading) -> Path {
-    let peak = &unloading.peak;
-    let stored = unloading.capacity();
-    Path {
-        restoring: restoring(&unloading.branch()),
-        leg: Leg::Back,
-        sizes: Sizes { distance: peak.elastic_approach, speed: (2.0 * ACCELERATION * stored).sqrt() },
-    }
-}
-
-/// Integrates an impact at q = v/V from first touch to separation.
-///
-/// # Errors
-/// What the integrator reports.
-pub fn integrate<I: Integrator>(
-    law: &Law,
-    speed: f64,
-    integrator: &mut I,
-    mut recorder: Option<&mut Recorder>,
-) -> Result<Outcome, IntegrationError> {
-    let pieces = law.loading.pieces();
-    let sizes = loading_sizes(law, speed);
-    let mut state = State { time: 0.0, distance: 0.0, speed };
-    let mut index = 0;
-    if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, 0, state, Some(Event::Touch)));
-    }
-    // first yield is no kink of the curve, but an event of a trace: there a leg stops too; a reload yields at the knot
-    let is_reload = law.branch().is_some();
-    let stays_on_branch = law.stays_on_branch(0.4 * speed * speed, 0.0);
-    let elastic_until = law.elastic_until();
-    let mut stops_at_yield = recorder.is_some() && elastic_until > 0.0 && !is_reload;
-    loop {
-        let piece = &pieces[index];
-        let mut path = way_out(law, index, sizes);
-        if stays_on_branch {
-            path.leg = Leg::Outward(f64::INFINITY);
-        }
-        let mut event = Event::Knot;
-        if let Leg::Outward(end) = path.leg
-            && stops_at_yield
-            && piece.start + end > elastic_until
-        {
-            path.leg = Leg::Outward(elastic_until - piece.start);
-            event = Event::Yield;
-            stops_at_yield = false;
-        }
-        let landing = integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-        if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.loading(law, index);
-        }
-        if landing == Landing::Turning {
-            break;
-        }
-        if event == Event::Knot {
-            if is_reload && index == 0 {
-                event = Event::Yield;
-            }
-            index += 1;
-            state.distance = entry_of(law, index);
-            if stops_at_yield && pieces[index].start == elastic_until {
-                event = Event::Yield;
-                stops_at_yield = false;
-            }
-        }
-        if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.points.push(loading_point(law, index, state, Some(event)));
-        }
-    }
-    let loading_time = state.time;
-    let unloading = unloading_from(law, index, state.distance);
-    if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.points.push(loading_point(law, index, state, Some(Event::Peak)));
-    }
-
-    let path = way_back(&unloading);
-    state = State { time: loading_time, distance: unloading.peak.elastic_approach, speed: 0.0 };
-    integrator.traverse(&path, &mut state, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-    if let Some(recorder) = recorder {
-        recorder.unloading(&unloading);
-        recorder.points.push(unloading_point(&unloading, state, Some(Event::Separation)));
-    }
-    Ok(Outcome { unloading, restitution: -state.speed / speed, loading_time, contact_time: state.time })
-}
-
-/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
-/// first touch.
-struct Remembering<'a> {
-    law: &'a Law,
-    touch: f64,
-    deepest: f64,
-    unloading: Option<Unloading>,
-}
-
-impl<'a> Remembering<'a> {
-    fn of(law: &'a Law) -> Self {
-        let deepest = law.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
-        Self { law, touch: law.touch(), deepest, unloading: law.branch().copied() }
-    }
-
-    /// The state on the loading curve at a distance from first touch.
-    fn loaded_to(&self, distance: f64) -> Peak {
-        match self.law.branch() {
-            Some(branch) if distance <= branch.peak.elastic_approach => self.law.state_at(0, distance),
-            _ => self.law.loaded_to(self.touch + distance),
-        }
-    }
-}
-
-impl Deceleration for Remembering<'_> {
-    fn at(&mut self, distance: f64) -> f64 {
-        if distance > self.deepest || (distance == self.deepest && self.unloading.is_none()) {
-            (self.deepest, self.unloading) = (distance, None);
-            return ACCELERATION * self.law.loading.force(self.touch + distance);
-        }
-        let (law, touch, deepest) = (self.law, self.touch, self.deepest);
-        let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
-        ACCELERATION * unloading.force_of(distance - (unloading.peak.residual() - touch))
-    }
-}
-
-/// The same impact by velocity Verlet in steps of `step`, without landing on anything (see [`verlet`]). The peak is the
-/// deepest step, separation the first step without force.
-///
-/// # Errors
-/// [`IntegrationError::TooManySteps`] if the sphere does not separate.
-pub fn march_verlet(
-    law: &Law,
-    speed: f64,
-    step: f64,
-    most_steps: u64,
-    work: &mut Work,
-    mut recorder: Option<&mut Recorder>,
-) -> Result<Outcome, IntegrationError> {
-    let mut force = Remembering::of(law);
-    let run =
-        verlet::march(&mut force, speed, step, most_steps, work, recorder.as_deref_mut().map(|r| &mut r.sampler))?;
-    let unloading = law.unloading(force.loaded_to(run.peak_distance));
-    if let Some(recorder) = recorder {
-        let touch = State { time: 0.0, distance: 0.0, speed };
-        let peak = State { time: run.peak_time, distance: run.peak_distance, speed: 0.0 };
-        let events = [(touch, Event::Touch), (peak, Event::Peak), (run.end, Event::Separation)];
-        let samples = recorder.sampler.states.drain(..).map(|state| (state, None));
-        let mut rows: Vec<_> = samples.chain(events.map(|(state, event)| (state, Some(event)))).collect();
-        rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
-        recorder.points.extend(rows.into_iter().map(|(state, event)| {
-            if state.time <= run.peak_time {
-                point(force.loaded_to(state.distance), state, event)
-            } else {
-                let distance = state.distance - (law.dent(&unloading.peak).residual() - force.touch);
-                unloading_point(&unloading, State { distance, ..state }, event)
-            }
-        }));
-    }
-    let restitution = -run.end.speed / speed;
-    Ok(Outcome { unloading, restitution, loading_time: run.peak_time, contact_time: run.end.time })
+/// The way back from rest at the peak to this elastic approach.
+fn way_back(unloading: &Unloading, to: f64) -> Path {
+    let distance = unloading.peak.elastic_approach;
+    let sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
+    Path::free(restoring(&unloading.branch()), Leg::Back(to), sizes)
 }

@@ -1,11 +1,11 @@
-//! The numbers of an impact that a table holds, without the rest of an [`Impact`].
+//! The numbers of an impact that a table holds, without the rest of an [`Impact`](super::Impact).
 
-use super::outcome::{Impact, Outcome};
-use super::scales::Scales;
+use super::case::Case;
+use super::contact::Contact;
+use super::error::ImpactError;
+use super::outcome::{Fate, Outcome};
 use super::waves;
-use super::{Contact, ImpactError};
 use crate::integrate::IntegrationError;
-use crate::law::Law;
 use crate::material::{OutOfFloatRange, normal};
 
 /// What a row of a table holds of an impact. SI units.
@@ -21,7 +21,8 @@ pub struct Essentials {
     pub peak_indentation: f64,
     /// δ_r \[m\]: depth of the dent; 0 without one.
     pub residual_indentation: f64,
-    /// a_m \[m\]: how good it is, [`Law::contact_radius`] says. With a dent, the radius of its rim.
+    /// a_m \[m\]: how good it is, [`Law::contact_radius`](crate::law::Law::contact_radius) says. With a dent, the radius of
+    /// its rim.
     pub peak_contact_radius: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
@@ -37,27 +38,17 @@ impl Essentials {
     ///
     /// # Errors
     /// [`OutOfFloatRange`](crate::material::OutOfFloatRange) where energy, force, time or radiation leave double precision.
-    pub(super) fn new(
-        contact: &Contact,
-        speed: f64,
-        scales: &Scales,
-        law: &Law,
-        outcome: &Outcome,
-    ) -> Result<Self, ImpactError> {
-        let kinetic_in = normal("kinetic energy (J)", 0.5 * contact.mass() * speed * speed)?;
-        let waves =
-            contact.waves().map(|waves| waves.loss_fraction(speed, scales, law, outcome)).transpose()?.flatten();
-        Ok(Self { wave_loss_fraction: waves, ..Self::with_kinetic(kinetic_in, scales, law, outcome)? })
-    }
-
-    /// The same for a given kinetic energy \[J\], without waves.
     #[inline]
-    pub(super) fn with_kinetic(
-        kinetic_in: f64,
-        scales: &Scales,
-        law: &Law,
-        outcome: &Outcome,
-    ) -> Result<Self, ImpactError> {
+    pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
+        let Case { scales, law, .. } = case;
+        // the kinetic energy of a sphere at rest is 0, no number out of range
+        let kinetic_in = 0.5 * contact.mass() * speed * speed;
+        let is_at_rest = speed == 0.0 && !contact.forces().is_none();
+        let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
+        // the first-order estimate is that of an impact by the law alone
+        let waves = contact.waves().filter(|_| contact.forces().is_none());
+        let waves =
+            waves.map(|waves| waves.loss_fraction(speed, scales, law, &outcome.unloading)).transpose()?.flatten();
         let peak = outcome.unloading.peak;
         let Outcome { restitution, loading_time, .. } = *outcome;
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
@@ -71,16 +62,17 @@ impl Essentials {
         if share.is_infinite() {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
+        let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
         Ok(Self {
             restitution: outcome.restitution,
-            contact_time: normal("contact time (s)", outcome.contact_time * scales.time())?,
+            contact_time: if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time },
             peak_force: normal("peak force (N)", peak.force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
             peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),
             kinetic_in,
             plastic_fraction: share,
-            wave_loss_fraction: None,
+            wave_loss_fraction: waves,
         })
     }
 
@@ -106,22 +98,5 @@ impl Essentials {
     #[must_use]
     pub fn restitution_with_waves(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|loss| waves::restitution_with_waves(self.restitution, loss))
-    }
-}
-
-impl From<&Impact> for Essentials {
-    fn from(impact: &Impact) -> Self {
-        let kinetic_in = impact.energy.kinetic_in;
-        Self {
-            restitution: impact.restitution,
-            contact_time: impact.contact_time,
-            peak_force: impact.peak_force,
-            peak_indentation: impact.peak_indentation,
-            residual_indentation: impact.residual_indentation,
-            peak_contact_radius: impact.peak_contact_radius,
-            kinetic_in,
-            plastic_fraction: impact.energy.plastic.unwrap_or(0.0) / kinetic_in,
-            wave_loss_fraction: impact.wave_loss_fraction,
-        }
     }
 }

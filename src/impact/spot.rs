@@ -1,8 +1,10 @@
 //! A place on the half-space and what it remembers, so that it can be hit again.
 
-use super::{Contact, Impact, ImpactError, Method, Scales, Solver};
+use super::contact::Contact;
+use super::error::ImpactError;
+use super::result::Impact;
+use super::solve::{Method, Solver};
 use crate::law::{ElasticApproach, Law, Peak};
-use crate::material::{OutOfFloatRange, normal};
 
 /// A place on the half-space. Indentations of every impact on it count from the surface as it was when fresh: first touch
 /// is at the depth of the dent.
@@ -62,7 +64,7 @@ impl Contact {
     /// As [`Contact::closed_form`], on a spot, which then remembers the impact.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`], see [`Contact::scaled`]; the spot is then as before.
+    /// [`ImpactError::Range`], see [`Contact::scaled`]; the spot is then as before.
     pub fn closed_form_on(&self, spot: &mut Spot, speed: f64) -> Result<Impact, ImpactError> {
         self.impact_on(spot, speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
     }
@@ -78,32 +80,15 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (impact, after) = if self.forces.is_none() {
-            let (scales, law, q) = self.scaled_on(spot, speed)?;
-            let (impact, outcome) = self.impact_by(&scales, law, q, speed, solver, samples)?;
-            (impact, after(law, &outcome.unloading.peak))
-        } else {
-            self.impact_with_forces_on(spot.law.as_ref(), speed, solver, samples)?
-        };
-        spot.remember(after);
+        let case = self.case(spot.law.as_ref(), speed)?;
+        let (impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
+        spot.remember(after(case.law, &outcome.unloading.peak));
         Ok(impact)
-    }
-
-    /// As [`Contact::scaled`], on a spot: one that has yielded is hit in units of its yield point.
-    fn scaled_on<'a>(&'a self, spot: &'a Spot, speed: f64) -> Result<(Scales, &'a Law, f64), OutOfFloatRange> {
-        match (&self.yielding, &spot.law) {
-            (Some((scales, _)), Some(law)) => {
-                let ratio = speed / scales.speed;
-                normal("kinetic energy in units of that at first yield", ratio * ratio)?;
-                Ok((*scales, law, ratio))
-            }
-            _ => self.scaled(speed),
-        }
     }
 }
 
 /// The law of the place after an impact that turned at `peak`; `None` if it is as before.
-pub(super) fn after(law: &Law, peak: &Peak) -> Option<Law> {
+fn after(law: &Law, peak: &Peak) -> Option<Law> {
     // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
     let stays = matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation);
     (!stays).then(|| law.reloaded(*peak))

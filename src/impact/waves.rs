@@ -14,7 +14,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::outcome::Outcome;
 use super::scales::{ACCELERATION, Scales};
 use crate::functions::{atan2, cos, gamma, sin};
 use crate::law::curve::{Piece, Shape};
@@ -53,12 +52,11 @@ impl Waves {
         speed: f64,
         scales: &Scales,
         law: &Law,
-        outcome: &Outcome,
+        unloading: &Unloading,
     ) -> Result<Option<f64>, OutOfFloatRange> {
-        if law.loading.jump_before(outcome.unloading.peak.indentation).is_some() {
+        if law.loading.jump_before(unloading.peak.indentation).is_some() {
             return Ok(None);
         }
-        let unloading = &outcome.unloading;
         let integral = loading_integral(law, &unloading.peak) + unloading_integral(unloading);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;

@@ -1,34 +1,22 @@
-//! Our own stepper for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
-//!
-//! **Variables.** On a power law d'' = γ − k d^n − drag the force is not smooth at d = 0. With d = r^m and
-//! dσ = dt/(m r^(m−1))
-//!
-//! ```text
-//! r' = u,   u' = m r^(m−1) (γ − k r^(mn) − drag),   t' = m r^(m−1)        (' = d/dσ; u is the speed d' = dd/dt)
-//! ```
-//!
-//! For n = 3/2 these are polynomials with m = 2, and with m = 4 where the drag goes with √g'(d), that is with d^¼. On a
-//! straight piece m = 1: y = d and σ = t. The loss ∫ drag d' dt is integrated along.
+//! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
 //!
 //! **Landing.** A step that has passed an event is taken again with the length that the cubic through both its ends gives,
 //! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two or three repeats.
 //!
 //! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
-//! [`lockstep`]).
+//! [`super::lockstep`]).
 
-use super::dop853::{self, EVALUATIONS, Quad, Step};
-use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState};
-use super::motions::{Hertz, Piece, Power, Straight};
-use super::{IntegrationError, Restoring, Sampler, State, Work};
+use super::dop853::{self, EVALUATIONS, Step};
+use super::piece::power::{DraggedHertz, DraggedPower};
+use super::piece::smooth::{DraggedOfDistance, DraggedOfRoot};
+use super::piece::straight::DraggedStraight;
+use super::piece::{Dragged, Quad};
+use super::{IntegrationError, Integrator, Landing, Path, Restoring, Sampler, State, Work};
 use crate::functions::pow;
 use crate::smooth::Variable;
-use curves::{Curve, Plain, Rooted};
 use run::{Progress, Run, Verdict};
 
-mod curves;
-pub mod lockstep;
-mod rows;
-mod run;
+pub(super) mod run;
 
 /// The stepper.
 #[derive(Debug, Clone)]
@@ -47,12 +35,12 @@ impl Damped {
 
 /// One step from a node with its rates, of this length.
 #[inline(always)]
-fn step<P: Piece>(piece: P, run: &Run, node: &Quad, rates: &Quad, length: f64) -> Step {
+fn step<P: Dragged>(piece: P, run: &Run, node: &Quad, rates: &Quad, length: f64) -> Step {
     dop853::step(piece, node, rates, length, &run.inverse_sizes)
 }
 
 /// Takes every sample due before `end`, the time at the end of a step of this length: by a shorter step of its own.
-fn sample<P: Piece>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Quad, &Quad), length: f64, end: f64) {
+fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Quad, &Quad), length: f64, end: f64) {
     let (node, rates) = start;
     while let Some(time) = samples.due_before(end) {
         // the clock goes with y^m, between straight and this power
@@ -70,22 +58,16 @@ fn sample<P: Piece>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Qua
             }
             h = better;
         }
-        samples.take(State { time, distance: P::distance_at(at[0]), speed: at[1] });
-        samples.losses.push(at[3]);
+        samples.take(State { time, distance: P::distance_at(at[0]), speed: at[1], loss: at[3] });
     }
 }
 
-/// A state that had turned where its leg began.
-fn turned(state: ForcedState) -> ForcedState {
-    ForcedState { state: State { speed: 0.0, ..state.state }, ..state }
-}
-
 /// Takes steps until the leg has ended.
-fn finish<P: Piece>(
+pub(super) fn finish<P: Dragged>(
     piece: P,
     run: &mut Run,
     mut samples: Option<&mut Sampler>,
-) -> Result<(ForcedLanding, ForcedState), IntegrationError> {
+) -> Result<(Landing, State), IntegrationError> {
     loop {
         let (node, rates) = (run.node, run.rates);
         let next = step(piece, run, &node, &rates, run.length);
@@ -93,7 +75,7 @@ fn finish<P: Piece>(
         let (length, end, landed) = match run.tell(piece, &next, verdict)? {
             Progress::Again => continue,
             Progress::Moved { length } => (length, run.node[2], None),
-            Progress::Landed { landing, length, state } => (length, state.state.time, Some((landing, state))),
+            Progress::Landed { landing, length, state } => (length, state.time, Some((landing, state))),
         };
         if let Some(samples) = samples.as_deref_mut() {
             sample(piece, run, samples, (&node, &rates), length, end);
@@ -105,63 +87,55 @@ fn finish<P: Piece>(
 }
 
 impl Damped {
-    fn run<P: Piece>(
+    fn run<P: Dragged>(
         &mut self,
         piece: P,
-        path: &ForcedPath,
-        state: &mut ForcedState,
+        path: &Path,
+        state: &mut State,
         samples: Option<&mut Sampler>,
-    ) -> Result<ForcedLanding, IntegrationError> {
+    ) -> Result<Landing, IntegrationError> {
         let Some(mut run) = Run::begin(piece, path, state, self.tolerance) else {
             self.work.force_evaluations += 1;
-            *state = turned(*state);
-            return Ok(ForcedLanding::Turning);
+            state.speed = 0.0;
+            return Ok(Landing::Turning);
         };
         let landed = finish(piece, &mut run, samples);
-        self.work.steps += run.work.steps;
-        self.work.rejected += run.work.rejected;
-        self.work.force_evaluations += run.work.force_evaluations;
+        self.work = self.work + run.work;
         let (landing, landed) = landed?;
         *state = landed;
         Ok(landing)
     }
 }
 
-impl ForcedIntegrator for Damped {
+impl Integrator for Damped {
     fn traverse(
         &mut self,
-        path: &ForcedPath,
-        state: &mut ForcedState,
+        path: &Path,
+        state: &mut State,
         samples: Option<&mut Sampler>,
-    ) -> Result<ForcedLanding, IntegrationError> {
-        let (chi, eta) = path.drag.coefficients();
-        let pull = path.pull;
-        match path.path.restoring {
-            Restoring::Straight { at_start, slope } => {
-                self.run(Straight::along(at_start, slope, path), path, state, samples)
-            }
-            Restoring::Power { coefficient, exponent: 1.5 } if eta == 0.0 => {
-                self.run(Hertz::<2>::along(coefficient, path), path, state, samples)
-            }
-            Restoring::Power { coefficient, exponent: 1.5 } => {
-                self.run(Hertz::<4>::along(coefficient, path), path, state, samples)
-            }
-            Restoring::Power { coefficient: k, exponent: n } => {
-                let c = eta * (k * n).sqrt();
-                if eta == 0.0 {
-                    self.run(Power::<2> { k, n, chi, c, pull }, path, state, samples)
+    ) -> Result<Landing, IntegrationError> {
+        /// In r = d^(1/4) where the drag goes with the stiffness, else in r = √d.
+        macro_rules! in_root {
+            ($piece:ident, $($of:expr),*) => {
+                if path.drag.eta == 0.0 {
+                    self.run($piece::<2>::along($($of),*, path), path, state, samples)
                 } else {
-                    self.run(Power::<4> { k, n, chi, c, pull }, path, state, samples)
+                    self.run($piece::<4>::along($($of),*, path), path, state, samples)
                 }
+            };
+        }
+        match path.restoring {
+            Restoring::Straight { at_start, slope } => {
+                self.run(DraggedStraight::along(at_start, slope, path), path, state, samples)
             }
-            Restoring::Smooth { force, start, factor } => {
-                let curve = Curve { force, start, factor, chi, eta, pull };
-                match (force.variable(), eta == 0.0) {
-                    (Variable::Indentation, _) => self.run(Plain(curve), path, state, samples),
-                    (Variable::RootOfDistance, true) => self.run(Rooted::<2>(curve), path, state, samples),
-                    (Variable::RootOfDistance, false) => self.run(Rooted::<4>(curve), path, state, samples),
+            Restoring::Power { coefficient, exponent: 1.5 } => in_root!(DraggedHertz, coefficient),
+            Restoring::Power { coefficient, exponent } => in_root!(DraggedPower, coefficient, exponent),
+            Restoring::Smooth { force, start, factor } => match force.variable() {
+                Variable::Indentation => {
+                    self.run(DraggedOfDistance::along(force, start, factor, path), path, state, samples)
                 }
-            }
+                Variable::RootOfDistance => in_root!(DraggedOfRoot, force, start, factor),
+            },
         }
     }
 

@@ -5,8 +5,8 @@
 //! lacks these derivatives at y = 0, and a formula of x may be curved too sharply for it just behind its zero: there a
 //! shorter step of its own leads to every sample instead.
 
-use super::field::Variables;
 use super::landing::Node;
+use super::piece::Variables;
 use super::{Sampler, State, nystrom};
 
 const TERMS: usize = 5;
@@ -64,8 +64,15 @@ fn part_of_step<F: Variables>(field: F, from: &Node<f64>, h: f64) -> (f64, f64) 
     (step.position, if h > 0.0 { step.velocity / h } else { from.u })
 }
 
-/// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`.
-pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node<f64>, to: &Node<f64>, length: f64) {
+/// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`; drag has taken `loss` before it.
+pub(super) fn sample<F: Variables>(
+    field: F,
+    samples: &mut Sampler,
+    from: &Node<f64>,
+    to: &Node<f64>,
+    length: f64,
+    loss: f64,
+) {
     if samples.due_before(to.t).is_none() {
         return;
     }
@@ -107,6 +114,6 @@ pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node<
         } else {
             part_of_step(field, from, theta * length)
         };
-        samples.take(State { time, distance: field.distance_at(y), speed });
+        samples.take(State { time, distance: field.distance_at(y), speed, loss });
     }
 }

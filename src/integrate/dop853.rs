@@ -4,6 +4,7 @@
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
 use super::lanes::Lane;
+use super::piece::{Motion, Quad};
 
 use crate::functions::hypot;
 
@@ -83,15 +84,6 @@ const E5: [f64; 8] = [
 /// Weights of order 3, stages 1, 9, 12.
 const B3: [f64; 3] = [0.244_094_488_188_976_4, 0.733_846_688_281_611_8, 0.022_058_823_529_411_766];
 
-/// A point of the motion: \[y, u, t, loss\]; and its rate along the independent variable.
-pub(super) type Quad<T = f64> = [T; 4];
-
-/// A motion in its own variables; of one sphere, or of several in lock step.
-pub(super) trait Motion<T: Lane>: Copy {
-    /// The rates at (y, u).
-    fn rates(&self, y: T, u: T) -> Quad<T>;
-}
-
 /// Evaluations of the rates a step costs: stages 2 … 12 and the first of the next step.
 pub(super) const EVALUATIONS: u64 = 12;
 
@@ -101,9 +93,9 @@ pub(super) struct Step<T = f64> {
     pub(super) node: Quad<T>,
     /// Rates at the end: the first stage of the next step.
     pub(super) rates: Quad<T>,
-    /// Largest relative error of order 5 per length,
+    /// Largest relative error of order 5, per length of the step.
     pub(super) fifth: T,
-    /// and of order 3.
+    /// Largest relative error of order 3, per length of the step.
     pub(super) third: T,
 }
 

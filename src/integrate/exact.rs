@@ -6,7 +6,7 @@ use crate::functions::{atan, pow, sin, sin_cos};
 use crate::power::{power_state, power_time, quarter_period};
 use crate::smooth::Smooth;
 
-/// Energy and closed-form times instead of steps.
+/// Energy and closed-form times instead of steps, for ways that only the restoring force acts on.
 #[derive(Debug, Clone, Default)]
 pub struct Exact;
 
@@ -17,12 +17,12 @@ impl Integrator for Exact {
         state: &mut State,
         mut samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
-        let (begun, start) = (state.time, *state);
+        let (begun, loss, start) = (state.time, state.loss, *state);
         let mut take = |end: f64, at: &dyn Fn(f64) -> (f64, f64)| {
             if let Some(samples) = samples.as_deref_mut() {
                 while let Some(time) = samples.due_before(end) {
                     let (distance, speed) = at(time - begun);
-                    samples.take(State { time, distance, speed });
+                    samples.take(State { time, distance, speed, loss });
                 }
             }
         };
@@ -37,8 +37,7 @@ impl Integrator for Exact {
                     (start.distance + moved, start.speed * cos - pull / omega * sin)
                 };
                 let to_end = match leg {
-                    Leg::Outward(end) => end - start.distance,
-                    Leg::Back => -start.distance,
+                    Leg::Outward(end) | Leg::Back(end) => end - start.distance,
                 };
                 let left = start.speed * start.speed - to_end * (2.0 * pull + slope * to_end);
                 let (landing, moved, exit) = if left > 0.0 && left.is_finite() {
@@ -50,7 +49,7 @@ impl Integrator for Exact {
                 // x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω
                 let lasted = 2.0 / omega * atan(omega * moved / (start.speed + exit));
                 take(begun + lasted, &at);
-                (landing, State { time: begun + lasted, distance: start.distance + moved, speed: exit })
+                (landing, State { time: begun + lasted, distance: start.distance + moved, speed: exit, loss })
             }
             (Restoring::Power { coefficient, exponent }, Leg::Outward(end)) => {
                 let potential = |d: f64| coefficient * crate::power::power(d, exponent) * d * 2.0 / (exponent + 1.0);
@@ -66,11 +65,11 @@ impl Integrator for Exact {
                     entry,
                     before,
                     end,
-                    begun,
+                    &start,
                     whole - potential(end.min(farthest)),
                 )
             }
-            (Restoring::Power { exponent, coefficient }, Leg::Back) => {
+            (Restoring::Power { exponent, coefficient }, Leg::Back(_)) => {
                 let farthest = start.distance;
                 let exit =
                     (coefficient * crate::power::power(farthest, exponent) * farthest * 2.0 / (exponent + 1.0)).sqrt();
@@ -79,7 +78,7 @@ impl Integrator for Exact {
                     let (distance, speed) = power_state(exponent, farthest, exit, lasted - t);
                     (distance, -speed)
                 });
-                (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
+                (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit, loss })
             }
             (Restoring::Smooth { force, start: x, factor: c }, leg) => {
                 let way = SmoothWay { force, start: x, c };
@@ -90,7 +89,7 @@ impl Integrator for Exact {
                         let exit = square(end).sqrt();
                         let lasted = force.time(x, from, end, exit, c);
                         take(begun + lasted, &|t| way.before_end(from, end, t, &|d| square(d).max(0.0).sqrt()));
-                        (Landing::End, State { time: begun + lasted, distance: end, speed: exit })
+                        (Landing::End, State { time: begun + lasted, distance: end, speed: exit, loss })
                     }
                     Leg::Outward(_) => {
                         let so_far = force.work(x, 0.0, from);
@@ -99,16 +98,16 @@ impl Integrator for Exact {
                         let farthest = force.distance_at_work(x, before, so_far + 0.5 * begin * begin / c);
                         let lasted = force.time(x, from, farthest, 0.0, c);
                         take(begun + lasted, &|t| way.near_rest(from, farthest, lasted - t));
-                        (Landing::Turning, State { time: begun + lasted, distance: farthest, speed: 0.0 })
+                        (Landing::Turning, State { time: begun + lasted, distance: farthest, speed: 0.0, loss })
                     }
-                    Leg::Back => {
+                    Leg::Back(_) => {
                         let exit = (2.0 * c * force.work(x, 0.0, from)).sqrt();
                         let lasted = force.time(x, 0.0, from, 0.0, c);
                         take(begun + lasted, &|t| {
                             let (distance, speed) = way.near_rest(0.0, from, t);
                             (distance, -speed)
                         });
-                        (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit })
+                        (Landing::End, State { time: begun + lasted, distance: 0.0, speed: -exit, loss })
                     }
                 }
             }
@@ -177,12 +176,12 @@ fn take_power(
     entry: f64,
     before: f64,
     end: f64,
-    begun: f64,
+    start: &State,
     left: f64,
 ) -> (Landing, State) {
     let (landing, distance, speed) =
         if end < farthest && left > 0.0 { (Landing::End, end, left.sqrt()) } else { (Landing::Turning, farthest, 0.0) };
-    let time = begun + power_time(exponent, distance, entry, speed) - before;
+    let time = start.time + power_time(exponent, distance, entry, speed) - before;
     take(time, &|t| power_state(exponent, farthest, entry, before + t));
-    (landing, State { time, distance, speed })
+    (landing, State { time, distance, speed, loss: start.loss })
 }

@@ -1,8 +1,8 @@
 //! Landing of an rk8 step on the end of a leg: predicted before the step, mended after it. Branch-free, for one or many.
 
 use super::Leg;
-use super::field::{Field, Variables};
 use super::lanes::Lane;
+use super::piece::{Field, Variables};
 
 /// A state on a piece in its own variables.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +54,8 @@ impl Target<f64> {
         let energy = 0.5 * u * u + field.potential(y);
         let (end, direction) = match leg {
             Leg::Outward(end) => (field.y_at(end), 1.0),
-            Leg::Back => (0.0, -1.0),
+            // other ends of a way back are left to the stepper with drag
+            Leg::Back(_) => (0.0, -1.0),
         };
         let left = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
         let (y, u) =
@@ -64,8 +65,8 @@ impl Target<f64> {
 }
 
 impl<T: Lane> Target<T> {
-    /// Where the error control allows `h`: twice the least way to go at the largest speed still ahead. Below the gap, the
-    /// end is too far to matter.
+    /// 2 h times the largest speed still ahead. If that is shorter than the way to the target, the step ends before it and
+    /// the landing need not be predicted.
     #[inline(always)]
     pub(super) fn reach(&self, now: &Node<T>, h: T) -> T {
         h * 2.0 * now.u.abs().max(self.u.abs())

@@ -5,8 +5,8 @@
 //! conservative impact is a Nyström problem on every piece, so one stage sum serves position and velocity: eight
 //! evaluations a step against twelve for Dormand-Prince 8(5,3), and a third of its arithmetic.
 
-use super::field::Field;
 use super::lanes::Lane;
+use super::piece::Field;
 
 /// c_2 … c_8 (c_1 = 0, c_9 = 1).
 const C: [f64; 7] = [0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];
@@ -168,6 +168,7 @@ mod tests {
         #[derive(Clone, Copy)]
         struct Cubic(f64);
         impl Field<f64> for Cubic {
+            const IS_TIME: bool = true;
             fn scaled(self, factor: f64) -> Self {
                 Self(self.0 * factor)
             }
@@ -176,9 +177,6 @@ mod tests {
             }
             fn derivatives(self, _: f64) -> (f64, f64) {
                 unreachable!("only landing asks for them")
-            }
-            fn duration(self, h: f64, _: f64) -> f64 {
-                h
             }
         }
         let end = |n: u32| {

@@ -1,13 +1,6 @@
-//! Our own stepper: adaptive Runge-Kutta-Nyström of order 8 on regularised variables, landed on the end of every piece.
-//!
-//! **Variables.** On a power law d'' = −k d^n the force is not smooth at d = 0, which costs any method its order. With
-//! s = √d and dσ = dt/(2 s)
-//!
-//! ```text
-//! s' = u,   u' = −2 k s^(2n+1),   t' = 2 s        (' = d/dσ; u is the speed d' = dd/dt)
-//! ```
-//!
-//! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On straight and other smooth pieces y = d and σ = t.
+//! Our own integrator. Without drag: adaptive Runge-Kutta-Nyström of order 8 on regularised variables, landed on the end of
+//! every piece. With drag, on other curves than powers and straight lines under a pull, and back to another end than the
+//! zero of the force: the stepper of [`super::damped`], by the same variables and error control.
 //!
 //! **Landing.** Before a step its landing is predicted: energy gives the speed where the leg will end, and the two-point
 //! Taylor formula Δy = h/2 (u_1 + u_2) + h²/12 (g_1 − g_2), exact to h⁵, gives the h that ends there. If that is no longer
@@ -18,16 +11,20 @@
 //! **Step size.** An error estimate of order h⁷ held at `tolerance`^(7/8) keeps h proportional to `tolerance`^(1/8), so the
 //! error of the propagated order 8 falls in proportion to the tolerance.
 
+use super::damped::Damped;
 use super::dense::sample;
-use super::field::{Field, Hertz, OfRoot, Plain, Power, Straight, Variables};
 use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
-use super::{IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
+use super::piece::power::{Hertz, Power};
+use super::piece::smooth::{OfDistance, OfRoot};
+use super::piece::straight::Straight;
+use super::piece::{Field, NoPull, Pull, Twice, Variables};
+use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
 use crate::functions::pow;
 use crate::smooth::Variable;
 
-/// The stepper.
+/// The integrator.
 #[derive(Debug, Clone)]
 pub struct Rk8 {
     tolerance: f64,
@@ -36,6 +33,7 @@ pub struct Rk8 {
     /// First step in units of 1/ω.
     first_step: f64,
     work: Work,
+    damped: Damped,
 }
 
 /// FIRST_STEP × tolerance^(1/8) / ω is about the step that the error control settles on for an oscillator of frequency ω.
@@ -50,10 +48,42 @@ impl Rk8 {
             estimate_limit: pow(tolerance, 0.875),
             first_step: FIRST_STEP * pow(tolerance, 0.125),
             work: Work::default(),
+            damped: Damped::new(tolerance),
         }
     }
 
-    pub(super) fn traverse_field<F: Variables>(
+    /// The leg without drag, under this pull; `None` if it is left to the stepper with drag.
+    #[inline(always)]
+    fn conservative<P: Pull>(
+        &mut self,
+        pull: P,
+        path: &Path,
+        state: &mut State,
+        samples: Option<&mut Sampler>,
+    ) -> Option<Result<Landing, IntegrationError>> {
+        macro_rules! traverse {
+            ($field:expr) => {{
+                let field = $field;
+                (!P::ACTS || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, samples))
+            }};
+        }
+        match path.restoring {
+            Restoring::Straight { at_start, slope } => traverse!(Straight::new(at_start, slope, pull)),
+            Restoring::Power { coefficient, exponent: 1.5 } => traverse!(Hertz::new(coefficient, pull)),
+            Restoring::Power { coefficient, exponent } => traverse!(Power::new(coefficient, exponent, pull)),
+            Restoring::Smooth { .. } if P::ACTS => None,
+            Restoring::Smooth { force, start, factor } => Some(match force.variable() {
+                Variable::Indentation => {
+                    self.traverse_field(OfDistance { force, start, c: factor }, path, state, samples)
+                }
+                Variable::RootOfDistance => {
+                    self.traverse_field(OfRoot { force, c: 2.0 * factor }, path, state, samples)
+                }
+            }),
+        }
+    }
+
+    fn traverse_field<F: Variables>(
         &mut self,
         field: F,
         path: &Path,
@@ -80,7 +110,7 @@ impl Rk8 {
             let mut landing = None;
             if last <= h {
                 let landed = leg.target.land(field, &next);
-                // while a pull still speeds it up, the turning point that is near is one behind
+                // while the net force still speeds the sphere up, a zero of the speed nearby lies in the past
                 let is_behind = F::IS_PULLED && landed.kind != AT_END && next.g * leg.target.direction > 0.0;
                 if landed.left_out_squared < leg.left_out_squared && !is_behind {
                     length += landed.correction;
@@ -89,11 +119,11 @@ impl Rk8 {
                 }
             }
             if let Some(samples) = samples.as_deref_mut() {
-                sample(field, samples, &now, &next, length);
+                sample(field, samples, &now, &next, length, state.loss);
             }
             now = next;
             if let Some(landing) = landing {
-                *state = landed_state(field, path.leg, landing, &now);
+                *state = landed_state(field, path, landing, &now, state.loss);
                 return Ok(landing);
             }
             h = grown(this, error);
@@ -111,7 +141,7 @@ impl Rk8 {
         let inverse_y = 1.0 / (self.estimate_limit * size);
         let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
         // −g' is largest at the far end outward, at the start on the way back
-        let fastest = if path.leg == Leg::Back { y } else { target.y };
+        let fastest = if matches!(path.leg, Leg::Back(_)) { y } else { target.y };
         let h = self.first_step / field.stiffness(fastest).sqrt();
         let left_out = 0.1 * self.tolerance * size;
         (Constants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
@@ -171,13 +201,23 @@ pub(super) fn shrunk<T: Lane>(h: T, error: T) -> T {
 
 /// The state at a landing, with the distance exactly the end's.
 #[inline(always)]
-pub(super) fn landed_state<F: Variables>(field: F, leg: Leg, landing: Landing, node: &Node<f64>) -> State {
-    let distance = match (landing, leg) {
-        (Landing::End, Leg::Outward(end)) => end,
-        (Landing::End, Leg::Back) => 0.0,
-        (Landing::Turning, _) => field.distance_at(node.y),
-    };
-    State { time: node.t, distance, speed: node.u }
+pub(super) fn landed_state<F: Variables>(
+    field: F,
+    path: &Path,
+    landing: Landing,
+    node: &Node<f64>,
+    loss: f64,
+) -> State {
+    State { time: node.t, distance: path.landed_at(landing, field.distance_at(node.y)), speed: node.u, loss }
+}
+
+/// Whether the balance of energy sees a way back to the zero of the force: rounding may not, where all of it is needed.
+fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
+    /// Of the depth of the potential.
+    const LEAST: f64 = 1e-10;
+    let y = field.y_at(state.distance);
+    let left = 0.5 * state.speed * state.speed + field.potential(y);
+    path.leg != Leg::Back(0.0) || (state.speed == 0.0 && left > LEAST * path.sizes.speed * path.sizes.speed)
 }
 
 impl Integrator for Rk8 {
@@ -185,29 +225,22 @@ impl Integrator for Rk8 {
         &mut self,
         path: &Path,
         state: &mut State,
-        samples: Option<&mut Sampler>,
+        mut samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
-        match path.restoring {
-            Restoring::Straight { at_start: a, slope: b } => {
-                self.traverse_field(Straight { a, b }, path, state, samples)
+        if path.drag == Drag::NONE && matches!(path.leg, Leg::Outward(_) | Leg::Back(0.0)) {
+            let landed = if path.pull == 0.0 {
+                self.conservative(NoPull, path, state, samples.as_deref_mut())
+            } else {
+                self.conservative(Twice(2.0 * path.pull), path, state, samples.as_deref_mut())
+            };
+            if let Some(landed) = landed {
+                return landed;
             }
-            Restoring::Power { coefficient, exponent: 1.5 } => {
-                self.traverse_field(Hertz { c: 2.0 * coefficient }, path, state, samples)
-            }
-            Restoring::Power { coefficient, exponent } => {
-                let field = Power { c: 2.0 * coefficient, p: 2.0 * exponent + 1.0 };
-                self.traverse_field(field, path, state, samples)
-            }
-            Restoring::Smooth { force, start, factor } => match force.variable() {
-                Variable::Indentation => self.traverse_field(Plain { force, start, c: factor }, path, state, samples),
-                Variable::RootOfDistance => {
-                    self.traverse_field(OfRoot { force, c: 2.0 * factor }, path, state, samples)
-                }
-            },
         }
+        self.damped.traverse(path, state, samples)
     }
 
     fn work(&self) -> Work {
-        self.work
+        self.work + self.damped.work()
     }
 }

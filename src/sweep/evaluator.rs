@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver, batch};
+use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver};
 use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
@@ -269,7 +269,7 @@ fn integrate_together(
     results: &mut Vec<Result<Essentials, Failure>>,
 ) {
     let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
-    let mut rows = batch::essentials(&known, solver).into_iter();
+    let mut rows = Contact::essentials_together(&known, solver).into_iter();
     results.extend(impacts.iter().map(|(contact, _)| match contact {
         Err(error) => Err(*error),
         Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),

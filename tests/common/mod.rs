@@ -4,7 +4,7 @@
 pub mod command;
 pub mod picture;
 
-use plm_impact::impact::{Contact, Impact, Method, Outcome, Solver, closed_form};
+use plm_impact::impact::{Contact, Impact, Method, Outcome, ScaledForces, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
@@ -53,7 +53,7 @@ pub fn solver(method: Method, tolerance: f64) -> Solver {
 /// One dimensionless impact.
 pub fn run(law: &Law, speed: f64, method: Method, tolerance: f64) -> Result<(Outcome, Work), IntegrationError> {
     let exact = closed_form::solve(law, speed);
-    plm_impact::impact::run(law, speed, &exact, &solver(method, tolerance), None)
+    plm_impact::impact::run(law, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None)
 }
 
 /// |got/want − 1|.

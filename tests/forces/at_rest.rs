@@ -1,8 +1,7 @@
 //! Spheres that are let go at rest, or nearly so, and fall by their own weight.
 
-use plm_impact::impact::forced::Load;
-use plm_impact::impact::{balance, forced};
-use plm_impact::integrate::pulled::Pulled;
+use plm_impact::impact::{ScaledForces, closed_form, course};
+use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 
 use super::common::{Scene, off};
@@ -19,13 +18,13 @@ fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
         let (k, n) = law.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
         // beyond 0.4 it also falls past knots, from which it leaves faster than it came
         for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
-            let load = Load { weight, damping: None };
+            let forces = ScaledForces { weight, damping: None };
             let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);
             for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
                 for share in [0.0, 1e-8, 1e-3] {
                     let speed = share * (weight * deepest).sqrt();
-                    let outcome = forced::integrate(law, speed, &load, &mut Pulled::new(tolerance), None).unwrap();
-                    let exact = balance::solve(law, speed, &load).unwrap();
+                    let outcome = course::integrate(law, speed, &forces, &mut Rk8::new(tolerance), None).unwrap();
+                    let exact = closed_form::solve_with(law, speed, &forces).unwrap();
                     let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
                     let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
                     assert!(off(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");

@@ -1,7 +1,7 @@
 //! Spheres that are let go or dropped slowly under heavy damping and creep to rest: slower than the error of the speed that a
 //! loose tolerance allows, so that a step may end with a speed of the wrong sign. That is no turning point.
 
-use plm_impact::impact::{Damping, Fate, Forces, Impact, ImpactError, Method, Warning, batch};
+use plm_impact::impact::{Contact, Damping, Fate, Forces, Impact, ImpactError, Method, Warning};
 use plm_impact::integrate::IntegrationError;
 use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
@@ -87,7 +87,7 @@ proptest! {
                 prop_assert_eq!(fate(&got), fate(&fine));
             }
             // the lanes of a table
-            let rows = batch::essentials(&vec![(&contact, speed); 40], &solver(Method::Rk8, tolerance));
+            let rows = Contact::essentials_together(&vec![(&contact, speed); 40], &solver(Method::Rk8, tolerance));
             for row in rows {
                 let row = row.unwrap();
                 let is_right = is_right(row.peak_indentation, row.residual_indentation, &fine, tolerance);

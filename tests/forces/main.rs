@@ -9,8 +9,9 @@ mod error_control;
 mod properties;
 
 use common::{STEPPING, Scene, off, solver};
-use plm_impact::impact::forced::Load;
-use plm_impact::impact::{Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, Solver, balance, forced};
+use plm_impact::impact::{
+    Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, ScaledForces, Solver, closed_form, course,
+};
 use plm_impact::integrate::damped::Damped;
 
 const GRAVITY: f64 = 9.81;
@@ -165,7 +166,7 @@ fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
     let law = Scene::steel().law();
     // exactly at the limit: captured
     let unloading = law.unloading(law.loaded_to(20.0));
-    let at = |weight: f64| Load { weight, damping: None }.captures(&unloading, 1.0);
+    let at = |weight: f64| ScaledForces { weight, damping: None }.captures(&unloading, 1.0);
     let limit = unloading.peak.force / 2.5;
     assert!(at(limit) && at(limit * (1.0 + 1e-15)) && !at(limit * (1.0 - 1e-15)));
     // and the speed at which a whole impact comes to that, from both sides
@@ -355,13 +356,13 @@ fn verlet_comes_nearer_with_more_steps() {
 
 #[test]
 fn the_error_of_rk8_falls_with_the_tolerance() {
-    let load = Load { weight: 0.0, damping: Some(Damping::HuntCrossley(0.05)) };
+    let forces = ScaledForces { weight: 0.0, damping: Some(Damping::HuntCrossley(0.05)) };
     let law = Scene::steel().law();
-    let exact = balance::solve(&law, 50.0, &load).unwrap();
+    let exact = closed_form::solve_with(&law, 50.0, &forces).unwrap();
     for power in 3..=12 {
         let tolerance = 10_f64.powi(-power);
-        let outcome = forced::integrate(&law, 50.0, &load, &mut Damped::new(tolerance), None).unwrap();
+        let outcome = course::integrate(&law, 50.0, &forces, &mut Damped::new(tolerance), None).unwrap();
         assert!(off(outcome.restitution, exact.restitution) < 10.0 * tolerance);
-        assert!(off(outcome.end.time, exact.end.time) < 10.0 * tolerance);
+        assert!(off(outcome.contact_time, exact.contact_time) < 10.0 * tolerance);
     }
 }

@@ -8,37 +8,31 @@
 //!  dip ── the force was gone ──────┘
 //! ```
 
-use super::super::dop853::{EVALUATIONS, Quad, Step};
-use super::super::forced::{ForcedLanding, ForcedPath, ForcedState};
-use super::super::lanes::Lane;
-use super::super::motions::{Piece, cubic_minimum, cubic_root};
-use super::super::{IntegrationError, Leg, MOST_STEPS, State, Work};
 use crate::functions::pow;
+use crate::integrate::cubic::{cubic_minimum, cubic_root};
+use crate::integrate::dop853::{EVALUATIONS, Step};
+use crate::integrate::lanes::Lane;
+use crate::integrate::piece::{Dragged, Quad};
+use crate::integrate::{Crossing, IntegrationError, Landing, Leg, MOST_STEPS, Path, State, Work};
 
-/// Repeats of a landing step,
+/// Repeats of a landing step.
 const MOST_ROUNDS: u32 = 12;
-/// and of one to a lift-off: under weak damping the contact force goes with the fifth power of r until next to its zero, and
-/// Newton's method takes off only a fifth of what is left each time.
+/// Repeats of a step to a lift-off: under weak damping the contact force goes with the fifth power of r until next to its
+/// zero, and Newton's method takes off only a fifth of what is left each time.
 const MOST_ROUNDS_TO_LIFT_OFF: u32 = 60;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
 const PART: f64 = 0.05;
 
-/// The least share of the error of order 5 that counts as the error of a step. What the pair says, order 5 squared over
-/// order 3, rests on both being of one kind. They are not near r = 0, where a weak pull or drag comes with a low power of r,
-/// which order 3 misses, and the force with the ninth, which all miss: the error was then up to 3000 times what was said,
-/// and the ledger of one impact in 10⁵ closed to 40 times the tolerance. A share that goes with the square of a step's length
-/// is what an even motion has as well, so its steps stay as they are.
-pub(super) fn least_share(tolerance: f64) -> f64 {
+/// The least share of the error of order 5 that counts as the error of a step.
+///
+/// The pair estimates the error by e5²/e3, which assumes that both errors have the same leading terms. Near r = 0 they have
+/// not: a weak pull or drag comes with a low power of r, which order 3 misses, and the force with the ninth, which all miss.
+/// Without a least share the error was up to 3000 times the estimate there, and the ledger of one impact in 10⁵ closed to
+/// 40 times the tolerance. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
+/// of smooth motions stay as they are.
+pub(in crate::integrate) fn least_share(tolerance: f64) -> f64 {
     2.0 * (PART * tolerance).sqrt().sqrt()
-}
-
-/// What ends a leg, as a function that falls through zero there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Event {
-    Turning,
-    End,
-    LiftOff,
 }
 
 /// What the next step is for.
@@ -49,63 +43,63 @@ enum Aim {
     /// To see whether the contact force is gone within a step of length `h` to `next`.
     Dip { next: Step, h: f64, verdict: Verdict },
     /// To end on an event, not farther than `most`.
-    Mend { event: Event, size: f64, most: f64, rounds: u32 },
+    Mend { event: Crossing, size: f64, most: f64, rounds: u32 },
 }
 
 /// What the error control says of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Verdict {
+pub(in crate::integrate) struct Verdict {
     /// Its error, 1 at most if it is accepted.
-    pub(super) error: f64,
+    pub(in crate::integrate) error: f64,
     /// The length of the next one in units of this one's: 0.9 error^(−1/8), before it is bounded.
-    pub(super) pace: f64,
+    pub(in crate::integrate) pace: f64,
 }
 
 impl Verdict {
     /// Of a step that is not under error control.
-    pub(super) const NONE: Self = Self { error: 0.0, pace: 1.0 };
+    pub(in crate::integrate) const NONE: Self = Self { error: 0.0, pace: 1.0 };
 
     #[inline(always)]
-    pub(super) fn of(step: &Step, h: f64, least: f64) -> Self {
+    pub(in crate::integrate) fn of(step: &Step, h: f64, least: f64) -> Self {
         let error = step.error(h, least);
         Self { error, pace: Self::pace(error) }
     }
 
     #[inline(always)]
-    pub(super) fn pace(error: f64) -> f64 {
+    pub(in crate::integrate) fn pace(error: f64) -> f64 {
         0.9 * pow(error, -0.125)
     }
 }
 
 /// What a step has come to.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Progress {
+pub(in crate::integrate) enum Progress {
     /// Another step from the same node is to be taken.
     Again,
     /// The node is the end of a step of this length.
     Moved { length: f64 },
     /// The leg has ended, after a step of this length.
-    Landed { landing: ForcedLanding, length: f64, state: ForcedState },
+    Landed { landing: Landing, length: f64, state: State },
 }
 
 /// What ends a leg, for one or for many.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits<T> {
+pub(in crate::integrate) struct Limits<T> {
     /// +1 outward, −1 back.
-    pub(super) direction: T,
+    pub(in crate::integrate) direction: T,
     /// y where the piece ends.
-    pub(super) end: T,
+    pub(in crate::integrate) end: T,
     /// 1 where the contact force may vanish, else 0.
-    pub(super) lifts_off: T,
+    pub(in crate::integrate) lifts_off: T,
     /// 1 where the motion may come to rest, else 0.
-    pub(super) rests: T,
+    pub(in crate::integrate) rests: T,
 }
 
 impl<T: Lane> Limits<T> {
     /// 1 where a step has passed nothing for sure, so that one which is accepted only goes on; else 0. Takes the contact
     /// force and its derivative before and after the step.
     #[inline(always)]
-    pub(super) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
+    pub(in crate::integrate) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
         let (zero, one) = (self.end.all(0.0), self.end.all(1.0));
         let moves = zero.if_less(self.direction * next.node[1], one, zero);
         let is_short = zero.if_less(self.direction * (self.end - next.node[0]), moves, zero);
@@ -118,37 +112,42 @@ impl<T: Lane> Limits<T> {
 
 /// A leg on its way, in the variables of its piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Run {
-    pub(super) node: Quad,
-    pub(super) rates: Quad,
+pub(in crate::integrate) struct Run {
+    pub(in crate::integrate) node: Quad,
+    pub(in crate::integrate) rates: Quad,
     /// Of the next step.
-    pub(super) length: f64,
-    pub(super) inverse_sizes: [f64; 3],
+    pub(in crate::integrate) length: f64,
+    pub(in crate::integrate) inverse_sizes: [f64; 3],
     /// See [`least_share`].
-    pub(super) least: f64,
+    pub(in crate::integrate) least: f64,
     tolerance: f64,
-    pub(super) work: Work,
+    pub(in crate::integrate) work: Work,
     aim: Aim,
     end: f64,
     /// +1 outward, −1 back.
     direction: f64,
-    path: ForcedPath,
+    path: Path,
 }
 
 impl Run {
     /// At the first node. Where it has turned there already, to the last bit, it has no way to go: `None`.
-    pub(super) fn begin<P: Piece>(piece: P, path: &ForcedPath, begun: &ForcedState, tolerance: f64) -> Option<Self> {
-        let sizes = &path.path.sizes;
-        let (end, direction) = match path.path.leg {
+    pub(in crate::integrate) fn begin<P: Dragged>(
+        piece: P,
+        path: &Path,
+        begun: &State,
+        tolerance: f64,
+    ) -> Option<Self> {
+        let sizes = &path.sizes;
+        let (end, direction) = match path.leg {
             Leg::Outward(end) => (P::y_at(end), 1.0),
-            Leg::Back => (P::y_at(path.back_to), -1.0),
+            Leg::Back(end) => (P::y_at(end), -1.0),
         };
         let size = P::y_at(sizes.distance);
         let inverse = |size: f64| 1.0 / (PART * tolerance * size);
         let inverse_sizes = [inverse(size), inverse(sizes.speed), inverse(sizes.speed * sizes.speed)];
-        let State { time, distance, speed } = begun.state;
+        let State { time, distance, speed, loss } = *begun;
         // from zero, so that a short leg late in time keeps its digits
-        let node = [P::y_at(distance), speed, time, begun.loss];
+        let node = [P::y_at(distance), speed, time, loss];
         if direction > 0.0 && speed <= 0.0 {
             return None;
         }
@@ -167,24 +166,23 @@ impl Run {
 
     /// Whether the next step is under error control: others need no verdict.
     #[inline(always)]
-    pub(super) fn is_marching(&self) -> bool {
+    pub(in crate::integrate) fn is_marching(&self) -> bool {
         matches!(self.aim, Aim::March)
     }
 
     /// What a step that is only to go on must not pass, as numbers.
-    pub(super) fn limits(&self) -> Limits<f64> {
-        let lifts_off = self.direction < 0.0 && self.path.can_lift_off();
+    pub(in crate::integrate) fn limits(&self) -> Limits<f64> {
         Limits {
             direction: self.direction,
             end: self.end,
-            lifts_off: f64::from(u8::from(lifts_off)),
+            lifts_off: f64::from(u8::from(self.path.can_lift_off())),
             rests: f64::from(u8::from(self.path.rest.is_some())),
         }
     }
 
     /// Takes steps that were accepted and passed nothing, without having been told of them.
     #[inline(always)]
-    pub(super) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
+    pub(in crate::integrate) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
         (self.node, self.rates, self.length) = (node, rates, length);
         self.work.steps += steps;
         self.work.force_evaluations += EVALUATIONS * steps;
@@ -192,7 +190,7 @@ impl Run {
 
     /// Takes what a step of [`Run::length`] from the node has come to.
     #[inline]
-    pub(super) fn tell<P: Piece>(
+    pub(in crate::integrate) fn tell<P: Dragged>(
         &mut self,
         piece: P,
         next: &Step,
@@ -203,8 +201,8 @@ impl Run {
             Aim::March => self.marched(piece, next, verdict),
             Aim::Dip { next: passed, h, verdict } => {
                 self.aim = Aim::March;
-                if self.is_past(piece, Event::LiftOff, next) {
-                    return Ok(self.land(piece, Event::LiftOff, next, self.length));
+                if self.is_past(piece, Crossing::LiftOff, next) {
+                    return Ok(self.land(piece, Crossing::LiftOff, next, self.length));
                 }
                 Ok(self.go_on(piece, &passed, h, verdict))
             }
@@ -214,21 +212,21 @@ impl Run {
 
     /// The function of an event and its derivative along σ.
     #[inline(always)]
-    fn event<P: Piece>(&self, piece: P, event: Event, node: &Quad, rates: &Quad) -> (f64, f64) {
+    fn event<P: Dragged>(&self, piece: P, event: Crossing, node: &Quad, rates: &Quad) -> (f64, f64) {
         match event {
-            Event::End => (self.direction * (self.end - node[0]), -self.direction * rates[0]),
-            Event::Turning => (self.direction * node[1], self.direction * rates[1]),
-            Event::LiftOff => piece.contact(node, rates),
+            Crossing::End => (self.direction * (self.end - node[0]), -self.direction * rates[0]),
+            Crossing::Turning => (self.direction * node[1], self.direction * rates[1]),
+            Crossing::LiftOff => piece.contact(node, rates),
         }
     }
 
-    fn is_past<P: Piece>(&self, piece: P, event: Event, step: &Step) -> bool {
+    fn is_past<P: Dragged>(&self, piece: P, event: Crossing, step: &Step) -> bool {
         self.event(piece, event, &step.node, &step.rates).0 <= 0.0
     }
 
     /// A step under error control: rejected, or the first event that it has passed is landed on.
     #[inline(always)]
-    fn marched<P: Piece>(&mut self, piece: P, next: &Step, verdict: Verdict) -> Result<Progress, IntegrationError> {
+    fn marched<P: Dragged>(&mut self, piece: P, next: &Step, verdict: Verdict) -> Result<Progress, IntegrationError> {
         if self.work.steps + self.work.rejected >= MOST_STEPS {
             return Err(IntegrationError::Creeping { steps: MOST_STEPS });
         }
@@ -247,17 +245,17 @@ impl Run {
         }
         self.work.steps += 1;
         if self.direction > 0.0 {
-            if self.is_past(piece, Event::Turning, next) {
-                return Ok(self.land(piece, Event::Turning, next, h));
+            if self.is_past(piece, Crossing::Turning, next) {
+                return Ok(self.land(piece, Crossing::Turning, next, h));
             }
         } else if self.path.can_lift_off() {
-            let (after, slope_after) = self.event(piece, Event::LiftOff, &next.node, &next.rates);
+            let (after, slope_after) = self.event(piece, Crossing::LiftOff, &next.node, &next.rates);
             if after <= 0.0 {
-                return Ok(self.land(piece, Event::LiftOff, next, h));
+                return Ok(self.land(piece, Crossing::LiftOff, next, h));
             }
             // a shorter step to where the contact force is gone, if it vanishes and comes again within the step: under
             // gravity a sphere that hardly lifts off falls back
-            let (before, slope_before) = self.event(piece, Event::LiftOff, &self.node, &self.rates);
+            let (before, slope_before) = self.event(piece, Crossing::LiftOff, &self.node, &self.rates);
             if let Some(at) = cubic_minimum(before, slope_before * h, after, slope_after * h) {
                 (self.aim, self.length) = (Aim::Dip { next: *next, h, verdict }, at * h);
                 return Ok(Progress::Again);
@@ -268,15 +266,15 @@ impl Run {
 
     /// The rest of the events, and on from the end of the step if it has passed none.
     #[inline(always)]
-    fn go_on<P: Piece>(&mut self, piece: P, next: &Step, h: f64, verdict: Verdict) -> Progress {
-        if self.direction < 0.0 && self.is_past(piece, Event::Turning, next) {
-            return self.land(piece, Event::Turning, next, h);
+    fn go_on<P: Dragged>(&mut self, piece: P, next: &Step, h: f64, verdict: Verdict) -> Progress {
+        if self.direction < 0.0 && self.is_past(piece, Crossing::Turning, next) {
+            return self.land(piece, Crossing::Turning, next, h);
         }
-        if self.is_past(piece, Event::End, next) {
-            return self.land(piece, Event::End, next, h);
+        if self.is_past(piece, Crossing::End, next) {
+            return self.land(piece, Crossing::End, next, h);
         }
         if self.path.is_at_rest(P::distance_at(next.node[0]), next.node[1]) {
-            return self.landed::<P>(ForcedLanding::Rest, h, &next.node);
+            return self.landed::<P>(Landing::Rest, h, &next.node);
         }
         (self.node, self.rates) = (next.node, next.rates);
         self.length = longer(h, verdict.pace);
@@ -285,7 +283,7 @@ impl Run {
 
     /// Whether a turn at y is none: at rest the piece would push the sphere on. A creep under strong drag is slower than the
     /// error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong sign.
-    fn is_false_turn<P: Piece>(&self, piece: P, y: f64) -> bool {
+    fn is_false_turn<P: Dragged>(&self, piece: P, y: f64) -> bool {
         self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.is_next_to_rest(P::distance_at(y))
     }
 
@@ -304,18 +302,18 @@ impl Run {
 
     /// A first guess of the step that ends at `event`, which the step of length `h` to `passed` has passed.
     #[inline(never)]
-    fn land<P: Piece>(&mut self, piece: P, event: Event, passed: &Step, h: f64) -> Progress {
+    fn land<P: Dragged>(&mut self, piece: P, event: Crossing, passed: &Step, h: f64) -> Progress {
         let (before, slope_before) = self.event(piece, event, &self.node, &self.rates);
         let (after, slope_after) = self.event(piece, event, &passed.node, &passed.rates);
         let length = h * cubic_root(before, slope_before * h, after, slope_after * h);
         self.mend(piece, event, length, h)
     }
 
-    fn mend<P: Piece>(&mut self, piece: P, event: Event, length: f64, most: f64) -> Progress {
+    fn mend<P: Dragged>(&mut self, piece: P, event: Crossing, length: f64, most: f64) -> Progress {
         let size = match event {
-            Event::End => self.end.abs().max(self.node[0].abs()),
-            Event::Turning => self.node[1].abs(),
-            Event::LiftOff => self.event(piece, event, &self.node, &self.rates).0.abs(),
+            Crossing::End => self.end.abs().max(self.node[0].abs()),
+            Crossing::Turning => self.node[1].abs(),
+            Crossing::LiftOff => self.event(piece, event, &self.node, &self.rates).0.abs(),
         };
         (self.aim, self.length) = (Aim::Mend { event, size, most, rounds: 1 }, length);
         Progress::Again
@@ -323,7 +321,15 @@ impl Run {
 
     /// Newton's method on the length of the step.
     #[inline(never)]
-    fn mended<P: Piece>(&mut self, piece: P, next: &Step, event: Event, size: f64, most: f64, rounds: u32) -> Progress {
+    fn mended<P: Dragged>(
+        &mut self,
+        piece: P,
+        next: &Step,
+        event: Crossing,
+        size: f64,
+        most: f64,
+        rounds: u32,
+    ) -> Progress {
         let (miss, slope) = self.event(piece, event, &next.node, &next.rates);
         let change = miss / slope;
         let is_there =
@@ -332,7 +338,7 @@ impl Run {
             let better = (self.length - change).clamp(0.0, most);
             let is_better = better != self.length;
             self.length = better;
-            let most_rounds = if event == Event::LiftOff { MOST_ROUNDS_TO_LIFT_OFF } else { MOST_ROUNDS };
+            let most_rounds = if event == Crossing::LiftOff { MOST_ROUNDS_TO_LIFT_OFF } else { MOST_ROUNDS };
             if is_better && rounds < most_rounds {
                 self.aim = Aim::Mend { event, size, most, rounds: rounds + 1 };
                 return Progress::Again;
@@ -340,43 +346,39 @@ impl Run {
         }
         let (length, mut to) = (self.length, next.node);
         let landing = match event {
-            Event::End if self.direction * to[1] <= 0.0 && self.is_false_turn(piece, self.end) => {
+            Crossing::End if self.direction * to[1] <= 0.0 && self.is_false_turn(piece, self.end) => {
                 return self.take_back(most);
             }
-            Event::End => {
+            Crossing::End => {
                 to[0] = self.end;
-                ForcedLanding::End
+                Landing::End
             }
-            Event::Turning if self.is_false_turn(piece, to[0]) => return self.take_back(most),
-            Event::Turning => {
+            Crossing::Turning if self.is_false_turn(piece, to[0]) => return self.take_back(most),
+            Crossing::Turning => {
                 to[1] = 0.0;
                 if self.direction < 0.0 || to[0] <= self.end {
-                    ForcedLanding::Turning
+                    Landing::Turning
                 } else {
                     // the piece ends a little before the turning point: y_t − y = ½ |y''| τ²
                     let pull = piece.rates(to[0], 0.0)[1].abs();
                     let tau = (2.0 * (to[0] - self.end) / pull).sqrt();
-                    return self.mend(piece, Event::End, (length - tau).max(0.0), length);
+                    return self.mend(piece, Crossing::End, (length - tau).max(0.0), length);
                 }
             }
-            Event::LiftOff => ForcedLanding::LiftOff,
+            Crossing::LiftOff => Landing::LiftOff,
         };
         self.landed::<P>(landing, length, &to)
     }
 
-    fn landed<P: Piece>(&self, landing: ForcedLanding, length: f64, to: &Quad) -> Progress {
-        let distance = match (landing, self.path.path.leg) {
-            (ForcedLanding::End, Leg::Outward(end)) => end,
-            (ForcedLanding::End, Leg::Back) => self.path.back_to,
-            _ => P::distance_at(to[0]),
-        };
-        let state = ForcedState { state: State { time: to[2], distance, speed: to[1] }, loss: to[3] };
+    fn landed<P: Dragged>(&self, landing: Landing, length: f64, to: &Quad) -> Progress {
+        let distance = self.path.landed_at(landing, P::distance_at(to[0]));
+        let state = State { time: to[2], distance, speed: to[1], loss: to[3] };
         Progress::Landed { landing, length, state }
     }
 }
 
 /// The next step after one of length `h` that was accepted.
 #[inline(always)]
-pub(super) fn longer<T: Lane>(h: T, pace: T) -> T {
+pub(in crate::integrate) fn longer<T: Lane>(h: T, pace: T) -> T {
     h * pace.min(pace.all(5.0))
 }

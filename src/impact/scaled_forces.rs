@@ -1,25 +1,35 @@
-//! What acts on a sphere beside the law, in the units of an impact, and where that lets it come to rest.
+//! Gravity and damping in the units of an impact, and where they let a sphere come to rest.
 
-use crate::impact::forces::Damping;
-use crate::impact::scales::ACCELERATION;
-use crate::integrate::forced::{Drag, Rest};
+use super::forces::Damping;
+use super::scales::ACCELERATION;
+use crate::integrate::{Drag, Rest};
 use crate::law::reloading::GRAZING;
 use crate::law::{Law, Unloading};
 
-/// Gravity and damping in the units of an impact.
+/// What acts on a sphere beside the law, in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
+pub struct ScaledForces {
     /// w = m g/Φ; 0 without gravity.
     pub weight: f64,
     /// χ in units of 1/V, or ζ.
     pub damping: Option<Damping>,
 }
 
-impl Load {
+impl ScaledForces {
+    /// No gravity, no damping.
+    pub const NONE: Self = Self { weight: 0.0, damping: None };
+
+    /// Whether the impact is that of the law alone.
+    #[inline]
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.weight == 0.0 && self.damping.is_none()
+    }
+
     /// Whether nothing takes energy but the dent.
     #[must_use]
     pub fn is_conservative(&self) -> bool {
-        matches!(self.damping, None | Some(Damping::HuntCrossley(0.0) | Damping::Viscous(0.0)))
+        self.drag() == Drag::NONE
     }
 
     /// Without damping: whether a sphere that came at q = v/V stays in its dent.
@@ -58,38 +68,38 @@ impl Load {
     #[must_use]
     pub fn drag(&self) -> Drag {
         match self.damping {
-            None | Some(Damping::HuntCrossley(0.0) | Damping::Viscous(0.0)) => Drag::None,
-            Some(Damping::HuntCrossley(chi)) => Drag::OfForce(chi),
-            Some(Damping::Viscous(zeta)) => Drag::OfStiffness(2.0 * zeta),
+            None => Drag::NONE,
+            Some(Damping::HuntCrossley(chi)) => Drag::of_force(chi),
+            Some(Damping::Viscous(zeta)) => Drag::of_stiffness(2.0 * zeta),
         }
     }
 }
 
-/// How near to its static indentation an overdamped sphere counts as captured there.
+/// How near to its static indentation an overdamped sphere counts as captured there, as a share of the static depth.
 const NEAR: f64 = 1e-3;
-/// How near a sphere is that the linear theory of the creep has missed: rounding ends its run.
+/// The same for a sphere that the rule for creep did not stop: the integrator itself stops it.
 const NEARER: f64 = 1e-7;
 
 /// Creep to a static indentation: overdamped, a sphere comes near it and never passes.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::impact) struct Creep {
-    /// How far from the static indentation the run ends,
-    pub(in crate::impact) within: f64,
-    /// at speeds up to this: less than the fast one of the two rates of decay times that distance.
-    pub(in crate::impact) below: f64,
+pub(super) struct Creep {
+    /// How far from the static indentation the run ends.
+    pub(super) within: f64,
+    /// The largest speed at which it ends there: the fast one of the two rates of decay times that distance.
+    pub(super) below: f64,
 }
 
-impl Load {
+impl ScaledForces {
     /// The creep to a static point at `distance` from where its branch begins, of tangent stiffness `slope`; `None` where
     /// the sphere swings through it.
-    pub(in crate::impact) fn creep(&self, distance: f64, slope: f64) -> Option<Creep> {
+    pub(super) fn creep(&self, distance: f64, slope: f64) -> Option<Creep> {
         let omega = (ACCELERATION * slope).sqrt();
         let zeta = match self.damping? {
             Damping::HuntCrossley(chi) => 0.5 * ACCELERATION * self.weight * chi / omega,
             Damping::Viscous(zeta) => zeta,
         };
         let within = NEAR * distance;
-        // next to critical a swing is e^(−πζ/√(1−ζ²)) of the one before: too small to be seen
+        // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         (self.weight > 0.0 && zeta >= 0.9).then_some(Creep { within, below: fast * omega * within })
     }
@@ -97,14 +107,14 @@ impl Load {
 
 impl Creep {
     /// What the integrator itself takes for rest.
-    pub(in crate::impact) fn rest(self, distance: f64) -> Rest {
+    pub(super) fn rest(self, distance: f64) -> Rest {
         let nearer = NEARER / NEAR;
         Rest { distance, within: nearer * self.within, below: nearer * self.below }
     }
 }
 
 /// x at which the loading curve carries the weight, and its piece.
-pub(in crate::impact) fn equilibrium(law: &Law, weight: f64) -> (f64, usize) {
+pub(super) fn equilibrium(law: &Law, weight: f64) -> (f64, usize) {
     let pieces = law.loading.pieces();
     let index = pieces.partition_point(|piece| piece.force <= weight).saturating_sub(1);
     let piece = &pieces[index];

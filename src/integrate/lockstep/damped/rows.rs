@@ -2,20 +2,18 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::super::dop853::{self, Quad, Step};
-use super::super::lanes::{Lane, Wide};
-use super::super::motions::{Hertz, Mixed, Straight};
-use super::Run;
-use super::lockstep::LANES;
-use super::run::{Limits, longer};
-
-/// Registers in flight at once: the chain of dependent operations of one step is longer than its arithmetic.
-const REGISTERS: usize = 2;
-
-type Row = [f64; LANES];
+use super::super::{REGISTERS, Row, load, store};
+use crate::integrate::Drag;
+use crate::integrate::damped::run::{Limits, Run, longer};
+use crate::integrate::dop853::{self, Step};
+use crate::integrate::lanes::Lane;
+use crate::integrate::piece::Quad;
+use crate::integrate::piece::mixed::DraggedMixed;
+use crate::integrate::piece::power::DraggedHertz;
+use crate::integrate::piece::straight::DraggedStraight;
 
 /// Nodes, constants and steps of every lane.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Rows {
     pub(super) node: [Row; 4],
     pub(super) rates: [Row; 4],
@@ -40,44 +38,13 @@ pub(super) struct Rows {
     pub(super) rests: Row,
     /// 1 in a lane whose next step is under error control, else 0.
     pub(super) marches: Row,
-    /// 1 where the step has passed nothing, and then where it has been taken for that: the lane need not be told.
+    /// 1 if no event lies in the step; after [`Onward`], 1 if it was also accepted, and the lane need not be told.
     pub(super) clear: Row,
     /// Steps since the lane was told of one.
     pub(super) untold: Row,
 }
 
 impl Rows {
-    /// Lanes without motions.
-    pub(super) fn idle() -> Self {
-        let row = [0.0; LANES];
-        Self {
-            node: [row; 4],
-            rates: [row; 4],
-            h: row,
-            a: row,
-            b: row,
-            k: row,
-            chi: row,
-            c: row,
-            pull: row,
-            is_straight: row,
-            inverse_sizes: [row; 3],
-            next: [row; 4],
-            next_rates: [row; 4],
-            fifth: row,
-            third: row,
-            error: row,
-            pace: row,
-            direction: row,
-            end: row,
-            lifts_off: row,
-            rests: row,
-            marches: row,
-            clear: row,
-            untold: row,
-        }
-    }
-
     /// From where a lane steps next, and how far.
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, run: &Run) {
@@ -115,11 +82,6 @@ fn at(rows: &[Row; 4], lane: usize) -> Quad {
     [rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]]
 }
 
-macro_rules! load {
-    ($row:expr, $simd:ident, $first:ident) => {
-        Wide::<S, REGISTERS>::load($simd, &S::as_simd_f64s(&$row).0[$first..])
-    };
-}
 macro_rules! load4 {
     ($rows:expr, $simd:ident, $first:ident) => {
         [
@@ -128,11 +90,6 @@ macro_rules! load4 {
             load!($rows[2], $simd, $first),
             load!($rows[3], $simd, $first),
         ]
-    };
-}
-macro_rules! store {
-    ($value:expr, $row:expr, $first:ident) => {
-        $value.store(&mut S::as_mut_simd_f64s(&mut $row).0[$first..])
     };
 }
 
@@ -152,10 +109,10 @@ impl<const M: u8> WithSimd for Stepping<'_, M> {
                     load!($row, simd, first)
                 };
             }
-            let (chi, c, pull) = (row!(rows.chi), row!(rows.c), row!(rows.pull));
-            let motion = Mixed {
-                straight: Straight { a: row!(rows.a), b: row!(rows.b), chi, c, pull },
-                hertz: Hertz::<M, _> { k: row!(rows.k), chi, c, pull },
+            let (drag, pull) = (Drag { chi: row!(rows.chi), eta: row!(rows.c) }, row!(rows.pull));
+            let motion = DraggedMixed {
+                straight: DraggedStraight { a: row!(rows.a), b: row!(rows.b), drag, pull },
+                hertz: DraggedHertz::<M, _> { k: row!(rows.k), drag, pull },
                 is_straight: row!(rows.is_straight),
             };
             let sizes = [row!(rows.inverse_sizes[0]), row!(rows.inverse_sizes[1]), row!(rows.inverse_sizes[2])];

@@ -1,36 +1,34 @@
-//! The damped stepper for many motions at once: every lane has its own piece, state and step size, and all of them step
-//! together.
+//! Lanes of the stepper with drag, on straight and Hertz pieces.
 //!
-//! A step is that of `dop853` on registers of whatever width the machine has (chosen at run time); what
-//! comes of it, each lane is told by itself as the stepper alone is. So a lane gives the same bits as the stepper.
+//! A step is that of `dop853`; what comes of it, each lane is told by itself as the stepper alone is.
+
+mod rows;
 
 use pulp::Arch;
 
-use super::super::forced::{Drag, ForcedLanding, ForcedPath, ForcedState};
-use super::super::motions::{Hertz, Straight};
-use super::super::{IntegrationError, Restoring};
-use super::rows::{Onward, Rows, Stepping};
-use super::run::least_share;
-use super::{Progress, Run, Verdict};
+use super::{LANES, Landed, Lanes, Started};
+use crate::integrate::damped::finish;
+use crate::integrate::damped::run::{Progress, Run, Verdict, least_share};
+use crate::integrate::piece::power::DraggedHertz;
+use crate::integrate::piece::straight::DraggedStraight;
+use crate::integrate::{Drag, Landing, Path, Restoring, State};
+use rows::{Onward, Rows, Stepping};
 
-/// Motions that step together.
-pub const LANES: usize = 32;
-
-/// A lane is told of one step in so many, even if nothing happens: it may have taken more than any leg needs.
+/// Every so many steps all lanes run the code of a single motion, so that its step limit is checked.
 const MOST_UNTOLD: u64 = 1024;
 
 /// The piece that a lane is on.
 #[derive(Debug, Clone, Copy)]
-enum Piece<const M: u8> {
-    Straight(Straight),
-    Hertz(Hertz<M>),
+enum LanePiece<const M: u8> {
+    Straight(DraggedStraight),
+    Hertz(DraggedHertz<M>),
 }
 
-/// Lanes of the damped stepper, on straight and Hertz pieces: m = 2 with drag of the force, m = 4 with drag of the stiffness.
+/// The lanes: m = 2 for drag of the force, m = 4 for drag of the stiffness.
 #[derive(Debug, Clone)]
-pub struct Lockstep<const M: u8> {
+pub struct Damped<const M: u8> {
     rows: Box<Rows>,
-    ways: Box<[Option<(Run, Piece<M>)>; LANES]>,
+    ways: Box<[Option<(Run, LanePiece<M>)>; LANES]>,
     tolerance: f64,
     least: f64,
     /// Steps of all lanes so far.
@@ -38,60 +36,54 @@ pub struct Lockstep<const M: u8> {
     arch: Arch,
 }
 
-/// How a leg starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Started {
-    /// It is on its way.
-    UnderWay,
-    /// It has ended where it began.
-    Landed(ForcedLanding, ForcedState),
-    /// It is none that these lanes can do.
-    Foreign,
-}
-
-/// What a leg comes to.
-pub type Landed = Result<(ForcedLanding, ForcedState), IntegrationError>;
-
-impl<const M: u8> Lockstep<M> {
+impl<const M: u8> Damped<M> {
     /// Lanes of this relative tolerance, all idle.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
-        let (rows, ways) = (Box::new(Rows::idle()), Box::new([None; LANES]));
+        let (rows, ways) = (Box::new(Rows::default()), Box::new([None; LANES]));
         Self { rows, ways, tolerance, least: least_share(tolerance), steps: 0, arch: Arch::new() }
     }
 
     /// Whether these are the lanes for this drag.
     #[must_use]
     pub fn fits(drag: Drag) -> bool {
-        let (chi, eta) = drag.coefficients();
-        if M == 2 { chi != 0.0 && eta == 0.0 } else { eta != 0.0 }
+        if M == 2 { drag.chi != 0.0 && drag.eta == 0.0 } else { drag.eta != 0.0 }
     }
 
-    /// Puts a leg into a lane.
-    #[must_use]
-    pub fn start(&mut self, lane: usize, path: &ForcedPath, state: &ForcedState) -> Started {
+    /// Makes a lane idle.
+    fn leave(&mut self, lane: usize) -> Option<(Run, LanePiece<M>)> {
+        self.rows.marches[lane] = 0.0;
+        self.ways[lane].take()
+    }
+}
+
+impl<const M: u8> Lanes for Damped<M> {
+    const FEW: usize = LANES / 8;
+
+    fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started {
         if !Self::fits(path.drag) {
             return Started::Foreign;
         }
         let rows = &mut *self.rows;
-        let (run, piece) = match path.path.restoring {
+        let (run, piece) = match path.restoring {
             Restoring::Straight { at_start, slope } => {
-                let piece = Straight::along(at_start, slope, path);
+                let piece = DraggedStraight::along(at_start, slope, path);
                 (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (piece.a, piece.b, 0.0, 1.0);
-                (rows.chi[lane], rows.c[lane], rows.pull[lane]) = (piece.chi, piece.c, piece.pull);
-                (Run::begin(piece, path, state, self.tolerance), Piece::Straight(piece))
+                (rows.chi[lane], rows.c[lane]) = (piece.drag.chi, piece.drag.eta);
+                (Run::begin(piece, path, state, self.tolerance), LanePiece::Straight(piece))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
-                let piece = Hertz::<M>::along(coefficient, path);
+                let piece = DraggedHertz::<M>::along(coefficient, path);
                 (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (0.0, 0.0, piece.k, 0.0);
-                (rows.chi[lane], rows.c[lane], rows.pull[lane]) = (piece.chi, piece.c, piece.pull);
-                (Run::begin(piece, path, state, self.tolerance), Piece::Hertz(piece))
+                (rows.chi[lane], rows.c[lane]) = (piece.drag.chi, piece.drag.eta);
+                (Run::begin(piece, path, state, self.tolerance), LanePiece::Hertz(piece))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
         };
         let Some(run) = run else {
-            return Started::Landed(ForcedLanding::Turning, super::turned(*state));
+            return Started::Landed(Landing::Turning, State { speed: 0.0, ..*state });
         };
+        rows.pull[lane] = path.pull;
         rows.put(lane, &run);
         for (row, size) in rows.inverse_sizes.iter_mut().zip(run.inverse_sizes) {
             row[lane] = size;
@@ -103,8 +95,7 @@ impl<const M: u8> Lockstep<M> {
         Started::UnderWay
     }
 
-    /// One step in every lane. Each lane that is under way is to be told then.
-    pub fn step(&mut self) {
+    fn step(&mut self) -> bool {
         let rows = &mut *self.rows;
         self.arch.dispatch(Stepping::<M>(rows));
         // the slow functions in loops of their own, so that those of one lane overlap those of the next
@@ -126,11 +117,11 @@ impl<const M: u8> Lockstep<M> {
         } else {
             self.arch.dispatch(Onward(rows));
         }
+        true
     }
 
-    /// Tells a lane what the last step has come to. If its leg has ended, the lane is then idle.
     #[inline]
-    pub fn tell(&mut self, lane: usize) -> Option<Landed> {
+    fn take_landing(&mut self, lane: usize) -> Option<Landed> {
         let rows = &mut *self.rows;
         if rows.clear[lane] > 0.0 {
             return None;
@@ -140,8 +131,8 @@ impl<const M: u8> Lockstep<M> {
         let next = rows.step_of(lane);
         let verdict = Verdict { error: rows.error[lane], pace: rows.pace[lane] };
         let told = match piece {
-            Piece::Straight(piece) => run.tell(*piece, &next, verdict),
-            Piece::Hertz(piece) => run.tell(*piece, &next, verdict),
+            LanePiece::Straight(piece) => run.tell(*piece, &next, verdict),
+            LanePiece::Hertz(piece) => run.tell(*piece, &next, verdict),
         };
         let landed = match told {
             Ok(Progress::Again) => {
@@ -159,19 +150,12 @@ impl<const M: u8> Lockstep<M> {
         Some(landed)
     }
 
-    /// Makes a lane idle.
-    fn leave(&mut self, lane: usize) -> Option<(Run, Piece<M>)> {
-        self.rows.marches[lane] = 0.0;
-        self.ways[lane].take()
-    }
-
-    /// Takes the rest of a leg out of its lane and goes it alone.
-    pub fn finish(&mut self, lane: usize) -> Option<Landed> {
+    fn finish(&mut self, lane: usize) -> Option<Landed> {
         let (mut run, piece) = self.leave(lane)?;
         self.rows.catch_up(lane, &mut run);
         Some(match piece {
-            Piece::Straight(piece) => super::finish(piece, &mut run, None),
-            Piece::Hertz(piece) => super::finish(piece, &mut run, None),
+            LanePiece::Straight(piece) => finish(piece, &mut run, None),
+            LanePiece::Hertz(piece) => finish(piece, &mut run, None),
         })
     }
 }

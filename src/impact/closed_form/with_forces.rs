@@ -15,19 +15,18 @@
 //! So peak and rebound are roots in both, and the time is ∫ dx/u: in closed form on straight pieces under gravity, by a
 //! quadrature that knows the distances from both ends elsewhere.
 
-use super::forced::{Fate, ForcedOutcome, Load};
-use super::forces::Damping;
-use super::scales::ACCELERATION;
 use crate::functions::{atan, atan2, exp, exp_m1, ln_1p};
-use crate::integrate::State;
+use crate::impact::forces::Damping;
+use crate::impact::outcome::{Fate, Outcome};
+use crate::impact::scaled_forces::ScaledForces;
+use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::power::{power, power_turn};
 use crate::quadrature;
 
 /// Where an impact of energy `kinetic` (in units of Φ L) and weight w turns: the piece, and the distance from its start.
-#[must_use]
-pub fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
+fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     let pieces = law.loading.pieces();
     let touch = law.touch();
     // W(x) − w x is convex, and at most the energy up to the peak
@@ -41,11 +40,16 @@ pub fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     (last, way_to_turn(piece, rest, weight))
 }
 
-/// The whole way from first touch to there.
+/// The whole way from first touch to the turning point of an impact of energy `kinetic`, as it would be without damping.
 #[must_use]
-pub fn way_to_peak(law: &Law, kinetic: f64, weight: f64) -> f64 {
-    let (last, distance) = peak(law, kinetic, weight);
-    law.loading.pieces()[last].start - law.touch() + distance
+pub fn way_to_peak(law: &Law, kinetic: f64, forces: &ScaledForces) -> f64 {
+    let pieces = law.loading.pieces();
+    if forces.is_none() {
+        let last = &pieces[law.turning_piece(kinetic)];
+        return (last.start - pieces[0].start) + last.distance_at_work(kinetic);
+    }
+    let (last, distance) = peak(law, kinetic, forces.weight);
+    pieces[last].start - law.touch() + distance
 }
 
 /// Distance from the start of a piece, passed with energy `rest`, to the turning point.
@@ -62,7 +66,8 @@ fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
             let p = exponent + 1.0;
             let from_zero = rest + stiffness * power(lead, exponent) * lead / p - weight * lead;
             let mut d = power_turn(stiffness, exponent, from_zero.max(0.0), weight);
-            // a weight that the piece begins far below of: Newton's method from above, as in `power_turn`
+            // where the weight far exceeds the force at the start of the piece, digits are lost: Newton's method from above,
+            // as in `power_turn`, mends that
             for _ in 0..60 {
                 let force = stiffness * power(d, exponent);
                 let next = d - (force * d / p - from_zero - weight * d) / (force - weight);
@@ -155,14 +160,13 @@ fn has_closed_loading(law: &Law) -> bool {
 }
 
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
-#[must_use]
-pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
-    let chi = match load.damping {
-        Some(Damping::HuntCrossley(chi)) if load.weight == 0.0 || chi == 0.0 => chi,
+pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
+    let chi = match forces.damping {
+        Some(Damping::HuntCrossley(chi)) if forces.weight == 0.0 || chi == 0.0 => chi,
         None | Some(Damping::Viscous(0.0)) => 0.0,
         Some(_) => return None,
     };
-    let (speeds, weight) = (Speeds { chi }, load.weight);
+    let (speeds, weight) = (Speeds { chi }, forces.weight);
     if !has_closed_loading(law) {
         return None;
     }
@@ -177,7 +181,7 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let residual = law.dent(&unloading.peak).residual();
     let back = Back { unloading: &unloading, residual, weight, speeds, at_peak: loading_time };
     let Peak { elastic_approach, .. } = unloading.peak;
-    let is_captured = load.captures(&unloading, q);
+    let is_captured = forces.captures(&unloading, q);
     let is_elastic = chi == 0.0 && law.plastic(&unloading) == 0.0;
     let stored = unloading.capacity();
     // where the dent does not grow and nothing is lost the rebound is the impact
@@ -185,7 +189,8 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
     // under strong damping the speed no longer tells the energy
     let at_end = if chi == 0.0 { speeds.energy(-rebound) } else { recovered };
-    let end = if is_captured { back.to_rest(load) } else { back.to_separation(rebound, at_end) };
+    let (contact_time, end_indentation, end_speed) =
+        if is_captured { back.to_rest(forces) } else { back.to_separation(rebound, at_end) };
     let loss = if chi == 0.0 {
         0.0
     } else {
@@ -193,12 +198,14 @@ pub fn solve(law: &Law, q: f64, load: &Load) -> Option<ForcedOutcome> {
         let way_in = 0.4 * q * q - law.work_to(&unloading.peak);
         way_in + stored - 0.4 * rebound * rebound
     };
-    Some(ForcedOutcome {
+    Some(Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { rebound / q },
         loading_time,
-        end,
+        contact_time,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        end_indentation,
+        end_speed,
         loss,
     })
 }
@@ -267,24 +274,22 @@ struct Back<'a> {
 }
 
 impl Back<'_> {
-    /// To separation at the residual indentation.
-    fn to_separation(&self, rebound: f64, at_end: f64) -> State {
+    /// Time, x and u at separation, at the residual indentation.
+    fn to_separation(&self, rebound: f64, at_end: f64) -> (f64, f64, f64) {
         let length = self.unloading.peak.elastic_approach;
-        let time = self.at_peak + self.time(0.0, length, at_end);
-        State { time, distance: self.residual, speed: -rebound }
+        (self.at_peak + self.time(0.0, length, at_end), self.residual, -rebound)
     }
 
-    /// To the static indentation on the way out, where a captured contact's run ends.
-    fn to_rest(&self, load: &Load) -> State {
+    /// Time, x and u at the static indentation on the way out, where a captured contact's run ends.
+    fn to_rest(&self, forces: &ScaledForces) -> (f64, f64, f64) {
         let peak = &self.unloading.peak;
-        let at_rest = load.static_approach(self.unloading);
+        let at_rest = forces.static_approach(self.unloading);
         let length = (peak.elastic_approach - at_rest).max(0.0);
         let energy = ACCELERATION
             * (self.unloading.stiffness() * power_between(self.unloading.exponent, at_rest, length)
                 - self.weight * length);
         let speed = -self.speeds.speed(energy.max(0.0), -1.0);
-        let time = self.at_peak + self.time(at_rest, length, energy);
-        State { time, distance: self.residual + at_rest, speed }
+        (self.at_peak + self.time(at_rest, length, energy), self.residual + at_rest, speed)
     }
 
     /// From rest at the peak down a `length` to the elastic approach `low`, where the energy is `at_end`.

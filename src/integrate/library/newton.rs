@@ -1,52 +1,22 @@
-//! The crate `ode_solvers` behind [`ForcedIntegrator`], with the time as independent variable.
-//!
-//! The step that passes the end of a leg is thrown away, and from the state before it the rest is integrated to the time
-//! at which the event is, found by Newton's method: the event's derivative along the time is known from the state.
+//! Motions with pull and drag, with the time as independent variable, landed by Newton's method on the time of the event: the
+//! event's derivative along the time is known from the state.
 
 use std::cell::{Cell, RefCell};
 
 use nalgebra::Vector3;
 use ode_solvers::System;
 
-use super::forced::{ForcedIntegrator, ForcedLanding, ForcedPath, ForcedState, Rest};
-use super::motions::cubic_minimum;
-use super::ode_solvers::{Method, OdeSolvers};
-use super::{IntegrationError, Leg, Sampler, State, Work};
+use super::driver::{Driver, Node};
+use crate::integrate::cubic::cubic_minimum;
+use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
 use crate::root::next_guess;
 
-/// `ode_solvers` for motions with drag.
-#[derive(Debug, Clone)]
-pub struct OdeForced {
-    solver: OdeSolvers,
-    tolerance: f64,
-}
-
-impl OdeForced {
-    /// An integrator with this relative tolerance.
-    #[must_use]
-    pub fn new(method: Method, tolerance: f64) -> Self {
-        Self { solver: OdeSolvers::new(method, tolerance), tolerance }
-    }
-}
-
-/// [t, d, u, loss] in units of the sizes.
-type Node = [f64; 4];
-
-/// What ends a leg.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Event {
-    End,
-    Turning,
-    LiftOff,
-}
-
-impl Event {
-    fn landing(self, at: Node) -> (ForcedLanding, Node) {
-        match self {
-            Self::End => (ForcedLanding::End, at),
-            Self::Turning => (ForcedLanding::Turning, [at[0], at[1], 0.0, at[3]]),
-            Self::LiftOff => (ForcedLanding::LiftOff, at),
-        }
+/// The landing on a crossing, and the state there.
+fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
+    match event {
+        Crossing::End => (Landing::End, at),
+        Crossing::Turning => (Landing::Turning, [at[0], at[1], 0.0, at[3]]),
+        Crossing::LiftOff => (Landing::LiftOff, at),
     }
 }
 
@@ -54,41 +24,48 @@ impl Event {
 /// impact, beside which that of a creep is small: at looser tolerances its steps may even come to a halt before its end.
 const LOOSEST_CREEP: f64 = 1e-5;
 
+/// The tolerance of a leg.
+fn tolerance(driver: &Driver, path: &Path) -> f64 {
+    if path.rest.is_some() { driver.tolerance.min(LOOSEST_CREEP) } else { driver.tolerance }
+}
+
 /// Times nearer to each other than this, in units of size one, are one time.
 const RESOLUTION: f64 = 1e-14;
 
 /// The equations in variables of size one: y = (d, u, loss).
 struct Equations<'a> {
-    path: &'a ForcedPath,
-    /// Given: stops once past the end of the leg, and collects the nodes before it.
+    path: &'a Path,
+    /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
     nodes: Option<&'a RefCell<Vec<Node>>>,
-    landing: &'a Cell<Option<ForcedLanding>>,
+    landing: &'a Cell<Option<Landing>>,
     evaluations: &'a Cell<u64>,
 }
 
 impl Equations<'_> {
     /// Acceleration and what drag takes, in units of speed²/distance.
     fn accelerations(&self, d: f64, u: f64) -> (f64, f64) {
-        let sizes = &self.path.path.sizes;
+        let sizes = &self.path.sizes;
         let (distance, speed) = (d * sizes.distance, u * sizes.speed);
         let unit = sizes.distance / (sizes.speed * sizes.speed);
-        ((self.path.pull - self.path.contact(distance, speed)) * unit, self.path.drag(distance, speed) * unit)
+        let (force, drag) = self.path.forces(distance, speed);
+        ((self.path.pull - (force + drag)) * unit, drag * unit)
     }
 
     /// A function that falls through zero at the event, and its derivative along the time.
-    fn event(&self, event: Event, [_, d, u, _]: Node) -> (f64, f64) {
-        let sizes = &self.path.path.sizes;
-        let (sign, end) = match self.path.path.leg {
+    fn event(&self, event: Crossing, [_, d, u, _]: Node) -> (f64, f64) {
+        let sizes = &self.path.sizes;
+        let (sign, end) = match self.path.leg {
             Leg::Outward(end) => (1.0, end),
-            Leg::Back => (-1.0, self.path.back_to),
+            Leg::Back(end) => (-1.0, end),
         };
         let (acceleration, _) = self.accelerations(d, u);
         match event {
-            Event::End => (sign * (end / sizes.distance - d), -sign * u),
-            Event::Turning => (sign * u, sign * acceleration),
-            Event::LiftOff => {
+            Crossing::End => (sign * (end / sizes.distance - d), -sign * u),
+            Crossing::Turning => (sign * u, sign * acceleration),
+            Crossing::LiftOff => {
                 let of = |d: f64, u: f64| {
-                    let force = self.path.contact(d * sizes.distance, u * sizes.speed);
+                    let (force, drag) = self.path.forces(d * sizes.distance, u * sizes.speed);
+                    let force = force + drag;
                     // below zero the law goes on as an odd function, its drag as an even one
                     if d > 0.0 { force } else { force.min(0.0) }
                 };
@@ -102,35 +79,38 @@ impl Equations<'_> {
     }
 
     /// The event between two nodes; at the start of a leg they are one.
-    fn passed(&self, last: Node, node: Node) -> Option<Event> {
+    fn passed(&self, last: Node, node: Node) -> Option<Crossing> {
         let is_past = |event| self.event(event, node).0 <= 0.0;
-        let is_back = self.path.path.leg == Leg::Back;
-        if is_back && self.path.can_lift_off() && is_past(Event::LiftOff) {
-            return Some(Event::LiftOff);
+        if self.path.can_lift_off() && is_past(Crossing::LiftOff) {
+            return Some(Crossing::LiftOff);
         }
-        if node[0] > 0.0 && is_past(Event::Turning) && !self.cannot_turn(last, node) {
-            return Some(Event::Turning);
+        if node[0] > 0.0 && is_past(Crossing::Turning) && !self.cannot_turn(last, node) {
+            return Some(Crossing::Turning);
         }
-        is_past(Event::End).then_some(Event::End)
+        is_past(Crossing::End).then_some(Crossing::End)
+    }
+
+    /// +1 outward, −1 back.
+    fn sign(&self) -> f64 {
+        if matches!(self.path.leg, Leg::Back(_)) { -1.0 } else { 1.0 }
     }
 
     /// Whether at rest in this place the sphere would be pushed on, so that it cannot have turned there.
     fn is_pushed_on(&self, d: f64) -> bool {
-        let sign = if self.path.path.leg == Leg::Back { -1.0 } else { 1.0 };
         // next to its place of rest a turn is as good as rest
-        let distance = d * self.path.path.sizes.distance;
+        let distance = d * self.path.sizes.distance;
         let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
-        sign * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
+        self.sign() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
     }
 
     /// Whether a speed of the wrong sign is an error of the speed only, as in a creep that is slower than this error: not even
     /// without drag does the sphere come from `last` to where it could turn.
     fn cannot_turn(&self, last: Node, node: Node) -> bool {
-        let sign = if self.path.path.leg == Leg::Back { -1.0 } else { 1.0 };
+        let sign = self.sign();
         let time = node[0] - last[0];
         // on the way out only the pull speeds it up, on the way back only the law, the less the farther it has come
-        let sizes = &self.path.path.sizes;
-        let push = if sign > 0.0 { self.path.pull } else { self.path.path.restoring.at(last[1] * sizes.distance) };
+        let sizes = &self.path.sizes;
+        let push = if sign > 0.0 { self.path.pull } else { self.path.restoring.at(last[1] * sizes.distance) };
         let push = push * sizes.distance / (sizes.speed * sizes.speed);
         let way = ((sign * last[2]).max(0.0) + push * time) * time;
         self.is_pushed_on(last[1] + sign * way)
@@ -141,11 +121,12 @@ impl Equations<'_> {
     /// Whether the contact force vanishes and comes again on the step to this node.
     fn dips_before(&self, node: Node) -> bool {
         let Some(last) = self.nodes.and_then(|nodes| nodes.borrow().last().copied()) else { return false };
-        if self.path.path.leg != Leg::Back || !self.path.can_lift_off() || node[0] <= last[0] {
+        if !self.path.can_lift_off() || node[0] <= last[0] {
             return false;
         }
         let h = node[0] - last[0];
-        let ((before, falls), (after, rises)) = (self.event(Event::LiftOff, last), self.event(Event::LiftOff, node));
+        let ((before, falls), (after, rises)) =
+            (self.event(Crossing::LiftOff, last), self.event(Crossing::LiftOff, node));
         let (falls, rises) = (falls * h, rises * h);
         cubic_minimum(before, falls, after, rises).is_some_and(|x| {
             let y = 1.0 - x;
@@ -170,23 +151,24 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
             return true;
         }
         nodes.borrow_mut().push(node);
-        let sizes = &self.path.path.sizes;
+        let sizes = &self.path.sizes;
         let is_at_rest = time > 0.0 && self.path.is_at_rest(y[0] * sizes.distance, y[1] * sizes.speed);
         if is_at_rest {
-            self.landing.set(Some(ForcedLanding::Rest));
+            self.landing.set(Some(Landing::Rest));
         }
         is_at_rest
     }
 }
 
-impl OdeForced {
+impl Driver {
     /// The state a `time` after a node.
-    fn after(&mut self, path: &ForcedPath, node: Node, time: f64) -> Result<Node, IntegrationError> {
+    fn after(&mut self, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
-        let end = self.solver.drive(
+        let end = self.drive(
             equations,
             &evaluations,
+            tolerance(self, path),
             node[0],
             node[0] + time,
             Vector3::new(node[1], node[2], node[3]),
@@ -196,36 +178,35 @@ impl OdeForced {
 
     /// From the last node before an event to the event that comes first; `None` if at a loose tolerance the shorter steps
     /// of the search do not find what the long one had passed.
-    fn land(&mut self, path: &ForcedPath, node: Node) -> Result<Option<(ForcedLanding, Node)>, IntegrationError> {
+    fn land(&mut self, path: &Path, node: Node) -> Result<Option<(Landing, Node)>, IntegrationError> {
         let (evaluations, landing) = (Cell::new(0), Cell::new(None));
         let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
-        let is_back = path.path.leg == Leg::Back;
-        let lifts_off = is_back && path.can_lift_off();
-        let candidates = [if lifts_off { Event::LiftOff } else { Event::End }, Event::Turning];
-        let mut first: Option<(Event, Node)> = None;
+        let is_back = matches!(path.leg, Leg::Back(_));
+        let candidates = [if path.can_lift_off() { Crossing::LiftOff } else { Crossing::End }, Crossing::Turning];
+        let mut first: Option<(Crossing, Node)> = None;
         for event in candidates {
             let limit = first.map_or(f64::INFINITY, |(_, at)| at[0] - node[0]);
             let Some(at) = self.reach(&equations(), path, event, node, limit)? else { continue };
-            if event == Event::Turning && equations().is_pushed_on(at[1]) {
+            if event == Crossing::Turning && equations().is_pushed_on(at[1]) {
                 continue;
             }
             if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
                 first = Some((event, at));
             }
             // still on its way, it has not turned before
-            if event != Event::Turning && (at[2] > 0.0) != is_back {
+            if event != Crossing::Turning && (at[2] > 0.0) != is_back {
                 break;
             }
         }
-        Ok(first.map(|(event, at)| event.landing(at)))
+        Ok(first.map(|(event, at)| landing_on(event, at)))
     }
 
     /// The state at an event behind `node`, by Newton's method on the time; `None` if it is not within reach.
     fn reach(
         &mut self,
         equations: &Equations,
-        path: &ForcedPath,
-        event: Event,
+        path: &Path,
+        event: Crossing,
         node: Node,
         limit: f64,
     ) -> Result<Option<Node>, IntegrationError> {
@@ -240,7 +221,7 @@ impl OdeForced {
             if value > 0.0 && slope < 0.0 {
                 low = tau;
             } else if value > 0.0 && tau > 0.0 {
-                // it goes away again: it was met before, or never
+                // the function rises, so the event is earlier, if it is met at all
                 high = tau;
                 turns += 1;
                 if turns > 3 {
@@ -260,7 +241,7 @@ impl OdeForced {
             at = self.after(path, node, tau)?;
         }
         // the bracket has closed on it, or it was met from before
-        let size = if event == Event::LiftOff { equations.event(event, node).0 } else { 1.0 };
+        let size = if event == Crossing::LiftOff { equations.event(event, node).0 } else { 1.0 };
         let is_there = is_passed || is_met || equations.event(event, at).0.abs() <= 1e-9 * size;
         Ok(is_there.then_some(at))
     }
@@ -269,7 +250,7 @@ impl OdeForced {
     fn between(
         &mut self,
         equations: &Equations,
-        event: Event,
+        event: Crossing,
         node: Node,
         time: f64,
     ) -> Result<Node, IntegrationError> {
@@ -294,78 +275,50 @@ impl OdeForced {
     }
 }
 
-impl ForcedIntegrator for OdeForced {
-    fn traverse(
-        &mut self,
-        path: &ForcedPath,
-        state: &mut ForcedState,
-        samples: Option<&mut Sampler>,
-    ) -> Result<ForcedLanding, IntegrationError> {
-        /// Longer than any leg but one of an overdamped sphere that creeps.
-        const LONG: f64 = 1e6;
-        /// Steps that pass an event and are found not to, and how far they are followed.
-        const MOST_ATTEMPTS: u64 = 10_000;
-        const STRETCH: f64 = 0.25;
-        let super::Sizes { distance, speed } = path.path.sizes;
-        let unit_of_time = distance / speed;
-        let begun = state.state;
-        self.solver.begin_leg();
-        self.solver.tolerance = if path.rest.is_some() { self.tolerance.min(LOOSEST_CREEP) } else { self.tolerance };
-        let start = [0.0, begun.distance / distance, begun.speed / speed, state.loss / (speed * speed)];
-        let nodes = RefCell::new(vec![start]);
-        let (evaluations, resting) = (Cell::new(0), Cell::new(None));
-        let mut landed = None;
-        for _ in 0..MOST_ATTEMPTS {
-            let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
-            let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
-            self.solver.drive(equations, &evaluations, t, LONG, Vector3::new(d, u, loss))?;
-            let last = nodes.borrow().last().copied().unwrap_or(start);
-            landed = match resting.get() {
-                Some(landing) => Some((landing, last)),
-                None => self.land(path, last)?,
-            };
-            if landed.is_some() {
+/// The nodes of a leg, its landing and the state there.
+pub(super) fn run(
+    driver: &mut Driver,
+    path: &Path,
+    start: Node,
+) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
+    /// Longer than any leg but one of an overdamped sphere that creeps.
+    const LONG: f64 = 1e6;
+    /// Steps that pass an event and are found not to, and how far they are followed.
+    const MOST_ATTEMPTS: u64 = 10_000;
+    const STRETCH: f64 = 0.25;
+    let nodes = RefCell::new(vec![start]);
+    let (evaluations, resting) = (Cell::new(0), Cell::new(None));
+    let mut landed = None;
+    for _ in 0..MOST_ATTEMPTS {
+        let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
+        let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
+        driver.drive(equations, &evaluations, tolerance(driver, path), t, LONG, Vector3::new(d, u, loss))?;
+        let last = nodes.borrow().last().copied().unwrap_or(start);
+        landed = match resting.get() {
+            Some(landing) => Some((landing, last)),
+            None => driver.land(path, last)?,
+        };
+        if landed.is_some() {
+            break;
+        }
+        let further = driver.after(path, last, STRETCH)?;
+        let equations = Equations { path, nodes: None, landing: &resting, evaluations: &evaluations };
+        if let Some(event) = equations.passed(last, further)
+            && equations.event(event, last).0 > 0.0
+        {
+            let at = driver.between(&equations, event, last, STRETCH)?;
+            if event != Crossing::Turning || !equations.is_pushed_on(at[1]) {
+                landed = Some(landing_on(event, at));
                 break;
             }
-            let further = self.after(path, last, STRETCH)?;
-            let equations = Equations { path, nodes: None, landing: &resting, evaluations: &evaluations };
-            if let Some(event) = equations.passed(last, further)
-                && equations.event(event, last).0 > 0.0
-            {
-                let at = self.between(&equations, event, last, STRETCH)?;
-                if event != Event::Turning || !equations.is_pushed_on(at[1]) {
-                    landed = Some(event.landing(at));
-                    break;
-                }
-            }
-            nodes.borrow_mut().push(further);
         }
-        let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
-        let nodes = nodes.into_inner();
-        if let Some(samples) = samples {
-            while let Some(time) = samples.due_before(begun.time + end[0] * unit_of_time) {
-                let t = (time - begun.time) / unit_of_time;
-                let node = nodes[nodes.partition_point(|node| node[0] <= t).saturating_sub(1)];
-                let [_, d, u, loss] = self.after(path, node, t - node[0])?;
-                samples.take(State { time, distance: d * distance, speed: u * speed });
-                samples.losses.push(loss * speed * speed);
-            }
-        }
-        let landed = match (landing, path.path.leg) {
-            (ForcedLanding::End, Leg::Outward(at)) => at,
-            (ForcedLanding::End, Leg::Back) => path.back_to,
-            _ => end[1] * distance,
-        };
-        let time = begun.time + end[0] * unit_of_time;
-        *state = ForcedState {
-            state: State { time, distance: landed, speed: end[2] * speed },
-            loss: end[3] * speed * speed,
-        };
-        Ok(landing)
+        nodes.borrow_mut().push(further);
     }
+    let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
+    Ok((nodes.into_inner(), landing, end))
+}
 
-    fn work(&self) -> Work {
-        use super::Integrator as _;
-        self.solver.work()
-    }
+/// The state at `time`, from a node before it.
+pub(super) fn after(driver: &mut Driver, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
+    driver.after(path, node, time - node[0])
 }

@@ -1,0 +1,106 @@
+//! One impact to be computed: its units, law, dimensionless speed and forces.
+
+use std::sync::LazyLock;
+
+use super::contact::Contact;
+use super::forces::Damping;
+use super::scaled_forces::ScaledForces;
+use super::scales::Scales;
+use crate::law::Law;
+use crate::material::{OutOfFloatRange, normal};
+
+/// One impact to be computed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Case<'a> {
+    /// Its units.
+    pub(super) scales: Scales,
+    /// The law in these units.
+    pub(super) law: &'a Law,
+    /// v/V.
+    pub(super) q: f64,
+    /// What acts beside the law.
+    pub(super) forces: ScaledForces,
+}
+
+impl Contact {
+    /// Units, law and dimensionless speed of an impact without gravity and damping: an elastic one is the same for every
+    /// scene.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where peak force, indentation or energy leave double precision.
+    pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
+        match &self.yielding {
+            Some((scales, law)) if speed > self.yield_speed => Ok((*scales, law, ratio(speed, scales)?)),
+            _ => Ok((Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0)),
+        }
+    }
+
+    /// The impact at a speed; on a spot that was loaded before, by the law of that spot, in units of the yield point.
+    #[inline]
+    pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
+        if !self.forces().is_none() {
+            return self.case_with_forces(spot, speed);
+        }
+        let (scales, law, q) = match (&self.yielding, spot) {
+            (Some((scales, _)), Some(law)) => (*scales, law, ratio(speed, scales)?),
+            _ => self.scaled(speed)?,
+        };
+        Ok(Case { scales, law, q, forces: ScaledForces::NONE })
+    }
+
+    /// The same under gravity or damping, also for a sphere that is let go at rest.
+    fn case_with_forces<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
+        let gravity = self.forces().gravity.unwrap_or(0.0);
+        let weight = self.mass() * gravity;
+        // damping removes energy: an impact that stays elastic without it does so with it
+        let yields = self.yielding.as_ref().filter(|(scales, law)| {
+            let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
+            let until = law.elastic_until();
+            // a law without an elastic regime yields at once
+            spot.is_some() || until == 0.0 || 0.4 * q * q + weight / scales.force * until > 0.4 * least * least
+        });
+        let (scales, law, q) = match yields {
+            Some((scales, law)) => {
+                let ratio = speed / scales.speed;
+                let energy = ratio * ratio + weight / scales.force;
+                normal("kinetic energy and weight in units of those at first yield", energy)?;
+                (*scales, spot.unwrap_or(law), ratio)
+            }
+            None if gravity > 0.0 => {
+                let scales = self.scales_of_drop(speed, gravity)?;
+                (scales, hertz(), speed / scales.speed)
+            }
+            None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
+        };
+        let damping = self.forces().damping.map(|damping| match damping {
+            Damping::HuntCrossley(chi) => Damping::HuntCrossley(chi * scales.speed),
+            viscous @ Damping::Viscous(_) => viscous,
+        });
+        Ok(Case { scales, law, q, forces: ScaledForces { weight: weight / scales.force, damping } })
+    }
+
+    /// Hertz scales of an elastic impact under gravity: L where (2/5) K L^2.5 = ½ m v² + m g L, Φ = K L^1.5, and
+    /// ½ m V² = (2/5) Φ L.
+    fn scales_of_drop(&self, speed: f64, gravity: f64) -> Result<Scales, OutOfFloatRange> {
+        let stiffness = self.pair().hertz_stiffness();
+        let per_mass = stiffness / self.mass();
+        let length =
+            normal("peak indentation (m)", crate::power::power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity))?;
+        let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
+        let contact_radius = (self.pair().radius * length).sqrt();
+        Ok(Scales { length, force, speed: (speed * speed + 2.0 * gravity * length).sqrt(), contact_radius })
+    }
+}
+
+/// q = v/V in the units of the yield point.
+fn ratio(speed: f64, scales: &Scales) -> Result<f64, OutOfFloatRange> {
+    let ratio = speed / scales.speed;
+    normal("kinetic energy in units of that at first yield", ratio * ratio)?;
+    Ok(ratio)
+}
+
+/// Hertz without end: the law of every impact that stays elastic, in its own units.
+fn hertz() -> &'static Law {
+    static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
+    &HERTZ
+}

@@ -1,0 +1,139 @@
+//! What stays the same along a speed axis: bodies, law, scales and what acts beside the law.
+
+use super::error::ImpactError;
+use super::forces::Forces;
+use super::scales::Scales;
+use super::waves::Waves;
+use crate::functions::pow;
+use crate::law::{Bodies, ContactLaw, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
+
+/// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    sphere: Sphere,
+    half_space: HalfSpace,
+    pair: Pair,
+    /// Of the sphere \[kg\].
+    mass: f64,
+    /// Law and scales of the yielding contact.
+    pub(super) yielding: Option<(Scales, Law)>,
+    /// The slowest impact that yields \[m/s\]; infinite without one.
+    pub(super) yield_speed: f64,
+    /// What acts beside the law.
+    forces: Forces,
+    /// How the half-space radiates, if its density is known.
+    waves: Option<Waves>,
+}
+
+impl Contact {
+    /// Pairs the bodies under the PLM law (or Hertz alone, for a half-space without a yield strength).
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
+    pub fn try_new(
+        sphere: Sphere,
+        half_space: HalfSpace,
+        coefficients: &PlmCoefficients,
+        exponent: UnloadingExponent,
+    ) -> Result<Self, OutOfFloatRange> {
+        let mass = normal("sphere mass (kg)", sphere.mass())?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
+        let yielding = pair.yield_point.map(|point| {
+            let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
+            Ok((Scales::of_yield(&point, point.speed(mass)?), law))
+        });
+        Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
+    }
+
+    /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength).
+    ///
+    /// # Errors
+    /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
+    /// loading or no unloading (see [`Combined`](crate::law::combined::Combined)).
+    pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
+        let mass = normal("sphere mass (kg)", sphere.mass())?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
+        let yielding = Bodies::new(&pair, &half_space).map(|bodies| {
+            let point = bodies.yield_point;
+            let name = law.about().name;
+            let law = law.law(&bodies).ok_or(OutsideLaw::Incomplete { name })?;
+            Ok::<_, ImpactError>((Scales::of_yield(&point, point.speed(mass)?), law))
+        });
+        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?)?)
+    }
+
+    fn new(
+        sphere: Sphere,
+        half_space: HalfSpace,
+        pair: Pair,
+        mass: f64,
+        yielding: Option<(Scales, Law)>,
+    ) -> Result<Self, OutOfFloatRange> {
+        // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
+        let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
+            let until = law.elastic_until();
+            if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) }
+        });
+        let waves = Waves::of(&half_space)?;
+        Ok(Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default(), waves })
+    }
+
+    /// The same contact with gravity and damping.
+    #[must_use]
+    pub fn with_forces(self, forces: Forces) -> Self {
+        Self { forces, ..self }
+    }
+
+    /// The sphere.
+    #[must_use]
+    pub fn sphere(&self) -> &Sphere {
+        &self.sphere
+    }
+
+    /// The half-space.
+    #[must_use]
+    pub fn half_space(&self) -> &HalfSpace {
+        &self.half_space
+    }
+
+    /// Effective modulus, shares of compliance, yield point.
+    #[must_use]
+    pub fn pair(&self) -> &Pair {
+        &self.pair
+    }
+
+    /// Gravity and damping.
+    #[must_use]
+    pub fn forces(&self) -> &Forces {
+        &self.forces
+    }
+
+    /// How the half-space radiates elastic waves; `None` for one of unknown density.
+    #[must_use]
+    pub fn waves(&self) -> Option<&Waves> {
+        self.waves.as_ref()
+    }
+
+    /// Mass of the sphere \[kg\].
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, and for
+    /// a law without an elastic regime.
+    #[must_use]
+    pub fn yield_speed(&self) -> Option<f64> {
+        (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
+    }
+
+    /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
+    #[must_use]
+    pub fn yields_at(&self) -> Option<(f64, f64)> {
+        let (scales, law) = self.yielding.as_ref()?;
+        self.yield_speed()?;
+        let until = law.elastic_until();
+        Some((scales.length * until, scales.force * crate::power::power(until, 1.5)))
+    }
+}

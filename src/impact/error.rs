@@ -1,0 +1,26 @@
+//! Why an impact has no result.
+
+use thiserror::Error;
+
+use crate::integrate::IntegrationError;
+use crate::law::OutsideLaw;
+use crate::material::OutOfFloatRange;
+
+/// Why an impact has no result.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ImpactError {
+    /// A quantity outside double precision.
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    /// The integrator gave up.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// The law has no answer for this impact.
+    #[error(transparent)]
+    Law(#[from] OutsideLaw),
+    /// No closed form for this scene.
+    #[error(
+        "method \"closed_form\" gives no trace under gravity or damping; without a trace it gives gravity alone or Hunt-Crossley damping alone, on laws whose force is made of power laws and straight lines: use \"auto\" or \"rk8\""
+    )]
+    NoClosedForm,
+}

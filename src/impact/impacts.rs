@@ -1,0 +1,183 @@
+//! The impacts of a contact: results of one, rows of tables, many in lock step.
+
+use std::sync::LazyLock;
+
+use super::case::Case;
+use super::contact::Contact;
+use super::error::ImpactError;
+use super::essentials::Essentials;
+use super::outcome::Outcome;
+use super::record::Recorder;
+use super::result::Impact;
+use super::scaled_forces::ScaledForces;
+use super::solve::{Method, Solver, run};
+use super::{batch, closed_form, validity};
+use crate::integrate::IntegrationError;
+use crate::law::{ElasticApproach, Law};
+
+impl Case<'_> {
+    fn exact(&self) -> Option<Outcome> {
+        closed_form::solve_with(self.law, self.q, &self.forces)
+    }
+}
+
+impl Contact {
+    /// The exact outcome of an impact, without stepping.
+    ///
+    /// # Errors
+    /// [`ImpactError::Range`], see [`Contact::scaled`]; [`ImpactError::NoClosedForm`] where damping leaves none.
+    pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
+        self.impact(speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
+    }
+
+    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form, or by
+    /// rk8 at the default tolerance where [`Contact::auto_integrates`].
+    ///
+    /// # Errors
+    /// [`ImpactError`] where the result leaves double precision, the law has no answer, or the integrator gives up.
+    #[inline]
+    pub fn essentials(&self, speed: f64) -> Result<Essentials, ImpactError> {
+        if self.forces().is_none() {
+            return self.essentials_of_law(speed);
+        }
+        self.essentials_by(speed, &Solver { method: Method::Auto, ..Solver::default() })
+    }
+
+    /// What a table holds of an impact by this solver.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
+    /// method does not fit.
+    pub fn essentials_by(&self, speed: f64, solver: &Solver) -> Result<Essentials, ImpactError> {
+        if self.forces().is_none() && matches!(solver.method, Method::Auto | Method::ClosedForm) {
+            return self.essentials_of_law(speed);
+        }
+        let case = self.case(None, speed)?;
+        // the closed form itself, or the duration that a fixed step is a part of
+        let needs_exact = match solver.method {
+            Method::Auto => case.forces.is_conservative(),
+            method => matches!(method, Method::ClosedForm | Method::Verlet),
+        };
+        let exact = if needs_exact { case.exact() } else { None };
+        if exact.is_none() && solver.method == Method::ClosedForm {
+            return Err(ImpactError::NoClosedForm);
+        }
+        let (outcome, _) = run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?;
+        self.essentials_of(speed, &case, &outcome)
+    }
+
+    fn essentials_of_law(&self, speed: f64) -> Result<Essentials, ImpactError> {
+        // in its own scales every elastic impact is the same
+        static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
+        let case = self.case(None, speed)?;
+        let outcome = match case.law.elastic {
+            ElasticApproach::All if case.q == 1.0 => *ELASTIC,
+            _ => closed_form::solve(case.law, case.q),
+        };
+        self.essentials_of(speed, &case, &outcome)
+    }
+
+    /// What a table holds of this outcome.
+    fn essentials_of(&self, speed: f64, case: &Case, outcome: &Outcome) -> Result<Essentials, ImpactError> {
+        case.law.accept(&outcome.unloading.peak)?;
+        Essentials::new(self, speed, case, outcome)
+    }
+
+    /// As [`Contact::essentials_by`], of many impacts of these contacts at these speeds \[m/s\]: those that rk8 computes are
+    /// integrated in lock step.
+    #[must_use]
+    pub fn essentials_together(impacts: &[(&Self, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
+        let cases: Vec<_> = impacts.iter().map(|(contact, speed)| contact.case(None, *speed)).collect();
+        let is_stepped = |case: &Case| match solver.method {
+            Method::Rk8 => true,
+            Method::Auto => !case.forces.is_conservative(),
+            _ => false,
+        };
+        let stepped = cases.iter().flatten().filter(|case| is_stepped(case));
+        let problems: Vec<_> = stepped.map(|case| (case.law, case.q, case.forces)).collect();
+        let mut outcomes = batch::integrate(&problems, solver.tolerance).into_iter();
+        let rows = impacts.iter().zip(cases).map(|((contact, speed), case)| {
+            let case = case?;
+            if !is_stepped(&case) {
+                return contact.essentials_by(*speed, solver);
+            }
+            // there is one outcome for every case that is stepped
+            let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
+            contact.essentials_of(*speed, &case, &outcome)
+        });
+        rows.collect()
+    }
+
+    /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers
+    /// nor straight lines. Elsewhere it takes the closed form.
+    #[must_use]
+    pub fn auto_integrates(&self) -> bool {
+        let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !closed_form::closes(law));
+        self.forces().damping.is_some() || self.forces().gravity.is_some() && is_open()
+    }
+
+    /// Whether double precision holds an impact at `speed` \[m/s\], or the one without damping, which is deeper: what it does
+    /// not hold no integration can.
+    ///
+    /// # Errors
+    /// [`ImpactError`], see [`Contact::scaled`].
+    pub fn holds(&self, speed: f64) -> Result<(), ImpactError> {
+        let case = self.case(None, speed)?;
+        let is_damped = case.forces.damping.is_some();
+        let forces = ScaledForces { damping: None, ..case.forces };
+        if let Some(outcome) = closed_form::solve_with(case.law, case.q, &forces) {
+            match self.essentials_of(speed, &case, &outcome) {
+                // the shallower peak may be one that the law has an answer for
+                Err(ImpactError::Law(_)) if is_damped => {}
+                row => drop(row?),
+            }
+        }
+        Ok(())
+    }
+
+    /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first
+    /// touch and separation among them) and a row for every other event.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
+    pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
+        let case = self.case(None, speed)?;
+        self.impact_of(&case, speed, solver, samples).map(|(impact, _)| impact)
+    }
+
+    /// The same of a case at that speed, with its dimensionless outcome.
+    pub(super) fn impact_of(
+        &self,
+        case: &Case,
+        speed: f64,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<(Impact, Outcome), ImpactError> {
+        let Case { law, q, forces, .. } = case;
+        let exact = case.exact();
+        let method = solver.method.chosen(forces, exact.is_some(), samples.is_some());
+        let solver = Solver { method, ..*solver };
+        if method == Method::ClosedForm && (exact.is_none() || samples.is_some() && !forces.is_none()) {
+            return Err(ImpactError::NoClosedForm);
+        }
+        if let Some(exact) = exact.as_ref().filter(|_| forces.is_none()) {
+            law.accept(&exact.unloading.peak)?;
+        }
+        // an impact under forces does not say beforehand how long it lasts: once to know, once to sample
+        let duration = match (&exact, samples) {
+            (_, None) => 0.0,
+            (Some(exact), _) if forces.is_none() => exact.contact_time,
+            _ => run(law, *q, forces, exact.as_ref(), &solver, None)?.0.contact_time,
+        };
+        let mut recorder = samples.map(|samples| Recorder::new(samples, duration));
+        let (outcome, work) = run(law, *q, forces, exact.as_ref(), &solver, recorder.as_mut())?;
+        let peak = &outcome.unloading.peak;
+        if !forces.is_none() {
+            law.accept(peak)?;
+        }
+        let points = recorder.map_or_else(Vec::new, |recorder| recorder.points);
+        let mut impact = Impact::new(self, speed, case, method, (&outcome, work), exact.as_ref(), &points)?;
+        impact.warnings = validity::warnings(self, &impact, law, peak, &solver);
+        Ok((impact, outcome))
+    }
+}

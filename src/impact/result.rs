@@ -1,0 +1,263 @@
+//! What an impact comes to in SI units, as every report and plot reads it.
+
+use super::case::Case;
+use super::contact::Contact;
+use super::error::ImpactError;
+use super::essentials::Essentials;
+use super::ledger::{Ledger, TraceRow};
+use super::outcome::{Fate, Outcome};
+use super::record::Point;
+use super::solve::Method;
+use super::warning::Warning;
+use crate::integrate::{IntegrationError, Work};
+use crate::power::max_or_nan;
+
+/// Where the kinetic energy went \[J\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energy {
+    /// ½ m v².
+    pub kinetic_in: f64,
+    /// ½ m (e v)².
+    pub recovered: f64,
+    /// Spent on the dent, W(δ_m) − F_m δ_e/(n + 1); `None` for a half-space without a yield strength.
+    pub plastic: Option<f64>,
+    /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the
+    /// error of the run as the run itself can see it.
+    pub drift: f64,
+}
+
+/// The error of the integration against the closed form (both relative).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    /// e of the closed form.
+    pub closed_form_restitution: f64,
+    /// |e − e_exact| / e_exact.
+    pub restitution_error: f64,
+    /// |T − T_exact| / T_exact.
+    pub contact_time_error: f64,
+}
+
+impl Accuracy {
+    /// Of an outcome; not a number without a closed form.
+    fn of(outcome: &Outcome, exact: Option<&Outcome>) -> Self {
+        let relative = |got: f64, want: f64| if got == want { 0.0 } else { (got / want - 1.0).abs() };
+        let error = |part: fn(&Outcome) -> f64| exact.map_or(f64::NAN, |exact| relative(part(outcome), part(exact)));
+        Self {
+            closed_form_restitution: exact.map_or(f64::NAN, |exact| exact.restitution),
+            restitution_error: error(|outcome| outcome.restitution),
+            contact_time_error: error(|outcome| outcome.contact_time),
+        }
+    }
+}
+
+/// What only an impact under gravity or damping has. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnderForces {
+    /// Whether the sphere left.
+    pub fate: Fate,
+    /// Time of separation, or where the run of a captured sphere ends \[s\].
+    pub end_time: f64,
+    /// δ at that time \[m\].
+    pub end_indentation: f64,
+    /// δ at which the unloading branch carries the weight \[m\]: where a captured sphere comes to rest.
+    pub static_indentation: Option<f64>,
+    /// Taken by damping \[J\] until separation, or until the end of the run of a captured sphere.
+    pub damping_loss: Option<f64>,
+    /// Elastic energy left \[J\] where the sphere lifts off a contact that has not yet recovered, as it does under viscous
+    /// damping: no force is left then, so the contact's own damping takes it afterwards. `None` where there is none by rule.
+    pub stored_at_separation: Option<f64>,
+    /// m g times the way since first touch \[J\].
+    pub gravity_work: Option<f64>,
+}
+
+/// One impact: every report and every picture reads this. SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// Impact speed v \[m/s\].
+    pub speed: f64,
+    /// How it was computed: never `Auto`, but what that chose.
+    pub method: Method,
+    /// e \[1\].
+    pub restitution: f64,
+    /// 2 W_rad/(m v²) \[1\]: share of the energy radiated as elastic waves, to first order; `None` where the half-space's
+    /// density is not known, under gravity or damping, and where the force of the law jumps on the way.
+    pub wave_loss_fraction: Option<f64>,
+    /// √(e² − loss) \[1\], not below 0; `None` as above.
+    pub restitution_with_waves: Option<f64>,
+    /// e v \[m/s\].
+    pub rebound_speed: f64,
+    /// First touch to separation \[s\]; infinite for a captured sphere.
+    pub contact_time: f64,
+    /// First touch to maximum compression \[s\].
+    pub loading_time: f64,
+    /// F_m \[N\].
+    pub peak_force: f64,
+    /// δ_m \[m\].
+    pub peak_indentation: f64,
+    /// δ_sm \[m\].
+    pub peak_sphere_indentation: f64,
+    /// δ_e = δ_m − δ_r \[m\].
+    pub elastic_approach: f64,
+    /// n of the unloading branch.
+    pub unloading_exponent: f64,
+    /// δ_r \[m\]: depth of the dent; 0 without one.
+    pub residual_indentation: f64,
+    /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24) also where the branch is no 3/2 power; R
+    /// without a dent.
+    pub unloading_radius: f64,
+    /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
+    pub residual_radius: Option<f64>,
+    /// a_m \[m\]: how good it is, [`Law::contact_radius`](crate::law::Law::contact_radius) says.
+    pub peak_contact_radius: f64,
+    /// F_m/(π a_m²) \[Pa\].
+    pub peak_mean_pressure: f64,
+    /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
+    pub dent_radius: Option<f64>,
+    /// Where the energy went.
+    pub energy: Energy,
+    /// What it cost.
+    pub work: Work,
+    /// Error against the closed form; not a number where damping leaves none.
+    pub accuracy: Accuracy,
+    /// Fate, losses and work under gravity or damping, if the scene names them.
+    pub under_forces: Option<UnderForces>,
+    /// Where the model or the run is doubtful.
+    pub warnings: Vec<Warning>,
+    /// The trace, empty if none was asked for; rows rise in time.
+    pub trace: Vec<TraceRow>,
+}
+
+impl Impact {
+    /// The result of an outcome; `exact` is the closed form, where there is one, and `points` the trace. Without warnings.
+    pub(super) fn new(
+        contact: &Contact,
+        speed: f64,
+        case: &Case,
+        method: Method,
+        (outcome, work): (&Outcome, Work),
+        exact: Option<&Outcome>,
+        points: &[Point],
+    ) -> Result<Self, ImpactError> {
+        let Case { scales, law, forces, .. } = case;
+        let essentials = Essentials::new(contact, speed, case, outcome)?;
+        let Essentials { restitution, kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
+        let pair = contact.pair();
+        let peak = &outcome.unloading.peak;
+        let ledger = Ledger::new(case, speed, &essentials, outcome);
+        let mut trace: Vec<TraceRow> =
+            points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
+        let rows = trace.iter().map(|row| row.energy_drift);
+        let drift =
+            rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
+        if !drift.is_finite() {
+            // from the first row of the trace on, or from the end
+            let row = trace.iter().find(|row| !row.energy_drift.is_finite());
+            let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
+            return Err(IntegrationError::NotFinite { time }.into());
+        }
+        if !forces.is_none() {
+            drop_twin_of_end(&mut trace);
+        }
+        let has_dent = essentials.has_dent();
+        let dent = law.dent(peak);
+        let radius_ratio = dent.unloading_radius_ratio();
+        let is_captured = outcome.fate == Fate::Captured;
+        let energy = scales.energy();
+        let plastic = if forces.is_none() {
+            essentials.plastic_fraction * kinetic_in
+        } else {
+            law.plastic(&outcome.unloading) * energy
+        };
+        let under_forces = (!contact.forces().is_none()).then(|| {
+            let lifts_off = !is_captured && forces.drag().lifts_off();
+            let sunk = outcome.end_indentation - law.touch();
+            UnderForces {
+                fate: outcome.fate,
+                end_time: outcome.contact_time * scales.time(),
+                end_indentation: outcome.end_indentation * scales.length,
+                static_indentation: is_captured
+                    .then(|| forces.static_indentation(law, &outcome.unloading) * scales.length),
+                damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
+                stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
+                gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
+            }
+        });
+        Ok(Self {
+            speed,
+            method,
+            restitution,
+            wave_loss_fraction: essentials.wave_loss_fraction,
+            restitution_with_waves: essentials.restitution_with_waves(),
+            rebound_speed: restitution * speed,
+            contact_time: essentials.contact_time,
+            loading_time: outcome.loading_time * scales.time(),
+            peak_force,
+            peak_indentation: essentials.peak_indentation,
+            peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
+            elastic_approach: peak.elastic_approach * scales.length,
+            unloading_exponent: outcome.unloading.exponent,
+            residual_indentation: essentials.residual_indentation,
+            unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
+            residual_radius: (has_dent && radius_ratio > 1.0)
+                .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
+            peak_contact_radius,
+            peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
+            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(&dent)),
+            energy: Energy {
+                kinetic_in,
+                recovered: kinetic_in * essentials.recovered_fraction(),
+                plastic: pair.yield_point.map(|_| plastic),
+                drift,
+            },
+            work,
+            accuracy: Accuracy::of(outcome, exact),
+            under_forces,
+            warnings: Vec::new(),
+            trace,
+        })
+    }
+
+    /// What became of a sphere that stays, if it does.
+    #[must_use]
+    pub fn captured(&self) -> Option<&UnderForces> {
+        self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
+    }
+
+    /// How long the impact was followed \[s\]: the contact time, or to where the run of a captured sphere ends.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.captured().map_or(self.contact_time, |under| under.end_time)
+    }
+
+    /// Whether the impact left a dent.
+    #[must_use]
+    pub fn has_dent(&self) -> bool {
+        self.dent_radius.is_some()
+    }
+}
+
+/// A sample, or a peak, at the very time at which the run ends says nothing beside the end.
+fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
+    while let [.., before, end] = trace.as_slice()
+        && before.time == end.time
+    {
+        trace.remove(trace.len() - 2);
+    }
+}
+
+impl From<&Impact> for Essentials {
+    fn from(impact: &Impact) -> Self {
+        let kinetic_in = impact.energy.kinetic_in;
+        Self {
+            restitution: impact.restitution,
+            contact_time: impact.contact_time,
+            peak_force: impact.peak_force,
+            peak_indentation: impact.peak_indentation,
+            residual_indentation: impact.residual_indentation,
+            peak_contact_radius: impact.peak_contact_radius,
+            kinetic_in,
+            plastic_fraction: impact.energy.plastic.unwrap_or(0.0) / kinetic_in,
+            wave_loss_fraction: impact.wave_loss_fraction,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! How an impact is computed: the methods, what controls their error, and one dimensionless impact by any of them.
+
+use super::closed_form;
+use super::course;
+use super::outcome::Outcome;
+use super::record::Recorder;
+use super::scaled_forces::ScaledForces;
+use super::verlet;
+use crate::integrate::exact::Exact;
+use crate::integrate::library::{Library, Pair};
+use crate::integrate::rk8::Rk8;
+use crate::integrate::{IntegrationError, Integrator, Work};
+use crate::law::Law;
+
+/// How an impact is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// The cheapest that is exact for the scene, see [`Method::chosen`].
+    Auto,
+    /// Our adaptive Runge-Kutta-Nyström of order 8.
+    Rk8,
+    /// `ode_solvers` Dormand-Prince 5(4).
+    Dopri5,
+    /// `ode_solvers` Dormand-Prince 8(5,3).
+    Dop853,
+    /// Velocity Verlet with a fixed step, as DEM codes do.
+    Verlet,
+    /// Energy balance and exact times, no stepping.
+    ClosedForm,
+}
+
+impl Method {
+    /// Every method, with its name in scenarios and reports.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("auto", Self::Auto),
+        ("rk8", Self::Rk8),
+        ("dopri5", Self::Dopri5),
+        ("dop853", Self::Dop853),
+        ("verlet", Self::Verlet),
+        ("closed_form", Self::ClosedForm),
+    ];
+
+    /// The method of this name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
+    }
+
+    /// Its name in scenarios and reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
+    }
+
+    /// What computes an impact: the method itself, or what [`Method::Auto`] stands for. That is the closed form for results
+    /// of a motion that nothing damps, where there is one; for a trace, with damping, and under gravity on a law that is
+    /// neither powers nor straight lines, it is rk8.
+    #[must_use]
+    pub fn chosen(self, forces: &ScaledForces, has_closed_form: bool, has_trace: bool) -> Self {
+        match self {
+            Self::Auto if has_closed_form && !has_trace && forces.is_conservative() => Self::ClosedForm,
+            Self::Auto => Self::Rk8,
+            method => method,
+        }
+    }
+}
+
+/// Method and what controls its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solver {
+    /// Which integrator.
+    pub method: Method,
+    /// Relative, on the dimensionless state; the fixed-step method does not use it.
+    pub tolerance: f64,
+    /// Steps of the fixed-step method over the exact contact time, ≥ 1; the others do not use it.
+    pub steps_per_contact: u32,
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Self { method: Method::Rk8, tolerance: 1e-10, steps_per_contact: 50 }
+    }
+}
+
+/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
+/// [`Method::ClosedForm`] without one, rk8 computes it.
+///
+/// # Errors
+/// [`IntegrationError`] of the method.
+pub fn run(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    exact: Option<&Outcome>,
+    solver: &Solver,
+    recorder: Option<&mut Recorder>,
+) -> Result<(Outcome, Work), IntegrationError> {
+    fn with<I: Integrator>(
+        mut integrator: I,
+        law: &Law,
+        q: f64,
+        forces: &ScaledForces,
+        recorder: Option<&mut Recorder>,
+    ) -> Result<(Outcome, Work), IntegrationError> {
+        let outcome = course::integrate(law, q, forces, &mut integrator, recorder)?;
+        Ok((outcome, integrator.work()))
+    }
+    let tolerance = solver.tolerance;
+    match (solver.method.chosen(forces, exact.is_some(), recorder.is_some()), exact) {
+        (Method::ClosedForm, Some(exact)) if recorder.is_none() => Ok((*exact, Work::default())),
+        (Method::ClosedForm, _) if forces.is_none() => with(Exact, law, q, forces, recorder),
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Rk8::new(tolerance), law, q, forces, recorder),
+        (Method::Dopri5, _) => with(Library::new(Pair::Dopri5, tolerance), law, q, forces, recorder),
+        (Method::Dop853, _) => with(Library::new(Pair::Dop853, tolerance), law, q, forces, recorder),
+        (Method::Verlet, _) => {
+            // without a closed form, the step is a part of the undamped contact
+            let undamped = || closed_form::solve_with(law, q, &ScaledForces { damping: None, ..*forces });
+            let duration = exact.copied().or_else(undamped).map_or(1.0, |exact| exact.contact_time);
+            let steps = u64::from(solver.steps_per_contact.max(1));
+            // no contact lasts longer than a few times the exact one, however coarse the step, unless something holds it
+            let most = if forces.is_none() { 10 } else { 100 } * steps + 10;
+            let mut work = Work::default();
+            let step = duration / f64::from(solver.steps_per_contact.max(1));
+            let outcome = verlet::march(law, q, forces, step, most, &mut work, recorder)?;
+            Ok((outcome, work))
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! An impact by velocity Verlet in fixed steps, as DEM codes do it: no landing, kinks stepped over, separation noticed at the
+//! first step without force.
+
+use super::outcome::{Fate, Outcome};
+use super::record::{Along, Event, Recorder, loading_point};
+use super::scaled_forces::{ScaledForces, equilibrium};
+use super::scales::ACCELERATION;
+use crate::integrate::{Drag, IntegrationError, Sampler, State, Work};
+use crate::law::curve::Piece;
+use crate::law::{Law, Peak, Unloading};
+use crate::power::max_or_nan;
+
+/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
+/// first touch.
+struct Remembering<'a> {
+    law: &'a Law,
+    drag: Drag,
+    touch: f64,
+    deepest: f64,
+    unloading: Option<Unloading>,
+}
+
+impl<'a> Remembering<'a> {
+    fn of(law: &'a Law, drag: Drag) -> Self {
+        let deepest = law.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
+        Self { law, drag, touch: law.touch(), deepest, unloading: law.branch().copied() }
+    }
+
+    /// The piece of the loading curve at a distance.
+    fn piece_at(&self, distance: f64) -> &'a Piece {
+        &self.law.loading.pieces()[self.law.loading.index_at(self.touch + distance)]
+    }
+
+    /// The state on the loading curve at a distance.
+    fn loaded_to(&self, distance: f64) -> Peak {
+        match self.law.branch() {
+            Some(branch) if distance <= branch.peak.elastic_approach => self.law.state_at(0, distance),
+            _ => self.law.loaded_to(self.touch + distance),
+        }
+    }
+
+    /// Force of the law, and what damping adds to it.
+    fn at(&mut self, distance: f64, speed: f64) -> (f64, f64) {
+        let drag = self.drag;
+        if distance > self.deepest || (distance == self.deepest && self.unloading.is_none()) {
+            (self.deepest, self.unloading) = (distance, None);
+            let (x, piece) = (self.touch + distance, self.piece_at(distance));
+            let force = piece.force_at(x);
+            return (force, drag.at(force, || piece.slope_at(x) / ACCELERATION) * speed);
+        }
+        let (law, touch, deepest) = (self.law, self.touch, self.deepest);
+        let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
+        let recovered = distance - (unloading.peak.residual() - touch);
+        let force = unloading.force_of(recovered);
+        (force, drag.at(force, || unloading.slope_after(recovered.max(0.0)) / ACCELERATION) * speed)
+    }
+}
+
+/// Marches in steps of `step`; the force of damping is that of the speed half a step before. The peak is the deepest step,
+/// separation the first step on the way out without a pushing force, capture the first with a speed inwards again.
+///
+/// # Errors
+/// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
+pub fn march(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    step: f64,
+    most_steps: u64,
+    work: &mut Work,
+    recorder: Option<&mut Recorder>,
+) -> Result<Outcome, IntegrationError> {
+    let mut contact = Remembering::of(law, forces.drag());
+    let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+    let (mut state, mut acceleration) = (touch, ACCELERATION * forces.weight);
+    let mut peak = State { speed: 0.0, ..touch };
+    let mut sampler = recorder.as_ref().map(|recorder| recorder.sampler.clone());
+    work.force_evaluations += 1;
+    for n in 1..=most_steps {
+        let half = state.speed + 0.5 * step * acceleration;
+        let distance = state.distance + step * half;
+        #[allow(clippy::cast_precision_loss)] // counts below 2^53
+        let time = step * n as f64;
+        if let Some(sampler) = &mut sampler {
+            sample(sampler, &state, acceleration, time);
+        }
+        let (force, of_damping) = contact.at(distance, half);
+        work.steps += 1;
+        work.force_evaluations += 1;
+        let total = max_or_nan(force + of_damping, 0.0);
+        acceleration = ACCELERATION * (forces.weight - total);
+        let loss = state.loss + ACCELERATION * (total - force) * half * step;
+        state = State { time, distance, speed: half + 0.5 * step * acceleration, loss };
+        if distance > peak.distance {
+            peak = State { speed: 0.0, ..state };
+        }
+        if !(distance.is_finite() && state.speed.is_finite()) {
+            return Err(IntegrationError::NotFinite { time });
+        }
+        let is_back = time > peak.time;
+        let lifts_off = is_back && total == 0.0 && state.speed < 0.0;
+        let is_slower = is_back && state.speed >= 0.0;
+        let stays = || {
+            let unloading = law.unloading(contact.loaded_to(peak.distance));
+            if forces.is_conservative() {
+                is_back && forces.captures(&unloading, q) && force <= forces.weight
+            } else {
+                creeps(&contact, forces, &unloading, &state)
+            }
+        };
+        if lifts_off || is_slower || forces.weight > 0.0 && stays() {
+            let unloading = law.unloading(contact.loaded_to(peak.distance));
+            let separates = lifts_off && !forces.captures(&unloading, q);
+            let (fate, end) =
+                if separates { (Fate::Separated, Event::Separation) } else { (Fate::Captured, Event::Captured) };
+            if let (Some(recorder), Some(sampler)) = (recorder, sampler) {
+                let events = [(touch, Event::Touch), (peak, Event::Peak), (state, end)];
+                record(&contact, &unloading, peak.time, sampler, &events, recorder);
+            }
+            return Ok(Outcome {
+                unloading,
+                restitution: if separates { -state.speed / q } else { 0.0 },
+                loading_time: peak.time,
+                contact_time: time,
+                fate,
+                end_indentation: contact.touch + distance,
+                end_speed: state.speed,
+                loss: state.loss / ACCELERATION,
+            });
+        }
+    }
+    Err(IntegrationError::TooManySteps { steps: most_steps })
+}
+
+/// Takes the samples that are due before `end` on a parabola from `state`.
+fn sample(sampler: &mut Sampler, state: &State, acceleration: f64, end: f64) {
+    while let Some(time) = sampler.due_before(end) {
+        let t = time - state.time;
+        let distance = state.distance + t * (state.speed + 0.5 * acceleration * t);
+        sampler.take(State { time, distance, speed: state.speed + acceleration * t, loss: state.loss });
+    }
+}
+
+/// Whether an overdamped sphere has come near its static indentation.
+fn creeps(contact: &Remembering, forces: &ScaledForces, unloading: &Unloading, state: &State) -> bool {
+    let law = contact.law;
+    let (at, slope) = if unloading.peak.force < forces.weight {
+        let (x, index) = equilibrium(law, forces.weight);
+        (x - contact.touch, law.loading.pieces()[index].slope_at(x))
+    } else {
+        let approach = forces.static_approach(unloading);
+        (approach, forces.static_slope(unloading, approach))
+    };
+    let distance = (contact.touch + state.distance - forces.static_indentation(law, unloading)).abs();
+    forces.creep(at, slope).is_some_and(|creep| distance <= creep.within && state.speed.abs() <= creep.below)
+}
+
+/// The points of the trace, in order of time.
+fn record(
+    contact: &Remembering,
+    unloading: &Unloading,
+    peak_time: f64,
+    mut sampler: Sampler,
+    events: &[(State, Event)],
+    recorder: &mut Recorder,
+) {
+    let samples = sampler.states.drain(..).map(|state| (state, None));
+    let mut rows: Vec<_> = samples.chain(events.iter().map(|(state, event)| (*state, Some(*event)))).collect();
+    rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
+    let (law, drag) = (contact.law, contact.drag);
+    let start = law.dent(&unloading.peak).residual() - contact.touch;
+    recorder.points.extend(rows.into_iter().map(|(state, event)| {
+        if state.time <= peak_time {
+            let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);
+            loading_point(contact.loaded_to(state.distance), slope, drag, &state, event)
+        } else {
+            let along = Along::Unloading { unloading, drag };
+            along.point(&State { distance: state.distance - start, ..state }, event)
+        }
+    }));
+}

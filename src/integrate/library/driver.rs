@@ -1,0 +1,109 @@
+//! The crate itself: one integration from one value of the independent variable to another.
+
+use std::cell::Cell;
+
+use nalgebra::{DefaultAllocator, Dim, OVector, allocator::Allocator};
+use ode_solvers::dop_shared::OutputType;
+use ode_solvers::{Dop853, Dopri5, System};
+
+use crate::integrate::{IntegrationError, MOST_STEPS, Work};
+
+/// Which of the crate's two adaptive methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pair {
+    /// Order 5(4).
+    Dopri5,
+    /// Order 8(5,3).
+    Dop853,
+}
+
+/// The crate with what it is asked for, and what it has cost.
+#[derive(Debug, Clone)]
+pub(super) struct Driver {
+    pair: Pair,
+    pub(super) tolerance: f64,
+    pub(super) work: Work,
+    /// Steps of the legs before this one.
+    taken_before_leg: u64,
+}
+
+/// A state in variables of size one: [t, d, u, loss], the time since the leg began.
+pub(super) type Node = [f64; 4];
+
+impl Driver {
+    pub(super) fn new(pair: Pair, tolerance: f64) -> Self {
+        Self { pair, tolerance, work: Work::default(), taken_before_leg: 0 }
+    }
+
+    /// A leg begins: its steps are counted from here.
+    pub(super) fn begin_leg(&mut self) {
+        self.taken_before_leg = self.work.steps + self.work.rejected;
+    }
+
+    /// Carries `start` from `from` to `to` at this tolerance; `evaluations` is what the equations count themselves.
+    pub(super) fn drive<S, D: Dim>(
+        &mut self,
+        equations: S,
+        evaluations: &Cell<u64>,
+        tolerance: f64,
+        from: f64,
+        to: f64,
+        start: OVector<f64, D>,
+    ) -> Result<OVector<f64, D>, IntegrationError>
+    where
+        S: System<f64, OVector<f64, D>>,
+        DefaultAllocator: Allocator<D>,
+    {
+        /// Largest step in units of size one: no step may jump over a turning point (a quarter period is about 1.5).
+        const LARGEST_STEP: f64 = 0.5;
+        if from == to {
+            return Ok(start);
+        }
+        // the steps of one leg, however many calls they come in
+        let taken = self.work.steps + self.work.rejected - self.taken_before_leg;
+        let most_steps = u32::try_from(MOST_STEPS.saturating_sub(taken)).unwrap_or(u32::MAX);
+        if most_steps == 0 {
+            return Err(IntegrationError::TooManySteps { steps: MOST_STEPS });
+        }
+        macro_rules! integrate {
+            ($stepper:ident, $beta:expr, $shrink:expr, $grow:expr) => {{
+                let mut stepper = $stepper::from_param(
+                    equations,
+                    from,
+                    to,
+                    to - from,
+                    start,
+                    tolerance,
+                    tolerance,
+                    0.9,
+                    $beta,
+                    $shrink,
+                    $grow,
+                    LARGEST_STEP,
+                    0.0,
+                    most_steps,
+                    u32::MAX,
+                    OutputType::Sparse,
+                );
+                (stepper.integrate(), stepper.y_out().last().cloned())
+            }};
+        }
+        let (result, last) = match self.pair {
+            Pair::Dopri5 => integrate!(Dopri5, 0.04, 0.2, 10.0),
+            Pair::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
+        };
+        self.work.force_evaluations += evaluations.take();
+        let stats = result.map_err(|error| match error {
+            ode_solvers::dop_shared::IntegrationError::MaxNumStepReached { .. } => {
+                IntegrationError::TooManySteps { steps: MOST_STEPS }
+            }
+            ode_solvers::dop_shared::IntegrationError::StepSizeUnderflow { x }
+            | ode_solvers::dop_shared::IntegrationError::StiffnessDetected { x } => {
+                IntegrationError::StepUnderflow { time: x, step: 0.0 }
+            }
+        })?;
+        self.work.steps += u64::from(stats.accepted_steps);
+        self.work.rejected += u64::from(stats.rejected_steps);
+        last.filter(|end| end.iter().all(|value| value.is_finite())).ok_or(IntegrationError::NotFinite { time: from })
+    }
+}

@@ -1,0 +1,148 @@
+//! Motions that only the restoring force acts on, landed with another independent variable (Hénon 1982, Physica D 5,
+//! 412-414), which ends exactly where it should:
+//!
+//! * the turning point with the speed u: d' = −u/g, t' = −1/g from u to 0;
+//! * the end of a piece, crossed fast, with the distance: u' = −g/u, t' = 1/u;
+//! * crossed so slowly that 1/u is no smooth function: with the speed again, and with the u² that makes d the end found
+//!   by Newton's method (d is almost linear in u²).
+
+use std::cell::{Cell, RefCell};
+
+use nalgebra::{Vector2, Vector3};
+use ode_solvers::System;
+
+use super::driver::{Driver, Node};
+use crate::integrate::{IntegrationError, Landing, Leg, Path};
+
+/// Independent variable of a landing.
+#[derive(Clone, Copy)]
+enum Along {
+    Distance,
+    Speed,
+}
+
+/// The equations in variables of size one: y = (d, u) along the time, y = (d, u, t) along another variable.
+struct Equations<'a> {
+    path: &'a Path,
+    along: Along,
+    /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
+    nodes: Option<&'a RefCell<Vec<Node>>>,
+    evaluations: &'a Cell<u64>,
+}
+
+/// g in units of speed²/distance, at a distance in units of its size.
+fn scaled_deceleration(path: &Path, distance: f64) -> f64 {
+    let sizes = &path.sizes;
+    path.restoring.at(distance * sizes.distance) * sizes.distance / (sizes.speed * sizes.speed)
+}
+
+impl Equations<'_> {
+    fn deceleration(&self, distance: f64) -> f64 {
+        self.evaluations.set(self.evaluations.get() + 1);
+        scaled_deceleration(self.path, distance)
+    }
+}
+
+impl System<f64, Vector2<f64>> for Equations<'_> {
+    fn system(&self, _time: f64, y: &Vector2<f64>, dy: &mut Vector2<f64>) {
+        *dy = Vector2::new(y[1], -self.deceleration(y[0]));
+    }
+
+    fn solout(&mut self, x: f64, y: &Vector2<f64>, _dy: &Vector2<f64>) -> bool {
+        let Some(nodes) = self.nodes else { return false };
+        let is_past = match self.path.leg {
+            Leg::Outward(end) => y[1] <= 0.0 || y[0] * self.path.sizes.distance >= end,
+            Leg::Back(end) => y[0] * self.path.sizes.distance <= end,
+        };
+        if !is_past {
+            nodes.borrow_mut().push([x, y[0], y[1], 0.0]);
+        }
+        is_past
+    }
+}
+
+impl System<f64, Vector3<f64>> for Equations<'_> {
+    fn system(&self, _along: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
+        let g = self.deceleration(y[0]);
+        let rates = Vector3::new(y[1], -g, 1.0);
+        *dy = match self.along {
+            Along::Distance => rates / y[1],
+            Along::Speed => rates / -g,
+        };
+    }
+}
+
+/// The nodes of a leg, its landing and the state there.
+pub(super) fn run(
+    driver: &mut Driver,
+    path: &Path,
+    start: Node,
+) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
+    /// Longer than any leg: a quarter period is about 1.5 in units of size one.
+    const LONG: f64 = 1e3;
+    let nodes = RefCell::new(vec![start]);
+    let evaluations = Cell::new(0);
+    let equations = Equations { path, along: Along::Distance, nodes: Some(&nodes), evaluations: &evaluations };
+    driver.drive(equations, &evaluations, driver.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
+    let nodes = nodes.into_inner();
+    let last = nodes.last().copied().unwrap_or(start);
+    let (landing, [t, d, u, _]) = land(driver, path, last)?;
+    Ok((nodes, landing, [t, d, u, start[3]]))
+}
+
+/// The state at `time`, from a node before it.
+pub(super) fn after(driver: &mut Driver, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
+    let evaluations = Cell::new(0);
+    let equations = Equations { path, along: Along::Distance, nodes: None, evaluations: &evaluations };
+    let end = driver.drive(equations, &evaluations, driver.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
+    Ok([time, end[0], end[1], node[3]])
+}
+
+/// The state where the distance or the speed reaches `to`.
+fn reach(driver: &mut Driver, path: &Path, along: Along, node: Node, to: f64) -> Result<Node, IntegrationError> {
+    let [t, d, u, loss] = node;
+    let from = match along {
+        Along::Distance => d,
+        Along::Speed => u,
+    };
+    let evaluations = Cell::new(0);
+    let equations = Equations { path, along, nodes: None, evaluations: &evaluations };
+    let end = driver.drive(equations, &evaluations, driver.tolerance, from, to, Vector3::new(d, u, t))?;
+    Ok(match along {
+        Along::Distance => [end[2], to, end[1], loss],
+        Along::Speed => [end[2], end[0], to, loss],
+    })
+}
+
+/// From a node before the end of the leg to that end.
+fn land(driver: &mut Driver, path: &Path, node: Node) -> Result<(Landing, Node), IntegrationError> {
+    let [_, d, u, _] = node;
+    let end = match path.leg {
+        Leg::Outward(end) => end / path.sizes.distance,
+        Leg::Back(end) => {
+            return Ok((Landing::End, reach(driver, path, Along::Distance, node, end / path.sizes.distance)?));
+        }
+    };
+    // u² at the end of the piece, by the work of a straight line from here to there
+    let g = 0.5 * (scaled_deceleration(path, d) + scaled_deceleration(path, end));
+    let left = u * u - 2.0 * g * (end - d);
+    if end.is_finite() && left > 0.25 * u * u {
+        return Ok((Landing::End, reach(driver, path, Along::Distance, node, end)?));
+    }
+    let turn = reach(driver, path, Along::Speed, node, 0.0)?;
+    if turn[1] < end {
+        return Ok((Landing::Turning, turn));
+    }
+    let g_end = scaled_deceleration(path, end);
+    let mut square = 2.0 * g_end * (turn[1] - end);
+    let mut landed = turn;
+    for _ in 0..8 {
+        landed = reach(driver, path, Along::Speed, node, square.sqrt())?;
+        let miss = landed[1] - end;
+        if miss.abs() <= 4.0 * f64::EPSILON * end {
+            break;
+        }
+        square = (square + 2.0 * g_end * miss).max(0.0);
+    }
+    Ok((Landing::End, [landed[0], end, landed[2], landed[3]]))
+}

@@ -1,0 +1,168 @@
+//! The smooth pieces of a motion, each in variables in which it is smooth. What a piece is stands in its own file: once
+//! without drag and once with it.
+//!
+//! **Without drag** a piece is a Nyström problem y'' = g(y) ([`Field`], [`Variables`]), also under a constant pull γ.
+//! On a power law d'' = γ − k d^n the force is not smooth at d = 0, which costs any method its order. With s = √d and
+//! dσ = dt/(2 s)
+//!
+//! ```text
+//! s' = u,   u' = 2 γ s − 2 k s^(2n+1),   t' = 2 s        (' = d/dσ; u is the speed d' = dd/dt)
+//! ```
+//!
+//! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On straight and other smooth pieces y = d and σ = t.
+//!
+//! **With drag** it is given by its rates ([`Motion`], [`Dragged`]), with d = r^m and dσ = dt/(m r^(m−1)):
+//!
+//! ```text
+//! r' = u,   u' = m r^(m−1) (γ − k r^(mn) − drag),   t' = m r^(m−1)
+//! ```
+//!
+//! For n = 3/2 these are polynomials with m = 2, and with m = 4 where the drag goes with √g'(d), that is with d^¼. On a
+//! straight piece m = 1. The loss ∫ drag d' dt is integrated along.
+
+pub(super) mod mixed;
+pub(super) mod power;
+pub(super) mod smooth;
+pub(super) mod straight;
+
+use super::lanes::Lane;
+
+use crate::functions::powi;
+
+/// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
+pub(super) trait Field<T: Lane>: Copy {
+    /// Whether y = d and σ = t; else y = √d and dσ = dt/(2 y).
+    const IS_TIME: bool;
+    /// The field of factor × g.
+    fn scaled(self, factor: T) -> Self;
+    /// g(y).
+    fn g(self, y: T) -> T;
+    /// (g', g'') at y; g' ≤ 0.
+    fn derivatives(self, y: T) -> (T, T);
+    /// The time that a stretch h of σ with this mean of y takes.
+    #[inline(always)]
+    fn duration(self, h: T, mean: T) -> T {
+        if Self::IS_TIME { h } else { mean * 2.0 * h }
+    }
+}
+
+/// The variables of a piece without drag, needed where a leg begins and ends.
+pub(super) trait Variables: Field<f64> {
+    /// Whether g is a polynomial, or as smooth as one, also at y = 0.
+    const IS_POLYNOMIAL: bool;
+    /// Whether a pull may be stronger than the force.
+    const IS_PULLED: bool = false;
+    /// y for a distance d.
+    #[inline(always)]
+    fn y_at(self, distance: f64) -> f64 {
+        if Self::IS_TIME { distance } else { distance.sqrt() }
+    }
+    /// d for y.
+    #[inline(always)]
+    fn distance_at(self, y: f64) -> f64 {
+        if Self::IS_TIME { y } else { y * y }
+    }
+    /// Potential −∫ g.
+    fn potential(self, y: f64) -> f64;
+    /// The y > 0 of a given potential.
+    fn at_potential(self, potential: f64) -> f64;
+    /// −g' at y, for the first step.
+    #[inline(always)]
+    fn stiffness(self, y: f64) -> f64 {
+        -self.derivatives(y).0
+    }
+}
+
+/// A constant pull beside the force of a piece, in the variables of the piece: nothing at all, or a number.
+pub(super) trait Pull: Copy {
+    /// Whether there is one.
+    const ACTS: bool;
+    /// γ.
+    fn acceleration(self) -> f64;
+    /// The pull of the field factor × g.
+    fn scaled(self, factor: f64) -> Self;
+    /// 2 γ y − `force`, where y = √d.
+    fn less(self, y: f64, force: f64) -> f64;
+    /// `slope` + 2 γ, where y = √d.
+    fn onto(self, slope: f64) -> f64;
+}
+
+/// No pull: takes no room and no time.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NoPull;
+
+impl Pull for NoPull {
+    const ACTS: bool = false;
+    #[inline(always)]
+    fn acceleration(self) -> f64 {
+        0.0
+    }
+    #[inline(always)]
+    fn scaled(self, _: f64) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn less(self, _: f64, force: f64) -> f64 {
+        -force
+    }
+    #[inline(always)]
+    fn onto(self, slope: f64) -> f64 {
+        slope
+    }
+}
+
+/// 2 γ.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Twice(pub(super) f64);
+
+impl Pull for Twice {
+    const ACTS: bool = true;
+    #[inline(always)]
+    fn acceleration(self) -> f64 {
+        0.5 * self.0
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self(self.0 * factor)
+    }
+    #[inline(always)]
+    fn less(self, y: f64, force: f64) -> f64 {
+        self.0 * y - force
+    }
+    #[inline(always)]
+    fn onto(self, slope: f64) -> f64 {
+        slope + self.0
+    }
+}
+
+/// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
+pub(super) type Quad<T = f64> = [T; 4];
+
+/// A motion with drag in its own variables; of one sphere, or of several in lock step.
+pub(super) trait Motion<T: Lane>: Copy {
+    /// The rates at (y, u).
+    fn rates(&self, y: T, u: T) -> Quad<T>;
+}
+
+/// What landing and sampling need of a piece with drag.
+pub(super) trait Dragged: Motion<f64> {
+    /// m.
+    const ROOT: i32;
+    /// A function that is zero where the contact force is, and its derivative.
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64);
+    /// About √g' at y, for the first step.
+    fn frequency(&self, y: f64) -> f64;
+
+    /// y for a distance d.
+    fn y_at(distance: f64) -> f64 {
+        match Self::ROOT {
+            1 => distance,
+            2 => distance.sqrt(),
+            _ => distance.sqrt().sqrt(),
+        }
+    }
+    /// d for y.
+    fn distance_at(y: f64) -> f64 {
+        powi(y, Self::ROOT)
+    }
+}

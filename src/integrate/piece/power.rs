@@ -1,0 +1,236 @@
+//! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`.
+
+use super::{Dragged, Field, Motion, Pull, Quad, Variables};
+use crate::functions::{pow, powi};
+use crate::integrate::lanes::Lane;
+use crate::integrate::{Drag, Path};
+use crate::power::power_turn;
+
+/// Any power law without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct Power<P> {
+    c: f64,
+    m: f64,
+    pull: P,
+}
+
+/// The same for n = 3/2: g = 2 γ y − c y⁴.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct Hertz<P> {
+    pub(in crate::integrate) c: f64,
+    pull: P,
+}
+
+impl<P: Pull> Hertz<P> {
+    #[inline(always)]
+    pub(in crate::integrate) fn new(k: f64, pull: P) -> Self {
+        Self { c: 2.0 * k, pull }
+    }
+}
+
+impl<P: Pull> Power<P> {
+    pub(in crate::integrate) fn new(k: f64, n: f64, pull: P) -> Self {
+        Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
+    }
+
+    /// c y^(m+1)/(m+1) − γ y².
+    #[inline(always)]
+    fn any_potential(self, y: f64) -> f64 {
+        let q = self.m + 1.0;
+        let of_force = self.c / q * pow(y.abs(), q);
+        if P::ACTS { of_force - self.pull.acceleration() * y * y } else { of_force }
+    }
+
+    /// The y of that potential.
+    #[inline(always)]
+    fn at_any_potential(self, potential: f64) -> f64 {
+        if P::ACTS {
+            // potential = k d^(n+1)/(n+1) − γ d
+            let (n, k) = (0.5 * (self.m - 1.0), 0.5 * self.c);
+            power_turn(k, n, potential.max(0.0), self.pull.acceleration()).sqrt()
+        } else {
+            pow((self.m + 1.0) * potential / self.c, 1.0 / (self.m + 1.0))
+        }
+    }
+}
+
+/// Where the pull is stronger than the force, it sets the pace.
+macro_rules! pulled {
+    () => {
+        const IS_PULLED: bool = P::ACTS;
+        #[inline(always)]
+        fn stiffness(self, y: f64) -> f64 {
+            4.0 * self.pull.acceleration() - self.derivatives(y).0
+        }
+    };
+}
+
+impl<P: Pull> Field<f64> for Hertz<P> {
+    const IS_TIME: bool = false;
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self { c: self.c * factor, pull: self.pull.scaled(factor) }
+    }
+    #[inline(always)]
+    fn g(self, y: f64) -> f64 {
+        let square = y * y;
+        self.pull.less(y, self.c * (square * square))
+    }
+    #[inline(always)]
+    fn derivatives(self, y: f64) -> (f64, f64) {
+        let second = self.c * (y * y) * -12.0;
+        (self.pull.onto(second * y * (1.0 / 3.0)), second)
+    }
+}
+
+impl<P: Pull> Variables for Hertz<P> {
+    const IS_POLYNOMIAL: bool = true;
+    pulled!();
+    #[inline(always)]
+    fn potential(self, y: f64) -> f64 {
+        if P::ACTS {
+            return Power { c: self.c, m: 4.0, pull: self.pull }.any_potential(y);
+        }
+        let square = y * y;
+        0.2 * self.c * square * square * y
+    }
+    #[inline(always)]
+    fn at_potential(self, potential: f64) -> f64 {
+        Power { c: self.c, m: 4.0, pull: self.pull }.at_any_potential(potential)
+    }
+}
+
+impl<P: Pull> Field<f64> for Power<P> {
+    const IS_TIME: bool = false;
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self { c: self.c * factor, pull: self.pull.scaled(factor), ..self }
+    }
+    #[inline(always)]
+    fn g(self, y: f64) -> f64 {
+        self.pull.less(y, self.c * pow(y.abs(), self.m))
+    }
+    #[inline(always)]
+    fn derivatives(self, y: f64) -> (f64, f64) {
+        let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
+        (self.pull.onto(second * y / (self.m - 1.0)), second)
+    }
+}
+
+impl<P: Pull> Variables for Power<P> {
+    const IS_POLYNOMIAL: bool = false;
+    pulled!();
+    #[inline(always)]
+    fn potential(self, y: f64) -> f64 {
+        self.any_potential(y)
+    }
+    #[inline(always)]
+    fn at_potential(self, potential: f64) -> f64 {
+        self.at_any_potential(potential)
+    }
+}
+
+/// Any power law with drag, r = d^(1/m); the drag holds χ and c = η √(k n).
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct DraggedPower<const M: u8> {
+    k: f64,
+    n: f64,
+    drag: Drag,
+    pull: f64,
+}
+
+/// The same for n = 3/2.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct DraggedHertz<const M: u8, T = f64> {
+    pub(in crate::integrate) k: T,
+    pub(in crate::integrate) drag: Drag<T>,
+    pub(in crate::integrate) pull: T,
+}
+
+impl<const M: u8> DraggedPower<M> {
+    /// The piece k d^n with the pull and the drag of a path.
+    pub(in crate::integrate) fn along(k: f64, n: f64, path: &Path) -> Self {
+        Self { k, n, drag: Drag { eta: path.drag.eta * (k * n).sqrt(), ..path.drag }, pull: path.pull }
+    }
+}
+
+impl<const M: u8> DraggedHertz<M> {
+    /// The piece k d^1.5 with the pull and the drag of a path.
+    pub(in crate::integrate) fn along(k: f64, path: &Path) -> Self {
+        let DraggedPower { drag, pull, .. } = DraggedPower::<M>::along(k, 1.5, path);
+        Self { k, drag, pull }
+    }
+}
+
+impl<const M: u8, T: Lane> DraggedHertz<M, T> {
+    /// Contact force over d^¼, m = 4: k r⁵ + c u; and its derivative.
+    #[inline(always)]
+    pub(super) fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+        let square = node[0] * node[0];
+        let fourth = square * square;
+        let c = self.drag.eta;
+        (self.k * fourth * node[0] + c * node[1], self.k * 5.0 * fourth * rates[0] + c * rates[1])
+    }
+}
+
+impl<const M: u8, T: Lane> Motion<T> for DraggedHertz<M, T> {
+    #[inline(always)]
+    fn rates(&self, y: T, u: T) -> Quad<T> {
+        let square = y * y;
+        if M == 2 {
+            // per 2 s: k s³, and no drag of stiffness
+            let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
+            let drag = force * self.drag.chi * u;
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        } else {
+            let clock = square * 4.0 * y;
+            let force = clock * self.k * square * square * square;
+            let drag = Drag { eta: clock * self.drag.eta, ..self.drag }.per_speed(force, y) * u;
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        }
+    }
+}
+
+impl<const M: u8> Dragged for DraggedHertz<M> {
+    const ROOT: i32 = M as i32;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        self.contact_force(node, rates)
+    }
+    fn frequency(&self, y: f64) -> f64 {
+        frequency(self.k, 1.5, y, Self::ROOT)
+    }
+}
+
+impl<const M: u8> Motion<f64> for DraggedPower<M> {
+    #[inline(always)]
+    fn rates(&self, y: f64, u: f64) -> Quad {
+        let m = f64::from(M);
+        let clock = m * powi(y, i32::from(M) - 1);
+        let size = y.abs();
+        let force = clock * self.k * pow(size, m * self.n);
+        let root = if self.drag.eta == 0.0 { 0.0 } else { pow(size, 0.5 * m * (self.n - 1.0)) };
+        let drag = Drag { eta: clock * self.drag.eta, ..self.drag }.per_speed(force, root) * u;
+        [u, clock * self.pull - force - drag, clock, drag * u]
+    }
+}
+
+impl<const M: u8> Dragged for DraggedPower<M> {
+    const ROOT: i32 = M as i32;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        // contact force over d^((n−1)/2): k r^(m(n+1)/2) + c u
+        let p = 0.5 * f64::from(M) * (self.n + 1.0);
+        let slope = self.k * p * pow(node[0].abs(), p - 1.0);
+        let c = self.drag.eta;
+        (slope * node[0] / p + c * node[1], slope * rates[0] + c * rates[1])
+    }
+    fn frequency(&self, y: f64) -> f64 {
+        frequency(self.k, self.n, y, Self::ROOT)
+    }
+}
+
+/// √ of −du'/dr of a power law.
+fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
+    let m = f64::from(m);
+    let p = m - 1.0 + m * n;
+    (m * k * p * pow(y, p - 1.0)).sqrt()
+}

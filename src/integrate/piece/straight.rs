@@ -1,0 +1,97 @@
+//! A straight piece: g = a + b d.
+
+use std::marker::PhantomData;
+
+use super::{Dragged, Field, Motion, Pull, Quad, Variables};
+use crate::integrate::lanes::Lane;
+use crate::integrate::{Drag, Path};
+
+/// Without drag: g = −(a + b y), y = d. The pull stands in a, which may be negative where one acts.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct Straight<P> {
+    pub(in crate::integrate) a: f64,
+    pub(in crate::integrate) b: f64,
+    pull: PhantomData<P>,
+}
+
+impl<P: Pull> Straight<P> {
+    #[inline(always)]
+    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: P) -> Self {
+        Self { a: at_start - pull.acceleration(), b: slope, pull: PhantomData }
+    }
+}
+
+impl<P: Pull> Field<f64> for Straight<P> {
+    const IS_TIME: bool = true;
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self { a: self.a * factor, b: self.b * factor, ..self }
+    }
+    #[inline(always)]
+    fn g(self, y: f64) -> f64 {
+        -(self.a + self.b * y)
+    }
+    #[inline(always)]
+    fn derivatives(self, _: f64) -> (f64, f64) {
+        (-self.b, 0.0)
+    }
+}
+
+impl<P: Pull> Variables for Straight<P> {
+    const IS_POLYNOMIAL: bool = true;
+    const IS_PULLED: bool = P::ACTS;
+    #[inline(always)]
+    fn potential(self, y: f64) -> f64 {
+        y * (self.a + 0.5 * self.b * y)
+    }
+    #[inline(always)]
+    fn at_potential(self, potential: f64) -> f64 {
+        let root = (self.a * self.a + 2.0 * self.b * potential).max(0.0).sqrt();
+        if P::ACTS && self.a <= 0.0 { (root - self.a) / self.b } else { 2.0 * potential / (self.a + root) }
+    }
+}
+
+/// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where the drag holds χ and c = η √b.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::integrate) struct DraggedStraight<T = f64> {
+    pub(in crate::integrate) a: T,
+    pub(in crate::integrate) b: T,
+    pub(in crate::integrate) drag: Drag<T>,
+    pub(in crate::integrate) pull: T,
+}
+
+impl DraggedStraight {
+    /// The piece a + b d with the pull and the drag of a path.
+    pub(in crate::integrate) fn along(a: f64, b: f64, path: &Path) -> Self {
+        Self { a, b, drag: Drag { eta: path.drag.eta * b.sqrt(), ..path.drag }, pull: path.pull }
+    }
+}
+
+impl<T: Lane> DraggedStraight<T> {
+    /// The contact force and its derivative.
+    #[inline(always)]
+    pub(super) fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+        let c = self.drag.eta;
+        (self.a + self.b * node[0] + c * node[1], self.b * rates[0] + c * rates[1])
+    }
+}
+
+impl<T: Lane> Motion<T> for DraggedStraight<T> {
+    #[inline(always)]
+    fn rates(&self, y: T, u: T) -> Quad<T> {
+        let one = y.all(1.0);
+        let force = self.a + self.b * y;
+        let drag = self.drag.per_speed(force, one) * u;
+        [u, self.pull - force - drag, one, drag * u]
+    }
+}
+
+impl Dragged for DraggedStraight {
+    const ROOT: i32 = 1;
+    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        self.contact_force(node, rates)
+    }
+    fn frequency(&self, _: f64) -> f64 {
+        self.b.sqrt()
+    }
+}
