@@ -36,7 +36,9 @@ impl Scales {
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
     pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let length = normal("peak indentation (m)", pow(1.25 * mass / stiffness, 0.4) * pow(speed, 0.8))?;
+        // the root has a normal square wherever the kinetic energy is a normal number
+        let root = (1.25 * mass / stiffness).sqrt() * speed;
+        let length = normal("peak indentation (m)", pow(root, 0.8))?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
     }
