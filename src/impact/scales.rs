@@ -36,9 +36,11 @@ impl Scales {
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
     pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        // leaves the range of doubles only where the kinetic energy does
-        let root = (1.25 * mass / stiffness).sqrt() * speed;
-        let length = normal("peak indentation (m)", pow(root, 0.8))?;
+        let per_stiffness = 1.25 * mass / stiffness;
+        let power = per_stiffness * (speed * speed);
+        // the root leaves the range of doubles only where the kinetic energy does
+        let power = if power.is_normal() { pow(power, 0.4) } else { pow(per_stiffness.sqrt() * speed, 0.8) };
+        let length = normal("peak indentation (m)", power)?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
     }
