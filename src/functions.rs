@@ -76,7 +76,7 @@ mod tests {
         for n in -1074..1024 {
             assert_eq!(pow(2.0, f64::from(n)), libm::ldexp(1.0, n));
         }
-        assert_eq!((pow(32.0, 0.2), pow(1024.0, 0.4), pow(7.0, 0.0), exp(0.0)), (2.0, 16.0, 1.0, 1.0));
+        assert_eq!((pow(32.0, 0.2), pow(4096.0, 0.75), pow(7.0, 0.0), exp(0.0)), (2.0, 512.0, 1.0, 1.0));
         assert_eq!((powi(2.0, -3), powi(3.0, 5), powi(0.0, 0)), (0.125, 243.0, 1.0));
     }
 
@@ -95,7 +95,9 @@ mod tests {
         for z in [-37.0, -20.0, -8.0, -5.5, -3.0, -1.5, -1.0, -0.3, 0.0, 0.5, 1.0, 1.4, 2.0, 3.0] {
             // beside 1, p has lost the digits of z
             let lost = if z > 0.0 { f64::EPSILON / normal_below(-z) } else { 0.0 };
-            approx::assert_abs_diff_eq!(normal_quantile(normal_below(z)), z, epsilon = 1e-14 + lost);
+            // the error function takes the rounded z/√2
+            let epsilon = 4.0 * f64::EPSILON * z.abs() + lost;
+            approx::assert_abs_diff_eq!(normal_quantile(normal_below(z)), z, epsilon = epsilon);
         }
         assert_eq!((normal_quantile(0.0), normal_quantile(1.0)), (f64::NEG_INFINITY, f64::INFINITY));
     }

@@ -76,14 +76,7 @@ impl Plan {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
         let scene = &self.scene;
-        let is_stepped = match &self.cases {
-            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Method(methods) => Some(methods.iter().any(|method| self.is_stepped(*method))),
-                Setting::Number { .. } | Setting::Law(_) => None,
-            }),
-            Cases::MonteCarlo { .. } => None,
-        };
-        let is_stepped = is_stepped.unwrap_or_else(|| self.is_stepped(scene.solver.method));
+        let is_stepped = self.methods().iter().any(|method| self.is_stepped(*method));
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {
@@ -127,13 +120,6 @@ impl Plan {
     /// under gravity.
     #[must_use]
     pub fn lacks_closed_form(&self) -> bool {
-        let asks = match &self.cases {
-            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Method(methods) => Some(methods.contains(&Method::ClosedForm)),
-                Setting::Number { .. } | Setting::Law(_) => None,
-            }),
-            Cases::MonteCarlo { .. } => None,
-        };
         // a swept damping may begin at 0
         let varies = |path: &str| self.paths().contains(&path);
         let is_damped = match self.scene.forces.damping {
@@ -143,7 +129,13 @@ impl Plan {
                 (chi > 0.0 || varies("damping.hunt_crossley")) && self.scene.forces.gravity.is_some()
             }
         };
-        is_damped && asks.unwrap_or(self.scene.solver.method == Method::ClosedForm)
+        is_damped && self.methods().contains(&Method::ClosedForm)
+    }
+
+    /// Whether the last digits of the table are those of the machine: the steps of some methods are not our own.
+    #[must_use]
+    pub fn depends_on_machine(&self) -> bool {
+        self.methods().iter().any(|method| matches!(method, Method::Dopri5 | Method::Dop853))
     }
 
     /// Whether any case is under the law that a key belongs to.
@@ -161,6 +153,18 @@ impl Plan {
             Cases::MonteCarlo { .. } => None,
         };
         swept.unwrap_or(std::slice::from_ref(&self.scene.law))
+    }
+
+    /// The methods of the cases.
+    fn methods(&self) -> &[Method] {
+        let swept = match &self.cases {
+            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
+                Setting::Method(methods) => Some(methods.as_slice()),
+                Setting::Number { .. } | Setting::Law(_) => None,
+            }),
+            Cases::MonteCarlo { .. } => None,
+        };
+        swept.unwrap_or(std::slice::from_ref(&self.scene.solver.method))
     }
 
     /// Whether rows of that method are integrated, those of any law.

@@ -3,6 +3,8 @@
 //! Takahasi and Mori (1974), Publ. RIMS 9, 721-741: with x = a + (b − a)/(1 + exp(−π sinh t)) the trapezoidal rule in t
 //! converges exponentially, also where the integrand has an integrable singularity at an end.
 
+use std::sync::LazyLock;
+
 use crate::functions::{cosh, exp, sinh};
 
 /// How far t runs: the weights are below 1e-30 there.
@@ -10,39 +12,56 @@ const FARTHEST: f64 = 4.0;
 /// The coarsest step is 1/2, the finest 2^-LEVELS.
 const LEVELS: u32 = 9;
 
+/// What belongs to t and, with the ends changed about, to -t.
+struct Node {
+    /// Share of the interval from the nearer end.
+    near: f64,
+    /// Share from the farther end.
+    far: f64,
+    weight: f64,
+}
+
+impl Node {
+    fn new(t: f64) -> Self {
+        use std::f64::consts::PI;
+        let e = exp(-PI * sinh(t));
+        let (near, far) = (e / (1.0 + e), 1.0 / (1.0 + e));
+        Self { near, far, weight: PI * cosh(t) * near * far }
+    }
+}
+
+/// The nodes with t > 0 that each step adds to those of the coarser ones.
+static NODES: LazyLock<Vec<Vec<Node>>> = LazyLock::new(|| {
+    let (mut first, mut step) = (0.5, 0.5);
+    let level = |_| {
+        let ts = std::iter::successors(Some(first), |t| Some(t + step)).take_while(|t| *t <= FARTHEST);
+        let nodes = ts.map(Node::new).collect();
+        (first, step) = (0.5 * first, first);
+        nodes
+    };
+    (1..=LEVELS).map(level).collect()
+});
+
 /// ∫ f over an interval of this `length`; f is given the distances from its lower and upper end, neither of which cancels.
 /// Halves its step until the relative change is below 1e-13, or about 4000 evaluations.
 pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
-    use std::f64::consts::PI;
     if length <= 0.0 {
         return 0.0;
     }
-    let mut at = |t: f64| {
-        let s = PI * sinh(t);
-        // shares of the interval below and above, and their product
-        let (small, large) = {
-            let e = exp(-s.abs());
-            (e / (1.0 + e), 1.0 / (1.0 + e))
-        };
-        let (below, above) = if s < 0.0 { (small, large) } else { (large, small) };
-        let weight = PI * cosh(t) * small * large;
-        let value = if small * length > 0.0 { f(below * length, above * length) * weight } else { 0.0 };
+    let mut at = |below: f64, above: f64, weight: f64| {
+        let value = if below.min(above) * length > 0.0 { f(below * length, above * length) * weight } else { 0.0 };
         if value.is_finite() { value } else { 0.0 }
     };
-    let mut step = 0.5;
-    let mut total = at(0.0);
-    let mut sum_at = |first: f64, step: f64| {
-        let (mut sum, mut t) = (0.0, first);
-        while t <= FARTHEST {
-            sum += at(t) + at(-t);
-            t += step;
-        }
-        sum
+    let mut total = {
+        let Node { near, far, weight } = Node::new(0.0);
+        at(near, far, weight)
     };
-    total += sum_at(step, step);
-    let mut integral = total * step;
-    for level in 2..=LEVELS {
-        total += sum_at(0.5 * step, step);
+    let (mut step, mut integral) = (1.0, 0.0);
+    for (level, nodes) in (1..).zip(NODES.iter()) {
+        let sum = nodes
+            .iter()
+            .fold(0.0, |sum, Node { near, far, weight }| sum + (at(*far, *near, *weight) + at(*near, *far, *weight)));
+        total += sum;
         step *= 0.5;
         let finer = total * step;
         let change = (finer - integral).abs();

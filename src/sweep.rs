@@ -58,7 +58,7 @@ pub enum SweepError {
     },
     /// An unfinished table, or a shard, of something else.
     #[error(
-        "{}: holds {what} of another scenario or division (sidecar {}); go on with the scenario it was begun with, name another --out, or delete both files to start over",
+        "{}: holds {what} of {of} (sidecar {}); go on as it was begun, name another --out, or delete both files to start over",
         .table.display(), .sidecar.display()
     )]
     Changed {
@@ -68,6 +68,8 @@ pub enum SweepError {
         sidecar: PathBuf,
         /// `unfinished rows` or `a shard`.
         what: &'static str,
+        /// What else it belongs to.
+        of: &'static str,
     },
     /// A table that another version wrote.
     #[error(

@@ -77,6 +77,51 @@ fn a_table_does_not_depend_on_the_variants_of_the_c_library() {
 }
 
 #[test]
+fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
+    #[cfg(all(target_arch = "x86_64", target_env = "gnu"))]
+    let has_two_variants = std::arch::is_x86_feature_detected!("fma");
+    #[cfg(not(all(target_arch = "x86_64", target_env = "gnu")))]
+    let has_two_variants = false;
+    if !has_two_variants {
+        eprintln!("skipped: not glibc on an x86-64 processor with fused multiply-add");
+        return;
+    }
+    let call = |desk: &Desk, tunables: Option<&str>, arguments: &[&str]| {
+        let mut command = Command::new(PROGRAM);
+        command.envs(tunables.map(|value| ("GLIBC_TUNABLES", value))).current_dir(desk.path(""));
+        let output = command.args(arguments).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let shard = |part| ["run", "s.toml", "--out", "shards", "--quiet", "--shard", part];
+    let merge = ["merge", "shards", "--out", "merged/table.csv"];
+    let machine = "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
+    let swept = "\"solver.method\" = [\"closed_form\", \"dop853\"]";
+    for (method, axis, is_mixed) in [("rk8", "", true), ("dopri5", "", false), ("rk8", swept, false)] {
+        let method = if axis.is_empty() { format!("[solver]\nmethod = \"{method}\"\n") } else { String::new() };
+        let desk = Desk::with(format!("{STEEL}{method}[sweep]\n\"sphere.radius\" = [0.001, 0.002]\n{axis}\n"));
+        assert_eq!(call(&desk, None, &shard("0/2")).0, 0);
+        assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard("1/2")).0, 0);
+        let (again, resumed) = call(&desk, Some(PLAIN_GLIBC), &shard("0/2"));
+        let (code, merged) = call(&desk, None, &merge);
+        if is_mixed {
+            assert_eq!((again, code), (0, 0), "{resumed}{merged}");
+            continue;
+        }
+        assert_eq!((again, code), (2, 2), "{resumed}{merged}");
+        assert!(resumed.contains(&format!("holds a shard of {machine}")), "{resumed}");
+        assert!(merged.contains("table-1-of-2.csv: foreign") && merged.contains(machine), "{merged}");
+        assert!(!desk.path("merged/table.csv").exists());
+        // the same variant goes on, and merges
+        std::fs::remove_dir_all(desk.path("shards")).unwrap();
+        for part in ["0/2", "1/2", "0/2"] {
+            assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard(part)).0, 0);
+        }
+        let (code, merged) = call(&desk, None, &merge);
+        assert_eq!(code, 0, "{merged}");
+    }
+}
+
+#[test]
 fn a_table_does_not_depend_on_the_processor() {
     let emulator = "qemu-x86_64";
     let has_it = cfg!(target_arch = "x86_64") && Command::new(emulator).arg("--version").output().is_ok();

@@ -36,7 +36,11 @@ impl Scales {
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
     pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let length = normal("peak indentation (m)", pow(1.25 * mass / stiffness, 0.4) * pow(speed, 0.8))?;
+        let per_stiffness = 1.25 * mass / stiffness;
+        let power = per_stiffness * (speed * speed);
+        // the root leaves the range of doubles only where the kinetic energy does
+        let power = if power.is_normal() { pow(power, 0.4) } else { pow(per_stiffness.sqrt() * speed, 0.8) };
+        let length = normal("peak indentation (m)", power)?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
     }
@@ -51,5 +55,44 @@ impl Scales {
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.force * self.length
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::functions::ln;
+
+    #[test]
+    fn hertz_scales_balance_the_energy_up_to_the_ends_of_the_doubles() {
+        // (2/5) Φ L = ½ m v²; the exponent 0.8 is a double, which moves L by ln L · 2^-54
+        let pair = |radius: f64, effective_modulus: f64| Pair {
+            radius,
+            effective_modulus,
+            sphere_compliance: 0.5,
+            half_space_compliance: 0.5,
+            yield_point: None,
+        };
+        let scenes = [
+            (5e-3, 1e11, 4e-3, 3.0),
+            (1e-9, 1e11, 3e-23, 100.0),
+            // least and largest masses, speeds, energies
+            (1e-9, 1e11, 1e-300, 100.0),
+            (1e-9, 1e-200, 1e-150, 1e-75),
+            (1.0, 1e11, 1.0, 1e-150),
+            (1.0, 1e11, 1.0, 1e150),
+            (1.0, 1e11, 1e300, 1.0),
+            (1.0, 1e-150, 1e150, 1.0),
+            (1.0, 1e150, 1e-150, 1.0),
+        ];
+        for (radius, modulus, mass, speed) in scenes {
+            let scales = Scales::of_hertz(&pair(radius, modulus), mass, speed).unwrap();
+            let kinetic = 0.5 * mass * speed * speed;
+            let rounding = (8.0 + ln(scales.length).abs()) * f64::EPSILON;
+            approx::assert_relative_eq!(0.4 * scales.energy(), kinetic, max_relative = rounding);
+        }
+        for speed in [0.0, 1e-300, 1e300, f64::INFINITY, f64::NAN] {
+            assert!(Scales::of_hertz(&pair(1.0, 1e11), 1.0, speed).is_err(), "{speed}");
+        }
     }
 }

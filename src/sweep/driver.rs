@@ -14,7 +14,7 @@ use super::evaluator::{Evaluator, Rows};
 use super::pace::Pace;
 use super::seal::Sealed;
 use super::shard::{Layout, Shard};
-use super::sidecar::{Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::sidecar::{OTHER_MACHINE, Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
 use crate::plan::Plan;
@@ -111,7 +111,7 @@ impl Job<'_> {
             _lock: lock,
         };
         let shard = self.shard.unwrap_or(Shard::WHOLE);
-        let sidecar = Sidecar::new(self.source, self.format, shard);
+        let sidecar = Sidecar::new(self.plan, self.source, self.format, shard);
         if self.format == Format::Parquet {
             let (tally, resumed) = self.run_parquet(&table, &sidecar)?;
             return Ok(written(tally, resumed));
@@ -125,7 +125,7 @@ impl Job<'_> {
         let mut read = Read::default();
         match same {
             None => {
-                self.may_begin(old.is_some(), &table, &part)?;
+                self.may_begin(old.as_ref(), &sidecar, &table, &part)?;
                 // the table comes before its sidecar, so that no sidecar stands beside another table without a part
                 let path = sidecar_path(&table);
                 remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
@@ -166,7 +166,7 @@ impl Job<'_> {
     }
 
     /// Refuses to begin where rows of something else would be lost.
-    fn may_begin(&self, has_sidecar: bool, table: &Path, part: &Path) -> Result<(), SweepError> {
+    fn may_begin(&self, old: Option<&Sidecar>, new: &Sidecar, table: &Path, part: &Path) -> Result<(), SweepError> {
         let what = if part.symlink_metadata().is_ok_and(|data| data.len() > 0) {
             "unfinished rows"
         } else if self.shard.is_some() && table.exists() {
@@ -174,8 +174,10 @@ impl Job<'_> {
         } else {
             return Ok(());
         };
-        if has_sidecar {
-            Err(SweepError::Changed { sidecar: sidecar_path(table), table: table.to_owned(), what })
+        if let Some(old) = old {
+            let is_of_machine = old.powers_of_machine != new.powers_of_machine && old.scenario == new.scenario;
+            let of = if is_of_machine { OTHER_MACHINE } else { "another scenario or division" };
+            Err(SweepError::Changed { sidecar: sidecar_path(table), table: table.to_owned(), what, of })
         } else {
             let problem = format!("holds {what} without a sidecar that says of what; move or delete it to start over");
             let path = if what == "a shard" { table } else { part };

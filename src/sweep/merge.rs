@@ -11,7 +11,7 @@ use self::reader::Reader;
 use super::SweepError;
 use super::seal::Seal;
 use super::shard::{Layout, Shard};
-use super::sidecar::{Sidecar, Tally, part_path, sidecar_path};
+use super::sidecar::{OTHER_MACHINE, Sidecar, Tally, part_path, sidecar_path};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
 use crate::plan::Plan;
@@ -96,6 +96,13 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<Finished>), SweepError> 
         ];
         if let Some((_, which)) = which.iter().find(|(differs, _)| *differs) {
             problems.push(format!("{name}: foreign: its {which} is not that of {}", reference_name.display()));
+            continue;
+        }
+        if sidecar.powers_of_machine != reference.powers_of_machine {
+            problems.push(format!(
+                "{name}: foreign: beside {}, it comes from {OTHER_MACHINE}: run all shards on machines of one kind",
+                reference_name.display()
+            ));
             continue;
         }
         if let Some(other) = found.insert(sidecar.shard, table) {

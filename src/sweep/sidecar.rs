@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SweepError;
 use super::count::Count;
+use super::plan::Plan;
 use super::seal::{Seal, Sum};
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
@@ -22,7 +23,27 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Version of the numbers in tables. Raise it when any number of a table changes, be it in its last digit, or when rows are
 /// dealt out to shards in another way: rows of different versions are not put into one table.
-pub const NUMBERS: u64 = 1;
+pub const NUMBERS: u64 = 2;
+
+/// How this machine computes powers: the CRC-32 of some of them. The C library has one variant of its power for processors
+/// with fused multiply-add and one for others; of these powers some differ in their last digit.
+fn powers_of_machine() -> u32 {
+    let mut sum = Sum::default();
+    for k in 0..4096 {
+        let x = 0.5 + f64::from(k) / 4096.0;
+        // the exponents of the first steps of dop853 and dopri5
+        for exponent in [0.125, 0.2] {
+            #[allow(clippy::disallowed_methods)] // that of the machine is asked for, and not the compiler's
+            let power = std::hint::black_box(x).powf(std::hint::black_box(exponent));
+            sum.update(&power.to_bits().to_le_bytes());
+        }
+    }
+    sum.seal().crc32
+}
+
+/// Where rows come from that differ in their last digits.
+pub const OTHER_MACHINE: &str =
+    "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
 
 /// What a table is. All else follows from the scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,6 +63,9 @@ pub struct Sidecar {
     pub shard: u64,
     /// Of how many.
     pub shards: u64,
+    /// How the machine that writes it computes powers; only where rows depend on that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub powers_of_machine: Option<u32>,
     /// The table as it was written; `None` while it is unfinished.
     pub finished: Option<Seal>,
 }
@@ -56,9 +80,9 @@ struct Stamp {
 }
 
 impl Sidecar {
-    /// That of a table which is being written.
+    /// That of a table which is being written, of the plan of this scenario.
     #[must_use]
-    pub fn new(scenario: &Source, format: Format, shard: Shard) -> Self {
+    pub fn new(plan: &Plan, scenario: &Source, format: Format, shard: Shard) -> Self {
         Self {
             version: VERSION.to_owned(),
             numbers: NUMBERS,
@@ -67,6 +91,7 @@ impl Sidecar {
             format,
             shard: shard.index,
             shards: shard.count,
+            powers_of_machine: plan.depends_on_machine().then(powers_of_machine),
             finished: None,
         }
     }
