@@ -10,12 +10,12 @@ use serde::{Deserialize, Serialize};
 
 use super::SweepError;
 use super::count::Count;
-use super::plan::Plan;
 use super::seal::{Seal, Sum};
 use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable};
 use crate::output::{PART, replace, with_suffix};
+use crate::plan::Plan;
 use crate::scenario::Source;
 
 /// Version of the program, which makes the rows and what is written beside them.
