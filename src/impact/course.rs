@@ -41,7 +41,8 @@ pub struct Course<'a> {
     pull: f64,
     drag: Drag,
     sizes: Sizes,
-    stops_at_yield: bool,
+    /// Whether the trace still waits for first yield, which has no leg of its own: a trace changes no step.
+    awaits_yield: bool,
     phase: Phase,
     path: Path,
     /// The state at the start of that leg, and then at its end.
@@ -64,7 +65,7 @@ pub fn integrate<I: Integrator>(
 }
 
 impl<'a> Course<'a> {
-    /// At first touch; with a recorder, legs end at first yield too.
+    /// At first touch.
     #[must_use]
     pub fn begin(law: &'a Law, q: f64, forces: &ScaledForces, recorder: Option<&mut Recorder>) -> Self {
         let distance = way_to_peak(law, 0.4 * q * q, forces);
@@ -81,7 +82,7 @@ impl<'a> Course<'a> {
             pull,
             drag,
             sizes,
-            stops_at_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
+            awaits_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
             phase: Phase::Loading { piece: 0, event: None, creep: None },
             path: way_out(law, 0, sizes),
             at: touch,
@@ -110,12 +111,37 @@ impl<'a> Course<'a> {
         mut recorder: Option<&mut Recorder>,
     ) -> Result<Outcome, IntegrationError> {
         loop {
+            let begun = self.at;
             let sampler = recorder.as_deref_mut().map(|recorder| &mut recorder.sampler);
             let landing = integrator.traverse(&self.path, &mut self.at, sampler)?;
+            if let Some(recorder) = recorder.as_deref_mut() {
+                self.mark_yield(&begun, integrator, recorder)?;
+            }
             if let Some(outcome) = self.landed(landing, recorder.as_deref_mut()) {
                 return Ok(outcome);
             }
         }
+    }
+
+    /// Tells the recorder of first yield, if the leg since `begun` has passed it: the first part of that leg, run once more.
+    fn mark_yield<I: Integrator>(
+        &mut self,
+        begun: &State,
+        integrator: &mut I,
+        recorder: &mut Recorder,
+    ) -> Result<(), IntegrationError> {
+        let Phase::Loading { piece, .. } = self.phase else { return Ok(()) };
+        let distance = self.law.elastic_until() - self.law.loading.pieces()[piece].start + entry_of(self.law, piece);
+        if !self.awaits_yield || distance <= begun.distance || self.at.distance <= distance {
+            return Ok(());
+        }
+        self.awaits_yield = false;
+        let mut at = *begun;
+        integrator.traverse(&Path { leg: Leg::Outward(distance), ..self.path }, &mut at, None)?;
+        // where the peak is at first yield but for rounding, that run may turn just before it
+        let time = at.time.min(self.at.time);
+        recorder.mark(Event::Yield, State { time, distance, ..at });
+        Ok(())
     }
 
     /// Goes on where a leg has landed: to the next leg, or to the end.
@@ -196,10 +222,6 @@ impl<'a> Course<'a> {
             {
                 (end, event, rests) = (distance - creep.within, None, Some(creep));
             }
-            let yields_at = self.law.elastic_until();
-            if self.stops_at_yield && piece.start + end > yields_at {
-                (end, event, rests) = (yields_at - piece.start, Some(Event::Yield), None);
-            }
             path.leg = Leg::Outward(end);
         }
         let rest = creep.map(|(distance, creep)| creep.rest(distance));
@@ -219,12 +241,12 @@ impl<'a> Course<'a> {
             let is_end_of_branch = piece == 0 && self.law.branch().is_some();
             piece += 1;
             let begins_at_yield = self.law.loading.pieces()[piece].start == self.law.elastic_until();
-            if is_end_of_branch || self.stops_at_yield && begins_at_yield {
+            if is_end_of_branch || self.awaits_yield && begins_at_yield {
                 event = Some(Event::Yield);
             }
             self.at.distance = entry_of(self.law, piece);
         }
-        self.stops_at_yield &= event != Some(Event::Yield);
+        self.awaits_yield &= event != Some(Event::Yield);
         if let (Some(recorder), Some(event)) = (recorder, event) {
             recorder.take(&self.along(piece), Some((event, &self.at)));
         }

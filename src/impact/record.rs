@@ -96,6 +96,8 @@ pub(super) fn loading_point(
 #[derive(Debug, Clone, Default)]
 pub struct Recorder {
     pub(super) sampler: Sampler,
+    /// An event on the leg under way.
+    marked: Option<(Event, State)>,
     /// The points in order of time.
     pub points: Vec<Point>,
 }
@@ -107,11 +109,20 @@ impl Recorder {
         let inner = samples.saturating_sub(2);
         #[allow(clippy::cast_precision_loss)]
         let interval = duration / (inner + 1) as f64;
-        Self { sampler: Sampler::every(interval, inner), points: Vec::with_capacity(samples + 16) }
+        Self { sampler: Sampler::every(interval, inner), marked: None, points: Vec::with_capacity(samples + 16) }
     }
 
-    /// Turns the samples of a leg, and the event at its end, into points.
+    /// Notes an event on the leg under way.
+    pub(super) fn mark(&mut self, event: Event, at: State) {
+        self.marked = Some((event, at));
+    }
+
+    /// Turns the samples of a leg, an event noted on it, and the event at its end, into points.
     pub(super) fn take(&mut self, along: &Along, event: Option<(Event, &State)>) {
+        let marked = self.marked.take().map(|(event, at)| along.point(&at, Some(event)));
+        let before = marked.map_or(0, |marked| self.sampler.states.partition_point(|state| state.time < marked.time));
+        self.points.extend(self.sampler.states.drain(..before).map(|state| along.point(&state, None)));
+        self.points.extend(marked);
         self.points.extend(self.sampler.states.drain(..).map(|state| along.point(&state, None)));
         self.points.extend(event.map(|(event, at)| along.point(at, Some(event))));
     }
