@@ -13,12 +13,13 @@ mod common;
 
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere"];
 const METHODS: [&str; 6] = ["rk8", "rk8_batch", "dop853", "dopri5", "verlet", "closed_form"];
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 10] = [
     "problem",
     "method",
     "tolerance",
     "restitution_error",
     "contact_time_error",
+    "separation_error",
     "peak_force_error",
     "force_evaluations",
     "steps",
@@ -29,7 +30,8 @@ struct Row {
     problem: String,
     method: String,
     tolerance: Option<f64>,
-    errors: [f64; 3],
+    /// Of restitution, contact time, separation as it is seen, peak force.
+    errors: [f64; 4],
     force_evaluations: u64,
     steps: u64,
     ns_per_impact: f64,
@@ -42,10 +44,10 @@ fn rows(text: &str) -> Vec<Row> {
         problem: record[0].to_string(),
         method: record[1].to_string(),
         tolerance: if record[2].is_empty() { None } else { Some(record[2].parse().unwrap()) },
-        errors: [3, 4, 5].map(|i: usize| record[i].parse().unwrap()),
-        force_evaluations: record[6].parse().unwrap(),
-        steps: record[7].parse().unwrap(),
-        ns_per_impact: record[8].parse().unwrap(),
+        errors: [3, 4, 5, 6].map(|i: usize| record[i].parse().unwrap()),
+        force_evaluations: record[7].parse().unwrap(),
+        steps: record[8].parse().unwrap(),
+        ns_per_impact: record[9].parse().unwrap(),
     };
     reader.records().map(|record| row(record.unwrap())).collect()
 }
@@ -108,6 +110,16 @@ fn check_rows(rows: &[Row]) {
         // a fixed step and the closed form have no tolerance
         let is_adaptive = !["verlet", "closed_form"].contains(&row.method.as_str());
         assert_eq!(row.tolerance.is_some(), is_adaptive, "{} {}", row.problem, row.method);
+        let [_, contact_time, separation, _] = row.errors;
+        if row.method == "verlet" {
+            // phases of 0.1 and 0.9 of a step are among those tried: whole steps are off by most of one, and no more than one
+            // beyond the motion itself
+            let (steps, printed) = (f64::from(u32::try_from(row.steps).unwrap()), 1e-2 * separation);
+            assert!(separation > 0.5 / steps && separation < 1.0 / (steps - 2.0) + contact_time + printed);
+            assert!(contact_time < 0.5 * separation, "{}: {contact_time} {separation}", row.problem);
+        } else {
+            assert_eq!(contact_time, separation);
+        }
     }
     for problem in PROBLEMS {
         for method in METHODS {

@@ -112,6 +112,7 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
         end_indentation: law.dent(peak).residual(),
         end_speed: -restitution * speed,
         loss: 0.0,
+        fixed_steps: None,
     }
 }
 

@@ -298,6 +298,7 @@ impl<'a> Course<'a> {
             end_indentation: distance + self.law.dent(&unloading.peak).residual(),
             end_speed: speed,
             loss: loss / ACCELERATION,
+            fixed_steps: None,
         }
     }
 }

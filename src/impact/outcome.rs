@@ -22,6 +22,17 @@ impl Fate {
     }
 }
 
+/// When a code with fixed steps sees what happens: at the end of the step in which it does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FixedSteps {
+    /// Length of a step.
+    pub step: f64,
+    /// The deepest step.
+    pub loading_time: f64,
+    /// The first step without a pushing force, or where the run of a captured sphere ends.
+    pub contact_time: f64,
+}
+
 /// The outcome of an impact in dimensionless form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
@@ -41,4 +52,6 @@ pub struct Outcome {
     pub end_speed: f64,
     /// Energy that damping has taken until then, in units of Φ L.
     pub loss: f64,
+    /// What a run in fixed steps sees.
+    pub fixed_steps: Option<FixedSteps>,
 }

@@ -70,6 +70,19 @@ pub struct UnderForces {
     pub gravity_work: Option<f64>,
 }
 
+/// What a code with this fixed step sees of the impact. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InFixedSteps {
+    /// Length of a step \[s\].
+    pub step: f64,
+    /// First touch to the deepest step \[s\].
+    pub compression_time: f64,
+    /// First touch to the first step without a pushing force \[s\]; `None` for a captured sphere.
+    pub separation_time: Option<f64>,
+    /// What the energy ledger is off by at the end of the contact, relative as [`Energy::drift`]; positive for a gain.
+    pub drift_at_end: f64,
+}
+
 /// One impact: every report and every picture reads this. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
@@ -86,9 +99,9 @@ pub struct Impact {
     pub restitution_with_waves: Option<f64>,
     /// e v \[m/s\].
     pub rebound_speed: f64,
-    /// First touch to separation \[s\]; infinite for a captured sphere.
+    /// First touch to separation \[s\], by [`Method::Verlet`] within its last step; infinite for a captured sphere.
     pub contact_time: f64,
-    /// First touch to maximum compression \[s\].
+    /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
     pub loading_time: f64,
     /// F_m \[N\].
     pub peak_force: f64,
@@ -121,6 +134,8 @@ pub struct Impact {
     pub accuracy: Accuracy,
     /// Fate, losses and work under gravity or damping, if the scene names them.
     pub under_forces: Option<UnderForces>,
+    /// What a code with fixed steps sees, by [`Method::Verlet`].
+    pub in_fixed_steps: Option<InFixedSteps>,
     /// Where the model or the run is doubtful.
     pub warnings: Vec<Warning>,
     /// The trace, empty if none was asked for; rows rise in time.
@@ -212,6 +227,12 @@ impl Impact {
             work,
             accuracy: Accuracy::of(outcome, exact),
             under_forces,
+            in_fixed_steps: outcome.fixed_steps.map(|fixed| InFixedSteps {
+                step: fixed.step * scales.time(),
+                compression_time: fixed.loading_time * scales.time(),
+                separation_time: (!is_captured).then(|| fixed.contact_time * scales.time()),
+                drift_at_end: ledger.at_end(),
+            }),
             warnings: Vec::new(),
             trace,
         })

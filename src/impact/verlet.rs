@@ -1,7 +1,12 @@
-//! An impact by velocity Verlet in fixed steps, as DEM codes do it: no landing, kinks stepped over, separation noticed at the
-//! first step without force.
+//! An impact by velocity Verlet in fixed steps, as DEM codes do it: kinks stepped over, separation noticed at the first step
+//! without force.
+//!
+//! A whole number of steps says nothing of the error of the motion. So the two times of the outcome are taken within a step:
+//! maximum compression where the speed at the deepest step, with the acceleration there, comes to zero; separation where
+//! the free flight that the last step ends in left the contact. Both are exact to second order in the step, as the motion is
+//! without damping. [`FixedSteps`] has what a code with this step sees.
 
-use super::outcome::{Fate, Outcome};
+use super::outcome::{Fate, FixedSteps, Outcome};
 use super::record::{Along, Event, Recorder, loading_point};
 use super::scaled_forces::{ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
@@ -54,10 +59,42 @@ impl<'a> Remembering<'a> {
         let force = unloading.force_of(recovered);
         (force, drag.at(force, || unloading.slope_after(recovered.max(0.0)) / ACCELERATION) * speed)
     }
+
+    /// Where the sphere left the contact in the step of this length from `before` to `end`, where nothing pushes it any
+    /// more: back along its free flight, at the dent; or under viscous damping above the dent, where the total force
+    /// vanishes. Damping that is stronger than the force by a coarse step alone leaves it at the end of the step.
+    fn left_at(&mut self, before: &State, end: &State, step: f64, gravity: f64, residual: f64) -> State {
+        let flown_back = |since: f64| State {
+            time: end.time - since,
+            distance: end.distance - since * (end.speed - 0.5 * gravity * since),
+            speed: end.speed - gravity * since,
+            ..*end
+        };
+        let gap = residual - end.distance;
+        let speed_at_dent = (end.speed * end.speed + 2.0 * gravity * gap).sqrt();
+        let is_past_dent = gap > 0.0;
+        let since_dent = if is_past_dent { (2.0 * gap / (speed_at_dent - end.speed)).min(step) } else { 0.0 };
+        if !self.drag.lifts_off() {
+            let at_dent = flown_back(since_dent);
+            let loss = before.loss;
+            return if is_past_dent { State { distance: residual, loss, ..at_dent } } else { at_dent };
+        }
+        let (mut gone, mut pushing) = (since_dent, step);
+        for _ in 0..60 {
+            let since = 0.5 * (gone + pushing);
+            let State { distance, speed, .. } = flown_back(since);
+            let (force, of_damping) = self.at(distance, speed);
+            *(if force + of_damping > 0.0 { &mut pushing } else { &mut gone }) = since;
+        }
+        let left = flown_back(gone);
+        let (force, of_damping) = self.at(left.distance, left.speed);
+        let of_damping = max_or_nan(of_damping, -force);
+        State { loss: before.loss + ACCELERATION * of_damping * left.speed * (step - gone), ..left }
+    }
 }
 
 /// Marches in steps of `step`; the force of damping is that of the speed half a step before. The peak is the deepest step,
-/// separation the first step on the way out without a pushing force, capture the first with a speed inwards again.
+/// the end the first step on the way out without a pushing force, or, for a captured sphere, with a speed inwards again.
 ///
 /// # Errors
 /// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
@@ -72,8 +109,11 @@ pub fn march(
 ) -> Result<Outcome, IntegrationError> {
     let mut contact = Remembering::of(law, forces.drag());
     let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-    let (mut state, mut acceleration) = (touch, ACCELERATION * forces.weight);
+    let gravity = ACCELERATION * forces.weight;
+    let (mut state, mut acceleration) = (touch, gravity);
     let mut peak = State { speed: 0.0, ..touch };
+    // where the speed comes to zero beside the deepest step
+    let mut turns_at = 0.0;
     let mut sampler = recorder.as_ref().map(|recorder| recorder.sampler.clone());
     work.force_evaluations += 1;
     for n in 1..=most_steps {
@@ -81,9 +121,7 @@ pub fn march(
         let distance = state.distance + step * half;
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
         let time = step * n as f64;
-        if let Some(sampler) = &mut sampler {
-            sample(sampler, &state, acceleration, time);
-        }
+        let (before, acceleration_before) = (state, acceleration);
         let (force, of_damping) = contact.at(distance, half);
         work.steps += 1;
         work.force_evaluations += 1;
@@ -93,6 +131,8 @@ pub fn march(
         state = State { time, distance, speed: half + 0.5 * step * acceleration, loss };
         if distance > peak.distance {
             peak = State { speed: 0.0, ..state };
+            let until = if acceleration < 0.0 { (state.speed / -acceleration).clamp(-step, step) } else { 0.0 };
+            turns_at = time + until;
         }
         if !(distance.is_finite() && state.speed.is_finite()) {
             return Err(IntegrationError::NotFinite { time });
@@ -108,24 +148,35 @@ pub fn march(
                 creeps(&contact, forces, &unloading, &state)
             }
         };
-        if lifts_off || is_slower || forces.weight > 0.0 && stays() {
-            let unloading = law.unloading(contact.loaded_to(peak.distance));
-            let separates = lifts_off && !forces.captures(&unloading, q);
+        let is_end = lifts_off || is_slower || forces.weight > 0.0 && stays();
+        let unloading = is_end.then(|| law.unloading(contact.loaded_to(peak.distance)));
+        let separates = lifts_off && unloading.is_some_and(|unloading| !forces.captures(&unloading, q));
+        if let Some(unloading) = unloading.filter(|_| separates) {
+            let residual = law.dent(&unloading.peak).residual() - contact.touch;
+            state = contact.left_at(&before, &state, step, gravity, residual);
+        }
+        if let Some(sampler) = &mut sampler {
+            sample(sampler, &before, acceleration_before, state.time);
+        }
+        if let Some(unloading) = unloading {
+            let loading_time = if is_back { turns_at.min(state.time) } else { peak.time };
             let (fate, end) =
                 if separates { (Fate::Separated, Event::Separation) } else { (Fate::Captured, Event::Captured) };
             if let (Some(recorder), Some(sampler)) = (recorder, sampler) {
-                let events = [(touch, Event::Touch), (peak, Event::Peak), (state, end)];
-                record(&contact, &unloading, peak.time, sampler, &events, recorder);
+                let turning = State { time: loading_time, ..peak };
+                let events = [(touch, Event::Touch), (turning, Event::Peak), (state, end)];
+                record(&contact, &unloading, loading_time, sampler, &events, recorder);
             }
             return Ok(Outcome {
                 unloading,
                 restitution: if separates { -state.speed / q } else { 0.0 },
-                loading_time: peak.time,
-                contact_time: time,
+                loading_time,
+                contact_time: state.time,
                 fate,
-                end_indentation: contact.touch + distance,
+                end_indentation: contact.touch + state.distance,
                 end_speed: state.speed,
                 loss: state.loss / ACCELERATION,
+                fixed_steps: Some(FixedSteps { step, loading_time: peak.time, contact_time: time }),
             });
         }
     }

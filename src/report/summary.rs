@@ -59,6 +59,8 @@ struct Summary<'a> {
     plastic: Option<Plastic>,
     #[serde(flatten)]
     under_forces: Option<Forced>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    verlet: Option<Verlet>,
     energy: Energy,
     accuracy: Accuracy,
     work: Work,
@@ -93,6 +95,16 @@ struct Forced {
     end_indentation_m: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     static_indentation_m: Option<f64>,
+}
+
+/// What only a run in fixed steps has.
+#[derive(Serialize)]
+struct Verlet {
+    step_s: f64,
+    compression_time_s: f64,
+    /// `null` for a captured sphere.
+    separation_time_s: Option<f64>,
+    energy_drift_at_end: f64,
 }
 
 #[derive(Serialize)]
@@ -172,6 +184,12 @@ pub fn summary(
             end_time_s: under.end_time,
             end_indentation_m: under.end_indentation,
             static_indentation_m: under.static_indentation,
+        }),
+        verlet: impact.in_fixed_steps.map(|seen| Verlet {
+            step_s: seen.step,
+            compression_time_s: seen.compression_time,
+            separation_time_s: seen.separation_time,
+            energy_drift_at_end: seen.drift_at_end,
         }),
         energy: Energy {
             kinetic_in: energy.kinetic_in,

@@ -33,6 +33,18 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
             ),
         },
     );
+    if let Some(seen) = &impact.in_fixed_steps {
+        row(
+            "in whole steps",
+            seen.separation_time.map_or_else(|| "without end".to_owned(), |time| quantity(time, "s")),
+            format!(
+                "compression {}, step {}; energy drift at the end {:.1e}",
+                quantity(seen.compression_time, "s"),
+                quantity(seen.step, "s"),
+                seen.drift_at_end
+            ),
+        );
+    }
     row(
         "peak force",
         quantity(impact.peak_force, "N"),

@@ -207,6 +207,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
         end_indentation,
         end_speed,
         loss,
+        fixed_steps: None,
     })
 }
 
