@@ -5,7 +5,7 @@ mod common;
 
 use common::command::{Desk, column, text};
 use common::{STEEL, Scene, any_scene, solver};
-use plm_impact::impact::{Damping, Energy, Event, Forces, Impact, Method};
+use plm_impact::impact::{Damping, Event, Forces, Impact, Method};
 use plm_impact::integrate::Work;
 use proptest::prelude::*;
 
@@ -72,9 +72,11 @@ fn a_row_has_the_bits_of_the_single_run() {
 }
 
 /// All digits that an impact comes to, but for the cost and the trace with its share in the ledger.
-fn results(impact: Impact) -> String {
-    let energy = Energy { drift: 0.0, ..impact.energy };
-    format!("{:?}", Impact { energy, work: Work::default(), warnings: Vec::new(), trace: Vec::new(), ..impact })
+fn results(impact: &mut Impact) -> String {
+    (impact.energy.drift, impact.work) = (0.0, Work::default());
+    impact.warnings.clear();
+    impact.trace.clear();
+    format!("{impact:?}")
 }
 
 proptest! {
@@ -88,7 +90,7 @@ proptest! {
         let forces = Forces { gravity: (which == 1).then_some(9.81), damping };
         let contact = contact.with_forces(forces);
         for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::Verlet] {
-            let with = |samples| contact.impact(speed, &solver(method, 1e-8), samples).map(results);
+            let with = |samples| contact.impact(speed, &solver(method, 1e-8), samples).map(|mut impact| results(&mut impact));
             prop_assert_eq!(with(Some(30)), with(None));
         }
     }
