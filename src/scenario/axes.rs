@@ -33,7 +33,7 @@ pub(super) enum AxisEntry {
 
 /// `[monte_carlo]`
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Variables {
+pub(super) struct RandomKeys {
     /// How many samples.
     pub(super) samples: u64,
     /// Which random numbers; 0 if not given.
@@ -80,8 +80,8 @@ pub(super) fn axes(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<(&'s
 }
 
 /// `[monte_carlo]`.
-pub(super) fn variables(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Variables, Refused> {
-    let mut read_table = Variables { samples: 0, seed: 0, variables: Vec::new() };
+pub(super) fn variables(table: &DeTable, whole: &Spanned<DeValue>) -> Result<RandomKeys, Refused> {
+    let mut read_table = RandomKeys { samples: 0, seed: 0, variables: Vec::new() };
     for (name, value) in table {
         let path = name.get_ref().as_ref();
         let refused = |fault| (Some(path.to_owned()), fault);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::axes::{self, AxisEntry, Variables};
+use super::axes::{self, AxisEntry, RandomKeys};
 use super::values::{Fault, Value, described, read};
 use crate::law::LawChoice;
 use crate::plan::random::Distribution;
@@ -24,7 +24,7 @@ pub(super) struct Entries {
     /// Axes of `[sweep]`, in the order of the file.
     pub(super) axes: Option<Vec<(&'static str, AxisEntry)>>,
     /// `[monte_carlo]`.
-    pub(super) variables: Option<Variables>,
+    pub(super) variables: Option<RandomKeys>,
 }
 
 /// A key that is refused, its value or its name, and why.

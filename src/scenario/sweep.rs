@@ -1,6 +1,6 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::axes::{AxisEntry, Variables};
+use super::axes::{AxisEntry, RandomKeys};
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
@@ -41,7 +41,7 @@ impl Scenario {
                 }
                 (Cases::Grid(axes), "sweep")
             }
-            (None, Some(Variables { samples, seed, variables })) => {
+            (None, Some(RandomKeys { samples, seed, variables })) => {
                 let variables = variables.iter().filter_map(|(path, distribution)| {
                     let key = Key::find(path)?;
                     Some(Variable::new(key, *distribution, key.quantity.range()))

@@ -56,6 +56,10 @@ pub fn columns(program: &Path, run: &Run) -> Columns {
     for entry in fs::read_dir(desk.path().join("out")).unwrap() {
         let path = entry.unwrap().path();
         let file = path.file_name().unwrap().to_string_lossy().into_owned();
+        if file.starts_with('.') {
+            // the list of what the program wrote, with lengths of files
+            continue;
+        }
         let read = || fs::read_to_string(&path).unwrap();
         let mut add = |name: &str, cell| columns.entry((file.clone(), name.to_owned())).or_default().push(cell);
         match path.extension().and_then(|extension| extension.to_str()) {
