@@ -10,9 +10,9 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::functions::pow;
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
+use crate::math::functions::pow;
 pub use course::Branch;
 use course::{Course, Move};
 pub use specimen::{Span, Spans, Specimen, Tested};

@@ -21,7 +21,7 @@ pub mod rk8;
 
 use thiserror::Error;
 
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// The deceleration g(d) along one piece, d measured from the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +43,7 @@ pub enum Restoring {
     /// g = c f.
     Smooth {
         /// f.
-        force: crate::smooth::Smooth,
+        force: crate::math::smooth::Smooth,
         /// Where the piece begins in the variable of f.
         start: f64,
         /// c > 0.
@@ -57,7 +57,7 @@ impl Restoring {
     #[must_use]
     pub fn at(&self, distance: f64) -> f64 {
         match *self {
-            Self::Power { coefficient, exponent } => coefficient * crate::power::power(distance, exponent),
+            Self::Power { coefficient, exponent } => coefficient * crate::math::power::power(distance, exponent),
             Self::Straight { at_start, slope } => at_start + slope * distance,
             Self::Smooth { force, start, factor } => factor * force.value(start, distance),
         }
@@ -68,7 +68,7 @@ impl Restoring {
         match *self {
             Self::Power { coefficient, exponent: 1.5 } => (1.5 * coefficient).sqrt() * distance.abs().sqrt().sqrt(),
             Self::Power { coefficient, exponent } => {
-                (coefficient * exponent).sqrt() * crate::power::power(distance.abs(), 0.5 * (exponent - 1.0))
+                (coefficient * exponent).sqrt() * crate::math::power::power(distance.abs(), 0.5 * (exponent - 1.0))
             }
             Self::Straight { slope, .. } => slope.sqrt(),
             Self::Smooth { force, start, factor } => root_of(factor * force.slope(start, distance)),

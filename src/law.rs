@@ -40,7 +40,7 @@ pub use paper::Plm;
 pub use plm::{CoefficientsError, PlmCoefficients};
 use plm::{ElasticLine, RadiusRatio};
 
-use crate::functions::pow;
+use crate::math::functions::pow;
 pub use published::{Loading, OutsideLaw, Published};
 pub use reloading::Reloaded;
 pub use unloading::{Peak, Unloading, UnloadingShape};

@@ -13,11 +13,8 @@ use std::path::{Path, PathBuf};
 /// The folders (and single files) of `src`, lowest first: each may use those before it and itself. Names on one line stand
 /// side by side and do not use each other.
 const ORDER: &[&[&str]] = &[
-    &["functions"],
+    &["math"],
     &["units"],
-    &["quadrature", "root"],
-    &["power"],
-    &["smooth"],
     &["material"],
     &["law", "integrate"],
     &["impact", "reference"],
@@ -271,7 +268,7 @@ fn a_use_tree_is_read_to_its_leaves() {
         leaves("crate::law::{self, Law, curve::{Piece, Shape as S}}"),
         ["crate::law", "crate::law::Law", "crate::law::curve::Piece", "crate::law::curve::Shape"]
     );
-    assert_eq!(inline("let x = crate::power::power(super::y);"), ["crate::power::power", "super::y"]);
+    assert_eq!(inline("let x = crate::math::power::power(super::y);"), ["crate::math::power::power", "super::y"]);
     let (statements, rest) = uses("pub use a::B;\nuse super::{\n    C,\n};\nfn f() {}\n");
     assert_eq!(statements, [(true, "a::B".to_owned()), (false, "super::{ C, }".to_owned())]);
     assert_eq!(rest.trim(), "fn f() {}");

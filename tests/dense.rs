@@ -6,7 +6,7 @@ mod common;
 use common::Scene;
 use plm_impact::impact::{Impact, Method, TraceRow};
 use plm_impact::law::UnloadingExponent;
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 
 /// Elastic, just yielding, over every number of knots, far beyond the last.
 const SHARES: [f64; 12] = [0.5, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];

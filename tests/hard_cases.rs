@@ -9,7 +9,7 @@ use plm_impact::bench::hard_cases::{HardCase, hard_cases};
 use plm_impact::bench::problems::{kinked_law, problems, steel_speed_ratio};
 use plm_impact::impact::{ImpactError, Method, closed_form};
 use plm_impact::law::{Law, Peak, UnloadingExponent};
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 
 const TOLERANCES: [f64; 11] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
 

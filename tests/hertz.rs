@@ -8,7 +8,7 @@ use common::{STEPPING, Scene, off};
 use plm_impact::impact::Method;
 use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use proptest::prelude::*;
 
 /// (4/5) B(2/5, 1/2): contact time of a Hertz impact times v/δ_max.

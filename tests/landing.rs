@@ -6,7 +6,7 @@ mod common;
 use common::{STEPPING, Scene, off};
 use plm_impact::impact::{Branch, Event, Impact, Method, TraceRow};
 use plm_impact::law::UnloadingExponent;
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use proptest::prelude::*;
 
 /// Speeds in units of the yield speed, from an elastic impact over every number of knots to beyond the last.

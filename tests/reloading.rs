@@ -7,7 +7,7 @@ use common::{STEPPING, Scene, off, solver};
 use plm_impact::impact::{Branch, Contact, Essentials, Event, Impact, Method, Spot, Warning, closed_form};
 use plm_impact::law::{Peak, UnloadingExponent};
 use plm_impact::material::Material;
-use plm_impact::power::quarter_period;
+use plm_impact::math::power::quarter_period;
 use proptest::prelude::*;
 
 const EXPONENTS: [UnloadingExponent; 3] =

@@ -7,7 +7,7 @@ use common::{Scene, off, solver};
 use plm_impact::impact::{Contact, Damping, Forces, Method, Solver, Spot, drop_speed};
 use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use plm_impact::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
 use proptest::prelude::*;
 

@@ -4,7 +4,7 @@
 mod common;
 
 use common::command::{Desk, column, text};
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use plm_impact::repeat::{Drive, Place};
 use plm_impact::run::repeat::prepare_repeat;
 use plm_impact::scenario::Scenario;

@@ -12,7 +12,7 @@ use approx::assert_relative_eq;
 use common::command::{call, text};
 use common::picture::has_free_border;
 use plm_impact::law::PlmCoefficients;
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use plm_impact::validation::check::{Check, Known, Tolerance, Verdict, largest};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;

@@ -4,12 +4,12 @@
 //! modulus ratio of 10¹²), the law and the ratio are those of that scene.
 
 use crate::bench::problems::{kinked_law, steel_speed_ratio};
-use crate::functions::{pow, powi};
 use crate::impact::Contact;
 use crate::impact::closed_form::energy_balance;
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+use crate::math::functions::{pow, powi};
 
 /// One hard case.
 #[derive(Debug, Clone)]

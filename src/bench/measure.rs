@@ -4,12 +4,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use super::problems::Problem;
-use crate::functions::pow;
 use crate::impact::{Method, Outcome, ScaledForces, batch, closed_form, course, verlet};
 use crate::integrate::library::{Library, Pair};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::power::max_or_nan;
+use crate::math::functions::pow;
+use crate::math::power::max_or_nan;
 
 /// What is measured: the methods of the scenarios, and the batch form of rk8.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

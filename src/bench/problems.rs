@@ -6,13 +6,13 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::functions::pow;
 use crate::impact::closed_form::{self, energy_balance};
 use crate::impact::{Contact, Outcome};
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
-use crate::power::quarter_period;
+use crate::math::functions::pow;
+use crate::math::power::quarter_period;
 
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]

@@ -7,11 +7,11 @@ use super::measure::{Contender, Measurement, Rung};
 use super::problems::Problem;
 use crate::impact::{Method, ScaledForces, Solver, closed_form, run};
 use crate::integrate::IntegrationError;
+use crate::math::power::max_or_nan;
 use crate::output::OutputFile;
 use crate::plot::PlotError;
 use crate::plot::axis::Axis;
 use crate::plot::lines::{Lines, Series};
-use crate::power::max_or_nan;
 
 /// One problem with everything measured on it.
 pub type Measured = (Problem, Vec<Measurement>);

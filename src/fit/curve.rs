@@ -28,8 +28,8 @@ use thiserror::Error;
 
 use super::FitError;
 use super::header::{Bodies, Header};
-use crate::functions::ln;
 use crate::material::Pair;
+use crate::math::functions::ln;
 use crate::scenario::read_text;
 
 /// Fewest points beyond first yield that a curve must have.

@@ -2,8 +2,8 @@
 
 use nalgebra::DVector;
 
-use crate::functions;
 use crate::law::PlmCoefficients;
+use crate::math::functions;
 
 /// Least distance of a knot to the one before, and least value of a coefficient, where a logarithm is taken.
 const LEAST: f64 = 1e-9;

@@ -6,7 +6,7 @@ use super::FitError;
 use super::solve::{CaseFit, Fit};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 use crate::units::rounded::number;
 
 fn percent(share: f64) -> String {

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 use super::curve::LoadingCurve;
 use super::parameters::{decode, encode};
-use crate::functions::{exp, ln, tanh};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::math::functions::{exp, ln, tanh};
 
 /// Places along each curve where e is looked at.
 const RESTITUTION_POINTS: u32 = 150;

@@ -8,7 +8,7 @@ use super::curve::LoadingCurve;
 use super::residuals::{Residuals, deviations, rises};
 use crate::law::plm::RadiusRatio;
 use crate::law::{PlmCoefficients, UnloadingExponent};
-use crate::power::{farther_or_nan, max_or_nan};
+use crate::math::power::{farther_or_nan, max_or_nan};
 
 /// Evaluations for each varied number, after which there is little hope.
 const PATIENCE: usize = 20;

@@ -84,8 +84,10 @@ impl Contact {
     fn scales_of_drop(&self, speed: f64, gravity: f64) -> Result<Scales, OutOfFloatRange> {
         let stiffness = self.pair().hertz_stiffness();
         let per_mass = stiffness / self.mass();
-        let length =
-            normal("peak indentation (m)", crate::power::power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity))?;
+        let length = normal(
+            "peak indentation (m)",
+            crate::math::power::power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity),
+        )?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         let contact_radius = (self.pair().radius * length).sqrt();
         Ok(Scales { length, force, speed: (speed * speed + 2.0 * gravity * length).sqrt(), contact_radius })

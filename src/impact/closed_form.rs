@@ -9,11 +9,11 @@ mod with_forces;
 use super::outcome::{Fate, Outcome};
 use super::scaled_forces::ScaledForces;
 use super::scales::ACCELERATION;
-use crate::functions::atan;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Unloading};
-use crate::power::{arctangent, power_time, quarter_period};
-use crate::smooth::Smooth;
+use crate::math::functions::atan;
+use crate::math::power::{arctangent, power_time, quarter_period};
+use crate::math::smooth::Smooth;
 
 pub use with_forces::{closes, way_to_peak};
 

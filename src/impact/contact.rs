@@ -4,9 +4,9 @@ use super::error::ImpactError;
 use super::forces::Forces;
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::functions::pow;
 use crate::law::{Bodies, ContactLaw, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
+use crate::math::functions::pow;
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
 #[derive(Debug, Clone)]
@@ -134,6 +134,6 @@ impl Contact {
         let (scales, law) = self.yielding.as_ref()?;
         self.yield_speed()?;
         let until = law.elastic_until();
-        Some((scales.length * until, scales.force * crate::power::power(until, 1.5)))
+        Some((scales.length * until, scales.force * crate::math::power::power(until, 1.5)))
     }
 }

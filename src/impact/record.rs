@@ -3,7 +3,7 @@
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Sampler, State};
 use crate::law::{Law, Peak, Unloading};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

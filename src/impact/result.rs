@@ -10,7 +10,7 @@ use super::record::Point;
 use super::solve::Method;
 use super::warning::Warning;
 use crate::integrate::{IntegrationError, Work};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// Where the kinetic energy went \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,8 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
 //! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
 
-use crate::functions::pow;
 use crate::material::{OutOfFloatRange, Pair, YieldPoint, normal};
+use crate::math::functions::pow;
 
 /// c of x'' = −c f.
 pub const ACCELERATION: f64 = 1.25;
@@ -61,7 +61,7 @@ impl Scales {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::ln;
+    use crate::math::functions::ln;
 
     #[test]
     fn hertz_scales_balance_the_energy_up_to_the_ends_of_the_doubles() {

@@ -5,7 +5,7 @@ use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::Warning;
 use crate::law::{Law, Peak};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// Validity of the model for this impact.
 fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<Warning> {

@@ -13,7 +13,7 @@ use super::scales::ACCELERATION;
 use crate::integrate::{Drag, IntegrationError, Sampler, State, Work};
 use crate::law::curve::Piece;
 use crate::law::{Law, Peak, Unloading};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
 /// first touch.

@@ -15,11 +15,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::scales::{ACCELERATION, Scales};
-use crate::functions::{atan2, cos, gamma, sin};
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::material::{HalfSpace, OutOfFloatRange, normal};
-use crate::quadrature::over as integrate;
+use crate::math::functions::{atan2, cos, gamma, sin};
+use crate::math::quadrature::over as integrate;
 
 /// How a half-space radiates under a changing normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]

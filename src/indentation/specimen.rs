@@ -3,7 +3,7 @@
 use super::{Indentation, IndentationError, Indenter, StaticContact, Step, Target};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Pair};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// A half-space that is indented, with its name and how well its numbers are known.
 #[derive(Debug, Clone, PartialEq)]

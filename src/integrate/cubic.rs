@@ -1,6 +1,6 @@
 //! The cubic through the values and slopes at both ends of a step, on 0 ≤ x ≤ 1.
 
-use crate::root::next_guess;
+use crate::math::root::next_guess;
 
 /// Where in (0, 1) the cubic with these values and slopes at both ends is least, if it falls at first and rises at last.
 pub(super) fn cubic_minimum(before: f64, slope_before: f64, after: f64, slope_after: f64) -> Option<f64> {

@@ -12,8 +12,8 @@ use super::piece::smooth::{DraggedOfDistance, DraggedOfRoot};
 use super::piece::straight::DraggedStraight;
 use super::piece::{Dragged, Quad};
 use super::{IntegrationError, Integrator, Landing, Path, Restoring, Sampler, State, Work};
-use crate::functions::pow;
-use crate::smooth::Variable;
+use crate::math::functions::pow;
+use crate::math::smooth::Variable;
 use run::{Progress, Run, Verdict};
 
 pub(super) mod run;

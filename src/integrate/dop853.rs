@@ -6,7 +6,7 @@
 use super::lanes::Lane;
 use super::piece::{Motion, Quad};
 
-use crate::functions::hypot;
+use crate::math::functions::hypot;
 
 const A2: [f64; 1] = [0.052_600_151_958_767_73];
 const A3: [f64; 2] = [0.019_725_056_984_537_9, 0.059_175_170_953_613_7];
@@ -177,7 +177,7 @@ pub(super) fn step<T: Lane, M: Motion<T>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::{log2, powi};
+    use crate::math::functions::{log2, powi};
 
     /// u' = −y − 0.2 u: halving the step must cut the error by 2^8.
     #[test]

@@ -2,9 +2,9 @@
 //! function on a power law, quadrature on any other. For traces without integration error, and as the reference of all others.
 
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
-use crate::functions::{atan, pow, sin, sin_cos};
-use crate::power::{power_state, power_time, quarter_period};
-use crate::smooth::Smooth;
+use crate::math::functions::{atan, pow, sin, sin_cos};
+use crate::math::power::{power_state, power_time, quarter_period};
+use crate::math::smooth::Smooth;
 
 /// Energy and closed-form times instead of steps, for ways that only the restoring force acts on.
 #[derive(Debug, Clone, Default)]
@@ -52,7 +52,8 @@ impl Integrator for Exact {
                 (landing, State { time: begun + lasted, distance: start.distance + moved, speed: exit, loss })
             }
             (Restoring::Power { coefficient, exponent }, Leg::Outward(end)) => {
-                let potential = |d: f64| coefficient * crate::power::power(d, exponent) * d * 2.0 / (exponent + 1.0);
+                let potential =
+                    |d: f64| coefficient * crate::math::power::power(d, exponent) * d * 2.0 / (exponent + 1.0);
                 // as if it had come from d = 0
                 let whole = start.speed * start.speed + potential(start.distance);
                 let entry = whole.sqrt();
@@ -71,8 +72,9 @@ impl Integrator for Exact {
             }
             (Restoring::Power { exponent, coefficient }, Leg::Back(_)) => {
                 let farthest = start.distance;
-                let exit =
-                    (coefficient * crate::power::power(farthest, exponent) * farthest * 2.0 / (exponent + 1.0)).sqrt();
+                let exit = (coefficient * crate::math::power::power(farthest, exponent) * farthest * 2.0
+                    / (exponent + 1.0))
+                    .sqrt();
                 let lasted = quarter_period(exponent) * farthest / exit;
                 take(begun + lasted, &|t| {
                     let (distance, speed) = power_state(exponent, farthest, exit, lasted - t);

@@ -138,7 +138,7 @@ pub(super) fn step<T: Lane, F: Field<T>>(y: T, hu: T, g1: T, field: F) -> Step<T
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::{log2, powi};
+    use crate::math::functions::{log2, powi};
 
     /// Order conditions on monomials: with g = 0 but y given by hand the quadrature part of the weights must integrate
     /// 1, c, c² … exactly: Σ V c^k = 1/(k+1) for k < 8, Σ B c^k = 1/((k+1)(k+2)) for k < 7, rows Σ a = c²/2.

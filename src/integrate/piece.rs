@@ -27,7 +27,7 @@ pub(super) mod straight;
 
 use super::lanes::Lane;
 
-use crate::functions::powi;
+use crate::math::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
 pub(super) trait Field<T: Lane>: Copy {

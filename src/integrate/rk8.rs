@@ -21,8 +21,8 @@ use super::piece::smooth::{OfDistance, OfRoot};
 use super::piece::straight::Straight;
 use super::piece::{Field, NoPull, Pull, Twice, Variables};
 use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
-use crate::functions::pow;
-use crate::smooth::Variable;
+use crate::math::functions::pow;
+use crate::math::smooth::Variable;
 
 /// The integrator.
 #[derive(Debug, Clone)]

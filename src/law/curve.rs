@@ -5,9 +5,9 @@
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
 use super::Unloading;
-use crate::functions::{exp_m1, ln_1p, pow};
-use crate::power::{power, work_share};
-use crate::smooth::Smooth;
+use crate::math::functions::{exp_m1, ln_1p, pow};
+use crate::math::power::{power, work_share};
+use crate::math::smooth::Smooth;
 
 /// How the force goes on from the start of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
-use crate::functions::pow;
+use crate::math::functions::pow;
 
 /// The elastic contact.
 ///

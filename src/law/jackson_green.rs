@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::functions::{exp, pow};
-use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::math::functions::{exp, pow};
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Jackson and Green.
 ///

@@ -7,7 +7,7 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
-use crate::functions::{pow, powi};
+use crate::math::functions::{pow, powi};
 
 /// The impact of Johnson, with its closed-form restitution.
 ///

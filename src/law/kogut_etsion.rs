@@ -7,8 +7,8 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::jackson_green::Jumps;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::functions::pow;
-use crate::smooth::{POWER, Smooth};
+use crate::math::functions::pow;
+use crate::math::smooth::{POWER, Smooth};
 
 /// The law of Kogut and Etsion.
 ///

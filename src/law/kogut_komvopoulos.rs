@@ -5,8 +5,8 @@ use super::curve::Curve;
 use super::jackson_green::{Jumps, crossing};
 use super::paper::Plm;
 use super::published::{Loading, RecoveryRule};
-use crate::functions::{ln, pow};
-use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::math::functions::{ln, pow};
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The loading of Kogut and Komvopoulos, with the unloading of Xie et al. (2024).
 ///

@@ -6,8 +6,8 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 use super::thornton;
-use crate::functions::{cbrt, ln, powi};
-use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::math::functions::{cbrt, ln, powi};
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Ma and Liu, in the form remembered of it.
 ///

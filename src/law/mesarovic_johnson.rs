@@ -7,7 +7,7 @@ use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::smooth::{Formula, Jet, Number, Parameters};
+use crate::math::smooth::{Formula, Jet, Number, Parameters};
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///

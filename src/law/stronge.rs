@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::functions::{ln, pow};
-use crate::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::math::functions::{ln, pow};
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Stronge.
 ///

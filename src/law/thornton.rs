@@ -7,7 +7,7 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 
-use crate::functions::{cbrt, pow, powi};
+use crate::math::functions::{cbrt, pow, powi};
 
 /// The law of Thornton.
 ///

@@ -5,9 +5,9 @@ use super::curve::{Piece, Shape};
 use super::mesarovic_johnson::UNIFORM_PRESSURE;
 use super::reloading::GRAZING;
 use super::yigit_christoforou::SHIFTED_HERTZ;
-use crate::functions::pow;
-use crate::power::{power, work_share};
-use crate::smooth::Smooth;
+use crate::math::functions::pow;
+use crate::math::power::{power, work_share};
+use crate::math::smooth::Smooth;
 
 /// The largest state a contact has seen: all the memory the law has.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,8 +6,8 @@ use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::functions::cbrt;
-use crate::smooth::{Formula, Jet, Number, Parameters};
+use crate::math::functions::cbrt;
+use crate::math::smooth::{Formula, Jet, Number, Parameters};
 
 /// The law of Yigit and Christoforou.
 ///

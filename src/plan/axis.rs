@@ -1,8 +1,8 @@
 //! An axis of a sweep: a key of the scene and the values it takes.
 
-use crate::functions::{log10, pow};
 use crate::impact::Method;
 use crate::law::LawChoice;
+use crate::math::functions::{log10, pow};
 use crate::scene::{Key, Scene};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.

@@ -8,7 +8,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-use crate::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
+use crate::math::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
 use crate::scene::Key;
 
 /// A distribution of a key's values, in SI.

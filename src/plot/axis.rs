@@ -1,6 +1,6 @@
 //! Axes: range, ticks and their labels, linear in engineering units or logarithmic.
 
-use crate::functions::{exp, ln, log10};
+use crate::math::functions::{exp, ln, log10};
 use crate::units::rounded::{Prefix, power_of_ten, ten_to};
 
 /// Values beyond this are not drawn, nor those below its inverse on a logarithmic axis, so that neither the ends of an

@@ -9,7 +9,7 @@ use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGB
 use super::PlotError;
 use super::style::{PAPER, Stroke};
 
-use crate::functions::hypot;
+use crate::math::functions::hypot;
 
 /// A place on the picture \[px\], from its upper left corner.
 pub(super) type Point = (f64, f64);

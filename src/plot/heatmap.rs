@@ -10,7 +10,7 @@ use super::key::{BOTTOM, LEFT, TOP};
 use super::style::GRID;
 use super::{PlotError, SIZE};
 
-use crate::functions::{exp, ln};
+use crate::math::functions::{exp, ln};
 
 /// Width of the colour bar and of the room for it \[px\].
 const BAR: f64 = 44.0;

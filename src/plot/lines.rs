@@ -7,7 +7,7 @@ use super::key::{self, Entry};
 use super::style::{GREY, Mark, Stroke, series};
 use super::{PlotError, SIZE};
 
-use crate::functions::{hypot, pow};
+use crate::math::functions::{hypot, pow};
 
 /// Curves on two axes.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use super::flight::Flight;
 use crate::impact::{Fate, Impact, Method, Warning};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// Why a series ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use super::inputs::Inputs;
 use super::repeat::end_text;
 use super::summary::Provenance;
 use crate::impact::Contact;
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 use crate::repeat::{Drive, Repeat, Sequence};
 
 #[derive(Serialize)]

@@ -1,7 +1,7 @@
 //! The short table a person reads on the terminal.
 
 use crate::impact::{Contact, Impact, UnderForces};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 use crate::units::rounded::{number, percent, quantity};
 
 /// A few aligned lines: what came of the impact and how exact it is.

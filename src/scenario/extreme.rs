@@ -1,8 +1,8 @@
 //! Which number of a scenario is so large or small that a result leaves double precision.
 
 use super::{Scenario, ScenarioError};
-use crate::functions::log10;
 use crate::material::OutOfFloatRange;
+use crate::math::functions::log10;
 use crate::scene::quantity::Quantity;
 use crate::scene::{KEYS, Key};
 use crate::units::{number, parse, si};

@@ -3,7 +3,7 @@
 use super::Dimension;
 use super::table::Scale;
 
-use crate::functions::powi;
+use crate::math::functions::powi;
 
 /// A number in its shortest exact form, with an exponent where zeros would hide the digits.
 #[must_use]

@@ -2,8 +2,8 @@
 
 use super::ValidationError;
 use crate::fit::{LoadingCurve, LoadingPoint};
-use crate::functions::ln;
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
+use crate::math::functions::ln;
 use crate::reference::{LOADING, unloading};
 
 /// Fewest elements in contact at which a dent has a shape.

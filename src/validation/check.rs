@@ -1,6 +1,6 @@
 //! One comparison.
 
-use crate::power::farther_or_nan;
+use crate::math::power::farther_or_nan;
 
 /// How far a number may be off, and who says so.
 #[derive(Debug, Clone, Copy, PartialEq)]

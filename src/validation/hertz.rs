@@ -6,10 +6,10 @@
 
 use super::ValidationError;
 use super::check::{Check, Tolerance};
-use crate::functions::{pow, powi};
 use crate::impact::{Contact, Impact, Method, Solver};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
+use crate::math::functions::{pow, powi};
 
 const RIGID: Material = Material { youngs_modulus: f64::INFINITY, poissons_ratio: 0.3 };
 const CHUNG_OOI: &str = "Hertz impact with the inputs of Chung & Ooi 2011, test 2";

@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 use super::ValidationError;
 use super::cases::cases;
-use crate::functions::{exp, ln};
 use crate::law::{Peak, PlmCoefficients};
+use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
 use crate::plot::{Axis, Guide, Lines, PlotError, Series};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
-use crate::power::max_or_nan;
+use crate::math::power::max_or_nan;
 
 /// `validation.csv`: every row; deviations and tolerances are shares.
 ///

@@ -8,7 +8,7 @@ use plm_impact::impact::{Contact, Impact, Method, Outcome, ScaledForces, Solver,
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::power::max_or_nan;
+use plm_impact::math::power::max_or_nan;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed};
 

@@ -59,7 +59,7 @@ fn a_dent_however_shallow_is_landed_on() {
             for (method, factor) in STEPPING {
                 for tolerance in [1e-3, 1e-6, 1e-10, 1e-13] {
                     let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
-                    let error = plm_impact::power::max_or_nan(
+                    let error = plm_impact::math::power::max_or_nan(
                         off(impact.restitution, exact.restitution),
                         off(impact.contact_time, exact.contact_time),
                     );

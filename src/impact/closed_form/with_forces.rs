@@ -15,15 +15,15 @@
 //! So peak and rebound are roots in both, and the time is ∫ dx/u: in closed form on straight pieces under gravity, by a
 //! quadrature that knows the distances from both ends elsewhere.
 
-use crate::functions::{atan, atan2, exp, exp_m1, ln_1p};
 use crate::impact::forces::Damping;
 use crate::impact::outcome::{Fate, Outcome};
 use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
 use crate::law::curve::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
-use crate::power::{power, power_turn};
-use crate::quadrature;
+use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
+use crate::math::power::{power, power_turn};
+use crate::math::quadrature;
 
 /// Where an impact of energy `kinetic` (in units of Φ L) and weight w turns: the piece, and the distance from its start.
 fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {

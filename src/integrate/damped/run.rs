@@ -8,12 +8,12 @@
 //!  dip ── the force was gone ──────┘
 //! ```
 
-use crate::functions::pow;
 use crate::integrate::cubic::{cubic_minimum, cubic_root};
 use crate::integrate::dop853::{EVALUATIONS, Step};
 use crate::integrate::lanes::Lane;
 use crate::integrate::piece::{Dragged, Quad};
 use crate::integrate::{Crossing, IntegrationError, Landing, Leg, MOST_STEPS, Path, State, Work};
+use crate::math::functions::pow;
 
 /// Repeats of a landing step.
 const MOST_ROUNDS: u32 = 12;

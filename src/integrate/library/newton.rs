@@ -9,7 +9,7 @@ use ode_solvers::System;
 use super::driver::{Driver, Node};
 use crate::integrate::cubic::cubic_minimum;
 use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
-use crate::root::next_guess;
+use crate::math::root::next_guess;
 
 /// The landing on a crossing, and the state there.
 fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {

@@ -1,10 +1,10 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`.
 
 use super::{Dragged, Field, Motion, Pull, Quad, Variables};
-use crate::functions::{pow, powi};
 use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
-use crate::power::power_turn;
+use crate::math::functions::{pow, powi};
+use crate::math::power::power_turn;
 
 /// Any power law without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1.
 #[derive(Debug, Clone, Copy)]

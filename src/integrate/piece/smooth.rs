@@ -1,9 +1,9 @@
 //! Pieces that are neither powers nor straight lines: a formula that is smooth in d, or in √d.
 
 use super::{Dragged, Field, Motion, Quad, Variables};
-use crate::functions::powi;
 use crate::integrate::{Drag, Path, root_of};
-use crate::smooth::{Jet, Smooth};
+use crate::math::functions::powi;
+use crate::math::smooth::{Jet, Smooth};
 
 /// A formula of d without drag, y = d: g = −c f(start + y).
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,7 @@
 use super::super::cases::Case;
 use super::super::dents::residual_radius;
 use super::{Picture, sampled, slug};
-use crate::functions::powi;
+use crate::math::functions::powi;
 use crate::plot::{Axis, Guide, Series};
 use crate::units::rounded::number;
 

@@ -4,8 +4,8 @@ use super::super::EXPONENTS;
 use super::super::cases::{Case, Cycle};
 use super::super::unloading::branch;
 use super::{Picture, loop_axes, sampled, slug};
-use crate::functions::pow;
 use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::math::functions::pow;
 use crate::plot::{Axis, Series};
 use crate::units::rounded::number;
 

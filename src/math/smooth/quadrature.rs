@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use crate::functions::cos;
+use crate::math::functions::cos;
 
 /// Nodes of a panel.
 const NODES: usize = 20;
@@ -126,7 +126,7 @@ pub(super) fn time(g: impl Fn(f64) -> f64, zero: f64, from: f64, to: f64, exit: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::powi;
+    use crate::math::functions::powi;
 
     #[test]
     fn the_rule_integrates_polynomials() {

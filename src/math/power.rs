@@ -1,7 +1,7 @@
 //! The power law d^n: its value, and the time a motion d'' = −k d^n takes. A leaf that laws, integrators and closed forms share.
 
-use crate::functions::{asin, atan, gamma, pow, sin, sin_cos};
-use crate::root::next_guess;
+use crate::math::functions::{asin, atan, gamma, pow, sin, sin_cos};
+use crate::math::root::next_guess;
 
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
 #[inline]

@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use crate::functions::{cosh, exp, sinh};
+use crate::math::functions::{cosh, exp, sinh};
 
 /// How far t runs: the weights are below 1e-30 there.
 const FARTHEST: f64 = 4.0;
@@ -81,7 +81,7 @@ pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::functions::{ln, pow};
+    use crate::math::functions::{ln, pow};
 
     #[test]
     fn singular_ends_are_integrated_to_rounding() {

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
+use crate::math::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
 
 /// What a formula needs of its argument.
 pub trait Number:

@@ -4,8 +4,8 @@
 //! What a force is, is written once, in the file of its law, as a function of a [`Number`]: of a plain `f64`, or of a
 //! [`Jet`] that carries two derivatives along.
 
-use crate::functions::{exp, ln, pow};
-use crate::root::next_guess;
+use crate::math::functions::{exp, ln, pow};
+use crate::math::root::next_guess;
 
 mod number;
 mod quadrature;
@@ -278,7 +278,7 @@ impl Smooth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::power::{power_time, quarter_period};
+    use crate::math::power::{power_time, quarter_period};
 
     /// x^1.5 as a formula, without its antiderivative.
     static HERTZ: Formula = Formula::new("hertz", raised::<f64>, raised::<Jet>, None);

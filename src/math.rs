@@ -1,0 +1,8 @@
+//! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots, powers,
+//! and smooth forces given by a formula.
+
+pub mod functions;
+pub mod power;
+pub mod quadrature;
+pub mod root;
+pub mod smooth;
