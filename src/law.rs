@@ -13,17 +13,16 @@
 
 pub mod brake;
 pub mod catalogue;
-pub mod combined;
 pub mod contact_law;
 pub mod curve;
 pub mod hertz;
 pub mod jackson_green;
 pub mod johnson;
+pub mod jumps;
 pub mod kogut_etsion;
 pub mod kogut_komvopoulos;
 pub mod ma_liu;
 pub mod mesarovic_johnson;
-pub mod paper;
 pub mod plm;
 pub mod published;
 pub mod reloading;
@@ -33,51 +32,15 @@ pub mod unloading;
 pub mod walton_braun;
 pub mod yigit_christoforou;
 
-pub use catalogue::LawChoice;
+pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 use curve::Curve;
-pub use paper::Plm;
-pub use plm::{CoefficientsError, PlmCoefficients};
-use plm::{ElasticLine, RadiusRatio};
+use plm::lines::{ElasticLine, RadiusRatio};
+pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 
 use crate::math::functions::pow;
 pub use published::{Loading, OutsideLaw, Published};
-pub use reloading::Reloaded;
-pub use unloading::{Peak, Unloading, UnloadingShape};
-
-/// Which exponent n the unloading branch has.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum UnloadingExponent {
-    /// n = 3/2, the paper's law.
-    #[default]
-    Paper,
-    /// Any number in (1, 2]: for comparison. Physics backs the other two alone.
-    Fixed(f64),
-    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
-    PressureShape,
-}
-
-impl From<UnloadingExponent> for f64 {
-    /// The number that is read back to the same exponent: infinite for "pressure-shape".
-    fn from(exponent: UnloadingExponent) -> Self {
-        match exponent {
-            UnloadingExponent::Paper => 1.5,
-            UnloadingExponent::Fixed(value) => value,
-            UnloadingExponent::PressureShape => f64::INFINITY,
-        }
-    }
-}
-
-impl From<f64> for UnloadingExponent {
-    /// 1.5 is the paper's law; an infinite number stands for the word "pressure-shape" while a scenario is read.
-    fn from(value: f64) -> Self {
-        match value {
-            1.5 => Self::Paper,
-            _ if value.is_infinite() => Self::PressureShape,
-            _ => Self::Fixed(value),
-        }
-    }
-}
+pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// The part of the approach that would be recovered, ε, along the loading curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,6 +55,17 @@ pub enum ElasticApproach {
     Published(Box<Published>),
     /// On a spot that was loaded before.
     Reloaded(Box<Reloaded>),
+}
+
+/// What a spot remembers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reloaded {
+    /// From the largest state so far.
+    pub branch: Unloading,
+    /// a/a_Y there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to f/ε.
+    radius: f64,
+    /// The law of fresh surface.
+    fresh: Law,
 }
 
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
@@ -262,12 +236,4 @@ impl Law {
             }
         }
     }
-}
-
-/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
-/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
-#[must_use]
-pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
-    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
-    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
 }

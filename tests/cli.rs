@@ -235,7 +235,7 @@ fn outputs_that_cannot_be_written_are_refused_before_anything_runs() {
 
 #[test]
 fn coefficients_come_from_a_file_beside_the_scenario() {
-    let built_in = include_str!("../src/law/plm_coefficients.toml");
+    let built_in = include_str!("../src/law/plm/coefficients.toml");
     let desk = Desk::with("");
     fs::create_dir(desk.path("sub")).unwrap();
     fs::write(desk.path("sub/s.toml"), STEEL).unwrap();

@@ -300,7 +300,7 @@ fn bad_tables_are_refused_with_key_value_and_rule() {
 
 #[test]
 fn bad_text_is_refused_with_line_and_key() {
-    let text = include_str!("../src/law/plm_coefficients.toml");
+    let text = include_str!("../src/law/plm/coefficients.toml");
     assert_eq!(&PlmCoefficients::from_toml(text).unwrap(), PlmCoefficients::built_in());
     for (from, to, want) in [
         ("first_slope = 1.61", "first_slop = 1.61", "first_slop"),

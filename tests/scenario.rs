@@ -290,7 +290,7 @@ fn errors_of_overrides_say_so() {
 fn the_hash_is_of_text_overrides_and_coefficients() {
     let directory = tempfile::tempdir().unwrap();
     let coefficients = directory.path().join("my.toml");
-    let built_in = include_str!("../src/law/plm_coefficients.toml");
+    let built_in = include_str!("../src/law/plm/coefficients.toml");
     let file = directory.path().join("scenario.toml");
     let hash = |text: &str, overrides: &[&str], table: &str| {
         std::fs::write(&file, text).unwrap();

@@ -186,7 +186,7 @@ coefficients = "my.toml"
 "#
     );
     fs::write(&path, text).unwrap();
-    fs::write(directory.path().join("my.toml"), include_str!("../src/law/plm_coefficients.toml")).unwrap();
+    fs::write(directory.path().join("my.toml"), include_str!("../src/law/plm/coefficients.toml")).unwrap();
     let more = ["--set", "half_space.yield_strength=500 MPa", "--set", "sphere.density=7.9 g/cm^3"];
     merged_is_whole(directory.path(), &path, &more, &["restitution.png", "restitution_map.png"]);
     // the speeds go beyond the range of the model, which is said in both

@@ -17,7 +17,7 @@ use plm_impact::validation::check::{Check, Known, Tolerance, Verdict, largest};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;
 
-const BUILT_IN: &str = include_str!("../src/law/plm_coefficients.toml");
+const BUILT_IN: &str = include_str!("../src/law/plm/coefficients.toml");
 
 /// A row of a table, by column.
 type Row = BTreeMap<String, String>;

@@ -50,7 +50,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
-    /// loading or no unloading (see [`Combined`](crate::law::combined::Combined)).
+    /// loading or no unloading (see [`Combined`](crate::law::Combined)).
     pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;

@@ -3,7 +3,7 @@
 use super::forces::Damping;
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Rest};
-use crate::law::reloading::GRAZING;
+use crate::law::unloading::GRAZING;
 use crate::law::{Law, Unloading};
 
 /// What acts on a sphere beside the law, in the units of an impact.

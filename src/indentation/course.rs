@@ -1,6 +1,6 @@
 //! The way of a slow contact through its law: dimensionless, step after step, nothing but closed forms.
 
-use crate::law::reloading::GRAZING;
+use crate::law::unloading::GRAZING;
 use crate::law::{Law, Peak, Unloading};
 
 /// Steps that move by less than this share of their indentation do not move: rounding of a target that is held.

@@ -1,9 +1,7 @@
 //! The list of laws, and of those that are not public. The tables of their keys are in `scenario/law.rs`.
 
-use super::About;
 use super::brake::Brake;
-use super::combined::Combined;
-use super::contact_law::ContactLaw;
+use super::contact_law::{About, Bodies, ContactLaw};
 use super::hertz::Hertz;
 use super::jackson_green::JacksonGreen;
 use super::johnson::Johnson;
@@ -11,7 +9,8 @@ use super::kogut_etsion::KogutEtsion;
 use super::kogut_komvopoulos::KogutKomvopoulos;
 use super::ma_liu::MaLiu;
 use super::mesarovic_johnson::MesarovicJohnson;
-use super::paper::Plm;
+use super::plm::Plm;
+use super::published::{Loading, RecoveryRule};
 use super::stronge::Stronge;
 use super::thornton::Thornton;
 use super::walton_braun::WaltonBraun;
@@ -130,6 +129,41 @@ impl LawChoice {
             }
             law => law.about().source.to_owned(),
         }
+    }
+}
+
+/// Two halves.
+///
+/// What the unloading needs of the peak (force, indentation, contact radius) is what the loading gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Combined {
+    /// How it loads.
+    pub loading: Box<LawChoice>,
+    /// How it unloads.
+    pub unloading: Box<LawChoice>,
+}
+
+static ABOUT: About = About {
+    name: "combined",
+    title: "Loading of one law, unloading of another",
+    source: "those of its halves",
+    loading: "named by `loading`",
+    unloading: "named by `unloading`",
+    validity: "those of its halves",
+    confidence: "the lower of its halves",
+};
+
+impl ContactLaw for Combined {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+        self.loading.get().loading(bodies)
+    }
+
+    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+        self.unloading.get().recovery(bodies)
     }
 }
 

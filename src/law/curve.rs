@@ -4,7 +4,6 @@
 //! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
-use super::Unloading;
 use crate::math::functions::{exp_m1, ln_1p, pow};
 use crate::math::power::{power, work_share};
 use crate::math::smooth::Smooth;
@@ -159,7 +158,7 @@ impl Piece {
 /// with another force; the work is continuous.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    pieces: Vec<Piece>,
+    pub(super) pieces: Vec<Piece>,
 }
 
 impl Curve {
@@ -209,28 +208,6 @@ impl Curve {
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
         self.then_straight(start, slope)
-    }
-
-    /// The curve of a spot that was loaded along this one, fresh, to the peak of `branch`: first that branch, then what is
-    /// left of this curve. Its work counts from the zero of the branch.
-    #[must_use]
-    pub fn reloaded(&self, branch: &Unloading) -> Self {
-        let peak = branch.peak;
-        let stored = branch.capacity();
-        let index = self.index_at(peak.indentation);
-        let cut = &self.pieces[index];
-        let cut_off = peak.indentation - cut.start;
-        let shape = match cut.shape {
-            Shape::Power { stiffness, exponent } => Shape::LatePower { stiffness, exponent, lead: cut_off },
-            Shape::LatePower { stiffness, exponent, lead } => {
-                Shape::LatePower { stiffness, exponent, lead: lead + cut_off }
-            }
-            same @ (Shape::Straight { .. } | Shape::Smooth(_)) => same,
-        };
-        let spent = cut.work_at(peak.indentation);
-        let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
-        let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
-        Self { pieces: [branch.branch(), first].into_iter().chain(rest).collect() }
     }
 
     /// x of the first jump of the force on the way to x; `None` if the force is continuous so far.

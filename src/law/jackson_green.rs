@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
+use super::jumps::{Jumps, crossing};
 use super::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
@@ -53,16 +54,6 @@ pub enum Hardness {
     Exponential,
     /// The later form with a cosine.
     Cosine,
-}
-
-/// What becomes of the jumps of a force that was printed piece by piece.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Jumps {
-    /// Kept, at the printed limits.
-    #[default]
-    Printed,
-    /// Every piece goes on until the next one crosses it: no jump, and no piece changed beyond its crossing.
-    Crossed,
 }
 
 static ABOUT: About = About {
@@ -175,31 +166,4 @@ impl ContactLaw for JacksonGreen {
             Recovered::hertzian(peak.indentation * (1.0 - residual((peak.indentation / s).max(1.0))))
         }))
     }
-}
-
-/// Where an excess that is positive at `from` falls to zero, by bisection; `None` if it is not positive there, or does not
-/// fall to zero before `until`.
-pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
-    /// Steps of the search.
-    const GROWTH: f64 = 1.02;
-    let mut high = from;
-    while excess(high) > 0.0 {
-        high *= GROWTH;
-        if high.is_nan() || high >= GROWTH * until {
-            return None;
-        }
-    }
-    if high == from {
-        return None;
-    }
-    let mut low = high / GROWTH;
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(high)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::jackson_green::Jumps;
+use super::jumps::Jumps;
 use super::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::pow;
 use crate::math::smooth::{POWER, Smooth};

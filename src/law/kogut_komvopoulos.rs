@@ -2,8 +2,8 @@
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::jackson_green::{Jumps, crossing};
-use super::paper::Plm;
+use super::jumps::{Jumps, crossing};
+use super::plm::Plm;
 use super::published::{Loading, RecoveryRule};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};

@@ -7,7 +7,6 @@ use super::UnloadingShape;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
-use crate::math::smooth::{Formula, Jet, Number, Parameters};
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///
@@ -52,15 +51,6 @@ static ABOUT: About = About {
     validity: "full plasticity only, E* a/(strength R) >= 50; refused where the dent would be negative",
     confidence: "high",
 };
-
-/// (2 f_m/π)(θ − sin θ cos θ) with 1 − cos θ = d/ε, a function of √d: sin(θ/2) = √(d/2ε). Parameters f_m, ε.
-pub(super) static UNIFORM_PRESSURE: Formula =
-    Formula::of_root("uniform pressure", uniform_pressure::<f64>, uniform_pressure::<Jet>);
-
-fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: N) -> N {
-    let theta = (root * (0.5 / elastic_approach).sqrt()).asin() * 2.0;
-    (theta + theta.sin() * theta.cos() * -1.0) * (2.0 / PI * force)
-}
 
 impl ContactLaw for MesarovicJohnson {
     fn about(&self) -> &'static About {

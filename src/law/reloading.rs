@@ -13,22 +13,33 @@
 //! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
 //! ```
 
+use super::curve::{Curve, Piece, Shape};
 use super::published::OutsideLaw;
-use super::{ElasticApproach, Law, Peak, Unloading};
+use super::unloading::GRAZING;
+use super::{ElasticApproach, Law, Peak, Reloaded, Unloading};
 
-/// Energy of a reload over what the branch can hold, less one, below which it turns at the old peak: some ten roundings.
-/// A sphere that comes back with the speed it left with has that energy but for rounding.
-pub const GRAZING: f64 = 32.0 * f64::EPSILON;
-
-/// What a spot remembers.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reloaded {
-    /// From the largest state so far.
-    pub branch: Unloading,
-    /// a/a_Y there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to f/ε.
-    radius: f64,
-    /// The law of fresh surface.
-    fresh: Law,
+impl Curve {
+    /// The curve of a spot that was loaded along this one, fresh, to the peak of `branch`: first that branch, then what is
+    /// left of this curve. Its work counts from the zero of the branch.
+    #[must_use]
+    pub fn reloaded(&self, branch: &Unloading) -> Self {
+        let peak = branch.peak;
+        let stored = branch.capacity();
+        let index = self.index_at(peak.indentation);
+        let cut = &self.pieces[index];
+        let cut_off = peak.indentation - cut.start;
+        let shape = match cut.shape {
+            Shape::Power { stiffness, exponent } => Shape::LatePower { stiffness, exponent, lead: cut_off },
+            Shape::LatePower { stiffness, exponent, lead } => {
+                Shape::LatePower { stiffness, exponent, lead: lead + cut_off }
+            }
+            same @ (Shape::Straight { .. } | Shape::Smooth(_)) => same,
+        };
+        let spent = cut.work_at(peak.indentation);
+        let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
+        let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
+        Self { pieces: [branch.branch(), first].into_iter().chain(rest).collect() }
+    }
 }
 
 impl Reloaded {

@@ -1,13 +1,12 @@
 //! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n, and the shapes of published
 //! laws that are no power.
 
+use std::f64::consts::PI;
+
 use super::curve::{Piece, Shape};
-use super::mesarovic_johnson::UNIFORM_PRESSURE;
-use super::reloading::GRAZING;
-use super::yigit_christoforou::SHIFTED_HERTZ;
 use crate::math::functions::pow;
 use crate::math::power::{power, work_share};
-use crate::math::smooth::Smooth;
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The largest state a contact has seen: all the memory the law has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +46,64 @@ pub enum UnloadingShape {
     ShiftedHertz,
 }
 
+/// (2 f_m/π)(θ − sin θ cos θ) with 1 − cos θ = d/ε, a function of √d: sin(θ/2) = √(d/2ε). Parameters f_m, ε.
+static UNIFORM_PRESSURE: Formula =
+    Formula::of_root("uniform pressure", uniform_pressure::<f64>, uniform_pressure::<Jet>);
+
+fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: N) -> N {
+    let theta = (root * (0.5 / elastic_approach).sqrt()).asin() * 2.0;
+    (theta + theta.sin() * theta.cos() * -1.0) * (2.0 / PI * force)
+}
+
+/// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
+static SHIFTED_HERTZ: Formula = Formula::of_root("shifted Hertz", shifted::<f64>, shifted::<Jet>);
+
+fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
+    // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
+    let recovered = y * y;
+    let (square, b) = (recovered + *residual, residual.sqrt());
+    let a = square.powf(0.5);
+    recovered * (square + a * b + *residual) / (a + b) * *k
+}
+
+/// Which exponent n the unloading branch has.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum UnloadingExponent {
+    /// n = 3/2, the paper's law.
+    #[default]
+    Paper,
+    /// Any number in (1, 2]: for comparison. Physics backs the other two alone.
+    Fixed(f64),
+    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
+    PressureShape,
+}
+
+impl From<UnloadingExponent> for f64 {
+    /// The number that is read back to the same exponent: infinite for "pressure-shape".
+    fn from(exponent: UnloadingExponent) -> Self {
+        match exponent {
+            UnloadingExponent::Paper => 1.5,
+            UnloadingExponent::Fixed(value) => value,
+            UnloadingExponent::PressureShape => f64::INFINITY,
+        }
+    }
+}
+
+impl From<f64> for UnloadingExponent {
+    /// 1.5 is the paper's law; an infinite number stands for the word "pressure-shape" while a scenario is read.
+    fn from(value: f64) -> Self {
+        match value {
+            1.5 => Self::Paper,
+            _ if value.is_infinite() => Self::PressureShape,
+            _ => Self::Fixed(value),
+        }
+    }
+}
+
+/// Energy of a reload over what the branch can hold, less one, below which it turns at the old peak: some ten roundings.
+/// A sphere that comes back with the speed it left with has that energy but for rounding.
+pub const GRAZING: f64 = 32.0 * f64::EPSILON;
+
 /// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.
 ///
 /// ```text
@@ -85,6 +142,14 @@ pub fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent
     if whole * work_share(asked) > spent * (1.0 + 0.5 * GRAZING) { whole / spent - 1.0 } else { asked }
+}
+
+/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
+/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
+#[must_use]
+pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
+    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
+    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
 }
 
 impl Unloading {

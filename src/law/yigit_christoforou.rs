@@ -7,7 +7,6 @@ use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::cbrt;
-use crate::math::smooth::{Formula, Jet, Number, Parameters};
 
 /// The law of Yigit and Christoforou.
 ///
@@ -45,17 +44,6 @@ static ABOUT: About = About {
     validity: "near yield; far beyond it the dent is the largest of all laws",
     confidence: "low (from memory)",
 };
-
-/// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
-pub(super) static SHIFTED_HERTZ: Formula = Formula::of_root("shifted Hertz", shifted::<f64>, shifted::<Jet>);
-
-fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
-    // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
-    let recovered = y * y;
-    let (square, b) = (recovered + *residual, residual.sqrt());
-    let a = square.powf(0.5);
-    recovered * (square + a * b + *residual) / (a + b) * *k
-}
 
 impl YigitChristoforou {
     fn yield_at(self, bodies: &Bodies) -> f64 {

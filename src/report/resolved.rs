@@ -2,7 +2,8 @@
 
 use crate::compare::Comparison;
 use crate::impact::Method;
-use crate::law::jackson_green::{Hardness, Jumps};
+use crate::law::jackson_green::Hardness;
+use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::{Scenario, ScenarioError};
 use crate::impact::Method;
-use crate::law::combined::Combined;
-use crate::law::jackson_green::{Hardness, Jumps};
+use crate::law::Combined;
+use crate::law::jackson_green::Hardness;
+use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
 
 impl Scenario {

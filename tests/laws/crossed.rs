@@ -1,6 +1,7 @@
 //! Printed pieces that are crossed: over the whole range of materials and parameters the force neither jumps nor falls.
 
-use plm_impact::law::jackson_green::{Hardness, JacksonGreen, Jumps};
+use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::jumps::Jumps;
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{Bodies, ContactLaw, Law};

@@ -1,9 +1,10 @@
 //! What holds for every whole law, and where each of them ends.
 
 use plm_impact::impact::{Contact, Damping, Event, Forces, ImpactError, Method, TraceRow, closed_form};
+use plm_impact::law::Combined;
 use plm_impact::law::brake::Brake;
-use plm_impact::law::combined::Combined;
-use plm_impact::law::jackson_green::{JacksonGreen, Jumps};
+use plm_impact::law::jackson_green::JacksonGreen;
+use plm_impact::law::jumps::Jumps;
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{ContactLaw, Law, LawChoice, OutsideLaw};

@@ -13,7 +13,8 @@ mod with_forces;
 
 use common::Scene;
 use plm_impact::impact::Contact;
-use plm_impact::law::jackson_green::{Hardness, JacksonGreen, Jumps};
+use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::jumps::Jumps;
 use plm_impact::law::kogut_etsion::KogutEtsion;
 use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{Bodies, ContactLaw, Law, LawChoice};

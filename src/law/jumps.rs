@@ -1,0 +1,38 @@
+//! Loading laws that are printed piece by piece, where the force jumps from one piece to the next.
+
+/// What becomes of the jumps of a force that was printed piece by piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Jumps {
+    /// Kept, at the printed limits.
+    #[default]
+    Printed,
+    /// Every piece goes on until the next one crosses it: no jump, and no piece changed beyond its crossing.
+    Crossed,
+}
+
+/// Where an excess that is positive at `from` falls to zero, by bisection; `None` if it is not positive there, or does not
+/// fall to zero before `until`.
+pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
+    /// Steps of the search.
+    const GROWTH: f64 = 1.02;
+    let mut high = from;
+    while excess(high) > 0.0 {
+        high *= GROWTH;
+        if high.is_nan() || high >= GROWTH * until {
+            return None;
+        }
+    }
+    if high == from {
+        return None;
+    }
+    let mut low = high / GROWTH;
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(high)
+}

@@ -1,0 +1,225 @@
+//! The coefficients of the PLM: a table that is data, with its check, and the law that follows from it for a pair of bodies.
+
+use std::sync::LazyLock;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::lines::{ElasticLine, RadiusRatio};
+use crate::law::curve::Curve;
+use crate::law::{ElasticApproach, Law, UnloadingExponent};
+use crate::material::Pair;
+
+/// Where a set of coefficients comes from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Short name, reported with every result.
+    pub name: String,
+    /// What they were determined from.
+    pub source: String,
+    /// How well they fit.
+    pub accuracy: String,
+    /// Where they hold.
+    pub range: String,
+}
+
+/// Knots and slopes of the force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ForceTable {
+    /// x at which each straight piece begins; rising, the first ≥ 1.
+    pub from: Vec<f64>,
+    /// df/dx at κ = 0; > 0.
+    pub slope: Vec<f64>,
+    /// What κ² adds to it.
+    pub slope_kappa_squared: Vec<f64>,
+}
+
+/// The polyline of ε in A.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ApproachTable {
+    /// Slope from A = 1 at κ = 0.
+    pub first_slope: f64,
+    /// What κ² adds to it.
+    pub first_slope_kappa_squared: f64,
+    /// It never exceeds this.
+    pub first_slope_limit: f64,
+    /// Fully plastic from A = 1 + this × ρ_E.
+    pub plastic_from_rho: f64,
+    /// Slope from there on at κ = 0.
+    pub plastic_slope: f64,
+    /// What κ² adds to it.
+    pub plastic_slope_kappa_squared: f64,
+    /// Finite geometry: A a_Y/R from which each factor multiplies the slope.
+    pub geometry_from: Vec<f64>,
+    /// The factors.
+    pub geometry_factor: Vec<f64>,
+}
+
+/// The coefficients of the PLM: data, replaceable.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlmCoefficients {
+    /// Where they come from.
+    pub provenance: Provenance,
+    /// Force.
+    pub force: ForceTable,
+    /// Elastic approach.
+    pub elastic_approach: ApproachTable,
+    /// Contact radius.
+    pub contact_radius: RadiusRatio,
+}
+
+/// Why a table of coefficients is refused.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CoefficientsError {
+    /// Not TOML of the expected form; the text shows line and key.
+    #[error("{0}")]
+    Form(String),
+    /// A value that makes no law.
+    #[error("{key} = {value} is not allowed: {rule}")]
+    Value {
+        /// Which key.
+        key: &'static str,
+        /// Its value.
+        value: String,
+        /// What is allowed.
+        rule: &'static str,
+    },
+}
+
+fn check(
+    holds: bool,
+    key: &'static str,
+    value: impl std::fmt::Debug,
+    rule: &'static str,
+) -> Result<(), CoefficientsError> {
+    if holds { Ok(()) } else { Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }) }
+}
+
+fn is_rising(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
+}
+
+fn is_positive(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite() && *v > 0.0)
+}
+
+impl PlmCoefficients {
+    /// The built-in table.
+    #[must_use]
+    pub fn built_in() -> &'static Self {
+        static TABLE: LazyLock<PlmCoefficients> = LazyLock::new(|| {
+            PlmCoefficients::from_toml(include_str!("coefficients.toml"))
+                .expect("the built-in table is well-formed (tested)")
+        });
+        &TABLE
+    }
+
+    /// Reads a table; see `coefficients.toml` for the form.
+    ///
+    /// # Errors
+    /// [`CoefficientsError`] naming line, key and allowed range.
+    pub fn from_toml(text: &str) -> Result<Self, CoefficientsError> {
+        let table: Self = toml::from_str(text).map_err(|error| CoefficientsError::Form(error.to_string()))?;
+        table.check()?;
+        Ok(table)
+    }
+
+    /// Checks what the law needs: rising knots, positive slopes for every κ in \[0, 1\], lists of equal length.
+    ///
+    /// # Errors
+    /// [`CoefficientsError::Value`] for the first value that breaks a rule.
+    pub fn check(&self) -> Result<(), CoefficientsError> {
+        let (f, e, r) = (&self.force, &self.elastic_approach, &self.contact_radius);
+        let same = f.from.len() == f.slope.len() && f.from.len() == f.slope_kappa_squared.len();
+        check(same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length")?;
+        let starts = is_rising(&f.from) && f.from.first().is_none_or(|x| *x >= 1.0);
+        check(starts, "force.from", &f.from, "rising, the first at least 1 (first yield)")?;
+        check(is_positive(&f.slope), "force.slope", &f.slope, "> 0")?;
+        let steepest: Vec<f64> = f.slope.iter().zip(&f.slope_kappa_squared).map(|(s, k)| s + k).collect();
+        check(
+            is_positive(&steepest),
+            "force.slope_kappa_squared",
+            &f.slope_kappa_squared,
+            "slope + slope_kappa_squared > 0",
+        )?;
+        check(
+            is_positive(&[e.first_slope, e.first_slope + e.first_slope_kappa_squared]),
+            "elastic_approach.first_slope",
+            e.first_slope,
+            "> 0, with first_slope_kappa_squared too",
+        )?;
+        check(is_positive(&[e.first_slope_limit]), "elastic_approach.first_slope_limit", e.first_slope_limit, "> 0")?;
+        check(
+            is_positive(&[e.plastic_slope, e.plastic_slope + e.plastic_slope_kappa_squared]),
+            "elastic_approach.plastic_slope",
+            e.plastic_slope,
+            "> 0, with plastic_slope_kappa_squared too",
+        )?;
+        check(
+            e.plastic_from_rho.is_finite() && e.plastic_from_rho >= 0.0,
+            "elastic_approach.plastic_from_rho",
+            e.plastic_from_rho,
+            ">= 0",
+        )?;
+        check(
+            is_rising(&e.geometry_from) && is_positive(&e.geometry_from),
+            "elastic_approach.geometry_from",
+            &e.geometry_from,
+            "> 0 and rising",
+        )?;
+        let factors = e.geometry_from.len() == e.geometry_factor.len() && is_positive(&e.geometry_factor);
+        check(factors, "elastic_approach.geometry_factor", &e.geometry_factor, "> 0, as many as geometry_from")?;
+        check(
+            is_rising(&r.from) && r.from.len() == r.ratio.len(),
+            "contact_radius.from",
+            &r.from,
+            "rising, as many as ratio",
+        )?;
+        check(
+            r.ratio.iter().all(|v| (1.0..=1.6).contains(v)),
+            "contact_radius.ratio",
+            &r.ratio,
+            "from 1 (Hertz pressure) to 1.6",
+        )
+    }
+
+    /// The law for a pair whose half-space yields at `a_Y` / R = `yield_radius_ratio`.
+    #[must_use]
+    pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
+        let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
+        let table = &self.force;
+        let mut loading = Curve::hertz();
+        for ((from, slope), per_kappa) in table.from.iter().zip(&table.slope).zip(&table.slope_kappa_squared) {
+            loading = loading.then_straight(*from, slope + per_kappa * kappa_squared);
+        }
+        let elastic = ElasticApproach::Line(self.elastic_line(pair, kappa_squared, yield_radius_ratio));
+        Law { loading, elastic, radius_ratio: self.contact_radius.clone(), exponent }
+    }
+
+    fn elastic_line(&self, pair: &Pair, kappa_squared: f64, yield_radius_ratio: f64) -> ElasticLine {
+        let table = &self.elastic_approach;
+        let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
+        let plastic = table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared;
+        let plastic_from = 1.0 + table.plastic_from_rho * pair.half_space_compliance;
+        // a knot below A = 1 applies from A = 1
+        let geometry = || {
+            table
+                .geometry_from
+                .iter()
+                .zip(&table.geometry_factor)
+                .map(|(from, factor)| ((from / yield_radius_ratio).max(1.0), factor))
+        };
+        let mut knots: Vec<f64> = geometry().map(|(from, _)| from).chain([1.0, plastic_from]).collect();
+        knots.sort_by(f64::total_cmp);
+        knots.dedup();
+        let slope_from = |radius: f64| {
+            let base = if radius >= plastic_from { plastic } else { first };
+            geometry().filter(|(from, _)| *from <= radius).fold(base, |slope, (_, factor)| slope * factor)
+        };
+        ElasticLine::through(knots.into_iter().map(|radius| (radius, slope_from(radius))))
+    }
+}
