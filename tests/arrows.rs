@@ -23,7 +23,7 @@ const ORDER: &[&[&str]] = &[
 ];
 
 /// Folders in which files still form circles, to be taken apart. No folder is added here.
-const STILL_CIRCULAR: &[&str] = &["plot", "sweep", "units"];
+const STILL_CIRCULAR: &[&str] = &["plot", "sweep"];
 
 /// A module path such as `["impact", "course"]`; empty for the root of the crate.
 type Module = Vec<String>;

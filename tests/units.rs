@@ -73,7 +73,7 @@ fn refused_spellings_say_what_would_be_understood() {
         ("210 mPa", Pressure, "did you mean \"MPa\"?"),
         ("210 gpa", Pressure, "did you mean \"GPa\"?"),
         ("5 m m", Length, "unknown unit \"m m\""),
-        ("5 parsec", Length, "units of a length: nm, µm, mm, cm, in, m, km"),
+        ("5 parsec", Length, "units of a length are nm, µm, mm, cm, in, m, km"),
         ("5 e", Length, "unknown unit \"e\""),
         ("5 mm", Pressure, "\"5 mm\" is a length, but a pressure is needed, such as \"210 GPa\""),
         ("3 m", Speed, "is a length, but a speed is needed"),

@@ -2,7 +2,7 @@
 
 use crate::material::{HalfSpace, Material, Pair};
 use crate::scene::quantity::{LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPHERE_MODULUS, STRENGTH};
-use crate::units::nearest::nearest;
+use crate::units::nearest::did_you_mean;
 
 /// What is wrong, and in which line.
 type Refusal = (Option<u64>, String);
@@ -64,8 +64,8 @@ impl Header {
             }
             let is_key = (key.starts_with("sphere.") || key.starts_with("half_space.")) && !key.contains(' ');
             if is_key {
-                let meant = nearest(key, KEYS.iter().map(|(known, _)| *known));
-                let hint = meant.map_or_else(String::new, |meant| format!(", did you mean `{meant}`?"));
+                let all = KEYS.map(|(known, _)| known);
+                let hint = did_you_mean(key, all, '`', &format!("keys are {}", all.join(", ")));
                 return Err(format!("unknown key `{key}`{hint}"));
             }
         }

@@ -123,13 +123,12 @@ fn known(path: &str, has_words: bool, span: std::ops::Range<usize>) -> Result<&'
     }
     let paths = || KEYS.iter().map(|key| key.path);
     let dotted = format!("{path}.");
+    let all = format!("numeric keys are {}", paths().collect::<Vec<_>>().join(", "));
     let hint = match paths().find(|known| known.starts_with(&dotted)) {
-        Some(inner) => format!("; write the whole key in quotes, such as \"{inner}\" = ..."),
-        None => did_you_mean(path, paths().chain(has_words.then_some(METHOD)), '"'),
+        Some(inner) => format!("; write the whole key in quotes, such as \"{inner}\" = ...; {all}"),
+        None => did_you_mean(path, paths().chain(has_words.then_some(METHOD)), '"', &all),
     };
-    let all: Vec<_> = paths().collect();
-    let message = format!("`{path}` is no numeric key of a scenario{hint}; numeric keys are {}", all.join(", "));
-    Err(Fault { span, message })
+    Err(Fault { span, message: format!("`{path}` is no numeric key of a scenario{hint}") })
 }
 
 /// The items of an axis of words.
@@ -157,12 +156,10 @@ fn law(item: &Spanned<DeValue>) -> Result<LawChoice, Fault> {
     let name = super::values::text(item, "plm")?;
     LawChoice::from_name(&name).filter(LawChoice::has_loading).ok_or_else(|| {
         let whole = (LAWS.known)();
-        let guess = did_you_mean(&name, whole.iter().map(String::as_str), '"');
-        let message = format!(
-            "no law is known as \"{name}\"{guess}; laws are {}, or \"loading + unloading\" such as \"jackson_green + brake\"",
-            whole.join(", ")
-        );
-        Fault::at(item, message)
+        let all =
+            format!("laws are {}, or \"loading + unloading\" such as \"jackson_green + brake\"", whole.join(", "));
+        let hint = did_you_mean(&name, whole.iter().map(String::as_str), '"', &all);
+        Fault::at(item, format!("no law is known as \"{name}\"{hint}"))
     })
 }
 
@@ -238,10 +235,9 @@ fn distribution(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<Distrib
             (mean, sd) => Ok(Distribution::Lognormal { mean, sd }),
         },
         other => {
-            let guess = did_you_mean(other, ["normal", "lognormal", "uniform"], '`');
-            let message =
-                format!("unknown distribution `{other}`{guess}; distributions are normal, lognormal, uniform");
-            Err(Fault { span: name.span(), message })
+            let known = ["normal", "lognormal", "uniform"];
+            let hint = did_you_mean(other, known, '`', &format!("distributions are {}", known.join(", ")));
+            Err(Fault { span: name.span(), message: format!("unknown distribution `{other}`{hint}") })
         }
     }
 }

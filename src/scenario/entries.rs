@@ -243,6 +243,6 @@ fn unknown(pattern: &str) -> String {
     if known.is_empty() {
         return format!("unknown {thing} `{name}`; this table takes none");
     }
-    let guess = did_you_mean(name, known.iter().map(String::as_str), '`');
-    format!("unknown {thing} `{name}`{guess}; {things} are {}", known.join(", "))
+    let all = format!("{things} are {}", known.join(", "));
+    format!("unknown {thing} `{name}`{}", did_you_mean(name, known.iter().map(String::as_str), '`', &all))
 }

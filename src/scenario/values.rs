@@ -135,8 +135,8 @@ pub(super) fn word(words: &Words, value: &Spanned<DeValue>) -> Result<String, Fa
     if known.contains(&given) {
         return Ok(given);
     }
-    let guess = did_you_mean(&given, known.iter().map(String::as_str), '"');
     let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
-    let message = format!("unknown {} \"{given}\"{guess}; {} are {}", words.one, words.several, all.join(", "));
-    Err(Fault::at(value, message))
+    let all = format!("{} are {}", words.several, all.join(", "));
+    let hint = did_you_mean(&given, known.iter().map(String::as_str), '"', &all);
+    Err(Fault::at(value, format!("unknown {} \"{given}\"{hint}", words.one)))
 }

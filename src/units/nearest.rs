@@ -12,14 +12,27 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// ", did you mean `word`?" with this quotation mark, or nothing where no candidate is near.
-pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char) -> String {
-    nearest(word, candidates).map_or_else(String::new, |near| format!(", did you mean {mark}{near}{mark}?"))
+/// The end of a message about an unknown word: the known word most like it, if there is one, and then `rest`, which says
+/// what there is: ", did you mean `plm`? Laws are plm, hertz", or "; laws are plm, hertz".
+pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
+    let Some(near) = nearest(word, candidates) else { return format!("; {rest}") };
+    let mut letters = rest.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    format!(", did you mean {mark}{near}{mark}? {}{}", first.collect::<String>(), letters.as_str())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::nearest;
+    use super::{did_you_mean, nearest};
+
+    #[test]
+    fn what_there_is_follows_a_question_as_a_sentence_of_its_own() {
+        let of = |word| {
+            format!("unknown law \"{word}\"{}", did_you_mean(word, ["plm", "hertz"], '"', "laws are plm, hertz"))
+        };
+        assert_eq!(of("pml"), "unknown law \"pml\", did you mean \"plm\"? Laws are plm, hertz");
+        assert_eq!(of("water"), "unknown law \"water\"; laws are plm, hertz");
+    }
 
     #[test]
     fn a_slip_is_recognised_and_another_word_is_not() {

@@ -92,3 +92,10 @@ pub(super) const UNITS: &[Unit] = &[
     shown("kJ", Energy, 3),
     read("%", Ratio, Scale::Ten(-2)),
 ];
+
+impl Dimension {
+    /// The units of this dimension, in rising order.
+    pub(super) fn units(self) -> impl Iterator<Item = &'static Unit> {
+        UNITS.iter().filter(move |unit| unit.dimension == self)
+    }
+}

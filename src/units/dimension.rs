@@ -1,0 +1,71 @@
+//! The dimensions of quantities, and the words for each.
+
+/// What a quantity measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Dimension {
+    /// Metres.
+    Length,
+    /// Seconds.
+    Time,
+    /// Metres per second.
+    Speed,
+    /// Metres per second squared.
+    Acceleration,
+    /// Seconds per metre.
+    InverseSpeed,
+    /// Kilograms.
+    Mass,
+    /// Kilograms per cubic metre.
+    Density,
+    /// Pascals.
+    Pressure,
+    /// Newtons.
+    Force,
+    /// Joules.
+    Energy,
+    /// A plain number.
+    Ratio,
+}
+
+impl Dimension {
+    /// Name with its article, SI unit, end of names in this unit, example.
+    const fn words(self) -> [&'static str; 4] {
+        match self {
+            Self::Length => ["a length", "m", "_m", "\"5 mm\""],
+            Self::Time => ["a time", "s", "_s", "\"20 us\""],
+            Self::Speed => ["a speed", "m/s", "_m_per_s", "\"3 m/s\""],
+            Self::Acceleration => ["an acceleration", "m/s^2", "_m_per_s2", "\"9.81 m/s^2\""],
+            Self::InverseSpeed => ["an inverse speed", "s/m", "_s_per_m", "\"0.1 s/m\""],
+            Self::Mass => ["a mass", "kg", "_kg", "\"4 g\""],
+            Self::Density => ["a density", "kg/m^3", "_kg_per_m3", "\"7850 kg/m^3\""],
+            Self::Pressure => ["a pressure", "Pa", "_Pa", "\"210 GPa\""],
+            Self::Force => ["a force", "N", "_N", "\"1 kN\""],
+            Self::Energy => ["an energy", "J", "_J", "\"1 mJ\""],
+            Self::Ratio => ["a plain number", "", "", "0.3"],
+        }
+    }
+
+    /// Its name with the article, for messages.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.words()[0]
+    }
+
+    /// The SI unit, empty for a plain number.
+    #[must_use]
+    pub fn si_unit(self) -> &'static str {
+        self.words()[1]
+    }
+
+    /// The end of the name of a column or a result in this unit: `_m_per_s`; empty for a plain number.
+    #[must_use]
+    pub fn suffix(self) -> &'static str {
+        self.words()[2]
+    }
+
+    /// How such a quantity may be written.
+    #[must_use]
+    pub fn example(self) -> &'static str {
+        self.words()[3]
+    }
+}

@@ -1,0 +1,156 @@
+//! Reading of a quantity with its unit.
+
+use thiserror::Error;
+
+use super::Dimension;
+use super::nearest::did_you_mean;
+use super::table::{Scale, UNITS, Unit};
+
+/// Why a text is no quantity.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum UnitError {
+    /// It does not begin with a number.
+    #[error("\"{text}\" does not begin with a number; write {} such as {}", .dimension.name(), .dimension.example())]
+    NoNumber {
+        /// The text.
+        text: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A decimal comma.
+    #[error("\"{text}\" has a decimal comma; write a decimal point")]
+    DecimalComma {
+        /// The text.
+        text: String,
+    },
+    /// A number in quotes without a unit.
+    #[error("\"{text}\" has no unit; write {} such as {}, or a number without quotes in {}", .dimension.name(), .dimension.example(), .dimension.si_unit())]
+    NoUnit {
+        /// The text.
+        text: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A unit of something else.
+    #[error("\"{text}\" is {}, but {} is needed, such as {}", .found.name(), .wanted.name(), .wanted.example())]
+    WrongDimension {
+        /// The text.
+        text: String,
+        /// What the unit measures.
+        found: Dimension,
+        /// What was wanted.
+        wanted: Dimension,
+    },
+    /// No such unit.
+    #[error("unknown unit \"{unit}\" in \"{text}\"{}", known(.unit, *.dimension))]
+    UnknownUnit {
+        /// The text.
+        text: String,
+        /// Its unit.
+        unit: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+}
+
+fn known(unit: &str, dimension: Dimension) -> String {
+    let all = match dimension {
+        Dimension::Ratio => "none, or %".to_owned(),
+        _ => dimension.units().map(|unit| unit.name).collect::<Vec<_>>().join(", "),
+    };
+    let rest = format!("units of {} are {all}", dimension.name());
+    did_you_mean(unit, dimension.units().map(|unit| unit.name), '"', &rest)
+}
+
+/// Reads a quantity with its unit and gives it in SI.
+///
+/// # Errors
+/// [`UnitError`], naming the unit and what would be understood.
+///
+/// ```
+/// use plm_impact::units::{Dimension, parse};
+/// assert_eq!(parse("5 mm", Dimension::Length)?, 0.005);
+/// assert_eq!(parse("7.85 g/cm³", Dimension::Density)?, 7850.0);
+/// # Ok::<(), plm_impact::units::UnitError>(())
+/// ```
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
+    let written = || text.to_owned();
+    let no_number = || UnitError::NoNumber { text: written(), dimension };
+    let (number, unit) = split(text.trim());
+    if !number.bytes().any(|byte| byte.is_ascii_digit()) {
+        return Err(no_number());
+    }
+    if unit.is_empty() {
+        return match dimension {
+            Dimension::Ratio => number.parse().map_err(|_| no_number()),
+            _ => Err(UnitError::NoUnit { text: written(), dimension }),
+        };
+    }
+    if unit.starts_with(',') {
+        return Err(UnitError::DecimalComma { text: written() });
+    }
+    let plain = plain_spelling(unit);
+    let find = |unit: &&Unit| plain_spelling(unit.name) == plain;
+    match (dimension.units().find(find), UNITS.iter().find(find)) {
+        (Some(unit), _) => unit.scale.apply(number).ok_or_else(no_number),
+        (None, Some(other)) => {
+            Err(UnitError::WrongDimension { text: written(), found: other.dimension, wanted: dimension })
+        }
+        (None, None) => Err(UnitError::UnknownUnit { text: written(), unit: unit.to_owned(), dimension }),
+    }
+}
+
+impl Scale {
+    /// The number in SI, rounded once.
+    fn apply(self, number: &str) -> Option<f64> {
+        match self {
+            Self::Ten(power) => {
+                let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+                match exponent.parse::<i32>() {
+                    Ok(exponent) => format!("{digits}e{}", exponent.saturating_add(power)).parse().ok(),
+                    // an exponent of ten digits: infinite or zero in any unit
+                    Err(_) => number.parse().ok(),
+                }
+            }
+            Self::Times(factor) => number.parse::<f64>().ok().map(|value| value * factor),
+            Self::Over(divisor) => number.parse::<f64>().ok().map(|value| value / divisor),
+        }
+    }
+}
+
+/// Splits "5e3 mm" into "5e3" and "mm".
+fn split(text: &str) -> (&str, &str) {
+    let bytes = text.as_bytes();
+    let digits = |mut at: usize| {
+        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+            at += 1;
+        }
+        at
+    };
+    let sign = |at: usize| at + usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    let mut end = digits(sign(0));
+    if bytes.get(end) == Some(&b'.') {
+        end = digits(end + 1);
+    }
+    // an exponent only where digits follow: "5 e" is no number
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let from = sign(end + 1);
+        let to = digits(from);
+        if to > from {
+            end = to;
+        }
+    }
+    (&text[..end], text[end..].trim_start())
+}
+
+/// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "µm" with either sign, "um".
+fn plain_spelling(unit: &str) -> String {
+    let parts: Vec<&str> = unit.split('/').map(str::trim).collect();
+    parts
+        .join("/")
+        .replace(['\u{b5}', '\u{3bc}'], "u")
+        .replace('²', "2")
+        .replace('³', "3")
+        .replace("**", "")
+        .replace('^', "")
+}
