@@ -2,12 +2,15 @@
 
 pub mod axis;
 pub mod random;
+mod source;
 
 use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
 use crate::scene::Scene;
+use crate::scene::results::{RESULT_COLUMNS, ResultColumn};
 use axis::{Axis, Setting};
 use random::Variable;
+pub use source::Source;
 
 /// Where the cases come from.
 #[derive(Debug, Clone)]
@@ -59,6 +62,21 @@ impl Plan {
             Cases::Grid(axes) => axes.iter().map(Axis::column).collect(),
             Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.column()).collect(),
         }
+    }
+
+    /// The results that the table has.
+    #[must_use]
+    pub fn results(&self) -> Vec<ResultColumn> {
+        let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
+        let all = RESULT_COLUMNS.iter().copied();
+        all.filter(|column| column.missing(&self.scene).is_none() && is_wanted(column.name)).collect()
+    }
+
+    /// The names of all columns of the table.
+    #[must_use]
+    pub fn column_names(&self) -> Vec<String> {
+        let results = self.results().into_iter().map(|column| column.name.to_owned());
+        std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
     }
 
     /// The keys that vary.

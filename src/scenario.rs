@@ -50,7 +50,7 @@ pub use document::{Document, LARGEST_SCENARIO, read_text};
 use entries::Entries;
 pub use kind::Kind;
 pub use place::{Place, Refusal};
-pub use source::Source;
+pub use source::plan_of;
 
 /// Why a scenario is refused.
 #[derive(Debug, Error)]

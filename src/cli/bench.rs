@@ -9,7 +9,6 @@ use plm_impact::bench::{hard_cases, measure, problems, report};
 use plm_impact::error::Error;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, Scratch};
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::table::column_names;
 use plm_impact::sweep::throughput::throughput;
 
 /// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
@@ -88,7 +87,7 @@ fn table_rates(directory: &OutputDirectory, is_quick: bool) -> anyhow::Result<St
         let plan = scenario.plan()?.context("the table of the bench is a sweep")?;
         let rates = super::threads::with(None, || throughput(&plan, &tables, if is_quick { 1 } else { 7 }))??;
         let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
-        let count = column_names(&plan).len();
+        let count = plan.column_names().len();
         Ok(format!("| {count} | {:.2e} | {:.2e} | {parquet} |\n", rates.compute, rates.csv))
     };
     let lines = measure(Some(NINE))? + &measure(None)?;

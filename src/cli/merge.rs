@@ -8,6 +8,7 @@ use plm_impact::error::Error;
 use plm_impact::output::{self, OutputDirectory};
 use plm_impact::report;
 use plm_impact::run::table;
+use plm_impact::scenario::plan_of;
 use plm_impact::sweep::merge;
 
 /// Put the shards of a table together: byte for byte table and pictures of an undivided run
@@ -30,7 +31,7 @@ pub struct Arguments {
 pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let parent = output::folder(&arguments.out);
     let mut directory = OutputDirectory::shared(parent).map_err(Error::from)?;
-    let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force);
+    let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force, plan_of);
     let merged = merged.map_err(Error::from)?;
     let warnings = table::warnings(&merged.plan);
     super::run::warn(&warnings);

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::{Distribution, Variable};
 use crate::plan::{Cases, Plan, label};
-use crate::sweep::table::column_names;
 use crate::units::human;
 use crate::units::rounded::percent;
 
@@ -32,7 +31,7 @@ pub fn plan_lines(plan: &Plan) -> String {
     for (path, values) in rows {
         let _ = writeln!(text, "  {path:<width$}  {values}");
     }
-    let _ = writeln!(text, "columns {}", column_names(plan).join(","));
+    let _ = writeln!(text, "columns {}", plan.column_names().join(","));
     let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
     let _ = writeln!(text, "\n{scene}:");
     text

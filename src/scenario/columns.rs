@@ -2,7 +2,7 @@
 
 use super::{Scenario, ScenarioError};
 use crate::plan::Plan;
-use crate::sweep::table::RESULT_COLUMNS;
+use crate::scene::results::RESULT_COLUMNS;
 
 /// A table always has it: what the case came to, and what a resumed run reads back.
 const RESTITUTION: &str = "restitution";
@@ -17,7 +17,7 @@ impl Scenario {
         let mut chosen = vec![RESTITUTION];
         for column in RESULT_COLUMNS.iter().filter(|column| names.iter().any(|name| name == column.name)) {
             let name = column.name;
-            if let Some(reason) = column.missing(plan) {
+            if let Some(reason) = column.missing(&plan.scene) {
                 return refuse(format!("\"{name}\" is not there: {reason}"));
             }
             if names.iter().filter(|other| other.as_str() == name).count() > 1 {

@@ -1,47 +1,17 @@
-//! A scenario as texts, to be hashed, and to be read again on another machine.
-
-use std::fmt::Write as _;
-
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
+//! A scenario as texts, and read from texts.
 
 use super::document::{LARGEST_SCENARIO, read_text};
 use super::law::COEFFICIENTS;
 use super::{Scenario, ScenarioError};
+use crate::plan::{Plan, Source};
 
-/// All that a result depends on, as text.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Source {
-    /// Of the scenario file.
-    pub text: String,
-    /// `key=value` of the command line, in its order.
-    pub overrides: Vec<String>,
-    /// Of the file of coefficients, if the scenario names one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub coefficients: Option<String>,
-}
-
-impl Source {
-    /// SHA-256 of these texts, in hexadecimal.
-    #[must_use]
-    pub fn sha256(&self) -> String {
-        let mut hasher = Sha256::new();
-        hasher.update(&self.text);
-        for given in &self.overrides {
-            // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
-            hasher.update([0]);
-            hasher.update(given);
-        }
-        if let Some(coefficients) = &self.coefficients {
-            hasher.update([0, 0]);
-            hasher.update(coefficients);
-        }
-        hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
-            let _ = write!(hex, "{byte:02x}");
-            hex
-        })
-    }
+/// The plan of a table, from the texts of its scenario; `name` stands for the file in messages.
+///
+/// # Errors
+/// What is wrong with the texts.
+pub fn plan_of(name: &str, source: &Source) -> Result<Plan, String> {
+    let plan = Scenario::from_source(name, source).and_then(|scenario| scenario.plan());
+    plan.map_err(|error| error.to_string())?.ok_or_else(|| "its scenario has no table".to_owned())
 }
 
 impl Scenario {

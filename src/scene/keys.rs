@@ -7,6 +7,7 @@ use super::quantity::{
     IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, Quantity, SAMPLES, SHARE, SHOT_SPEED, SPEED,
     SPHERE_MODULUS, STEPS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
 };
+use super::results::RESULT_COLUMNS;
 use crate::impact::{Damping, Method};
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::repeat::Place;
@@ -99,7 +100,11 @@ pub static JUMPS: Words = Words { one: "word", several: "words here", known: || 
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words =
     Words { one: "word", several: "words here", known: || words(&["exponential", "cosine"]) };
-static COLUMNS: Words = Words { one: "result", several: "results", known: || words(super::results::TABLE_COLUMNS) };
+static COLUMNS: Words = Words {
+    one: "result",
+    several: "results",
+    known: || RESULT_COLUMNS.iter().map(|column| column.name.to_owned()).collect(),
+};
 
 fn words(known: &[&str]) -> Vec<String> {
     known.iter().map(ToString::to_string).collect()

@@ -17,8 +17,7 @@ use super::shard::{Layout, Shard};
 use super::sidecar::{OTHER_MACHINE, Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
-use crate::plan::Plan;
-use crate::scenario::Source;
+use crate::plan::{Plan, Source};
 
 /// Rows a task computes and writes as text, at most: large against the cost of a task, small against memory.
 pub const CHUNK: u64 = 4096;

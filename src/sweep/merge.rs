@@ -14,8 +14,7 @@ use super::shard::{Layout, Shard};
 use super::sidecar::{OTHER_MACHINE, Sidecar, Tally, part_path, sidecar_path};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
-use crate::plan::Plan;
-use crate::scenario::Scenario;
+use crate::plan::{Plan, Source};
 
 const SIDECAR: &str = ".sidecar.json";
 /// What the command writes beside a merged table, with the pictures.
@@ -151,18 +150,12 @@ fn missing(found: &BTreeMap<u64, &PathBuf>, shards: u64) -> Option<String> {
     (!ranges.is_empty()).then(|| format!("{} {}", if is_one { "shard" } else { "shards" }, ranges.join(", ")))
 }
 
-/// What the shards were run from.
-fn plan(sidecar: &Sidecar, shards: &[Finished]) -> Result<Plan, SweepError> {
-    let path = shards.first().map_or_else(PathBuf::new, |shard| sidecar_path(&shard.table));
-    let name = path.display().to_string();
-    let damaged = |problem: String| SweepError::Damaged { path: path.clone(), problem };
-    let scenario = Scenario::from_source(&name, &sidecar.scenario);
-    let plan = scenario.and_then(|scenario| scenario.plan()).map_err(|error| damaged(error.to_string()))?;
-    plan.ok_or_else(|| damaged("its scenario has no table".to_owned()))
-}
+/// Reads the plan of a table from the texts of its scenario; the name stands for the file in messages.
+pub type PlanOf = fn(&str, &Source) -> Result<Plan, String>;
 
 /// Merges the shards in `inputs` (files or directories) into `out`, a file of `directory` that appears when it is complete.
-/// With `is_forced` it replaces what is not known to be a result of the same shards.
+/// With `is_forced` it replaces what is not known to be a result of the same shards. `plan_of` reads what the shards were run
+/// from.
 ///
 /// # Errors
 /// [`SweepError::Shards`] naming every missing, double, unfinished, foreign and damaged shard, [`SweepError::Place`] for an `out`
@@ -172,10 +165,13 @@ pub fn merge(
     directory: &mut OutputDirectory,
     out: &Path,
     is_forced: bool,
+    plan_of: PlanOf,
 ) -> Result<Merged, SweepError> {
     let (sidecar, shards) = complete(&tables(inputs)?)?;
     check_place(out, &shards)?;
-    let plan = plan(&sidecar, &shards)?;
+    let path = shards.first().map_or_else(PathBuf::new, |shard| sidecar_path(&shard.table));
+    let plan = plan_of(&path.display().to_string(), &sidecar.scenario);
+    let plan = plan.map_err(|problem| SweepError::Damaged { path, problem })?;
     let name = Path::new(out.file_name().unwrap_or_default());
     let lock = directory.lock(name)?;
     let from = inputs.first().map_or(Path::new(""), PathBuf::as_path);

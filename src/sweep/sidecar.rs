@@ -15,8 +15,7 @@ use super::shard::{Layout, Shard};
 use super::statistics::Statistics;
 use super::table::{Format, TextTable};
 use crate::output::{PART, replace, with_suffix};
-use crate::plan::Plan;
-use crate::scenario::Source;
+use crate::plan::{Plan, Source};
 
 /// Version of the program, which makes the rows and what is written beside them.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

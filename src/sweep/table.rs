@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::count::Count;
 use super::evaluator::{Failure, Rows};
-use crate::impact::Essentials;
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::{Cases, Plan};
+use crate::scene::results::ResultColumn;
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,84 +38,6 @@ impl Format {
     pub fn from_name(name: &str) -> Option<Self> {
         [Self::Csv, Self::Json, Self::Parquet].into_iter().find(|format| format.name() == name)
     }
-}
-
-/// A column of results.
-#[derive(Debug, Clone, Copy)]
-pub struct ResultColumn {
-    /// Its name, with the unit.
-    pub name: &'static str,
-    /// Whether it is left out where nothing can yield.
-    pub is_plastic: bool,
-    /// Its value; `None` is an empty field.
-    pub value: fn(&Essentials) -> Option<f64>,
-}
-
-impl ResultColumn {
-    /// Whether a table of this plan can have it.
-    #[must_use]
-    pub fn is_in(&self, plan: &Plan) -> bool {
-        self.missing(plan).is_none()
-    }
-
-    /// Why a table of this plan cannot have it, if it cannot.
-    #[must_use]
-    pub fn missing(&self, plan: &Plan) -> Option<&'static str> {
-        if self.is_plastic && !plan.is_plastic() {
-            Some("without half_space.yield_strength there is no dent")
-        } else if WAVES.contains(&self.name) && !plan.has_waves() {
-            Some("without half_space.density nothing is known of elastic waves")
-        } else {
-            None
-        }
-    }
-}
-
-/// Columns that need the half-space's density.
-const WAVES: [&str; 2] = ["wave_loss_fraction", "restitution_with_waves"];
-
-/// The columns between the swept values and the status.
-pub const RESULT_COLUMNS: &[ResultColumn] = &[
-    ResultColumn { name: "restitution", is_plastic: false, value: |row| row.has_speed().then_some(row.restitution) },
-    ResultColumn {
-        name: "contact_time_s",
-        is_plastic: false,
-        value: |row| row.contact_time.is_finite().then_some(row.contact_time),
-    },
-    ResultColumn { name: "peak_force_N", is_plastic: false, value: |row| Some(row.peak_force) },
-    ResultColumn { name: "peak_indentation_m", is_plastic: false, value: |row| Some(row.peak_indentation) },
-    ResultColumn { name: "residual_indentation_m", is_plastic: true, value: |row| Some(row.residual_indentation) },
-    ResultColumn {
-        name: "dent_radius_m",
-        is_plastic: true,
-        value: |row| row.has_dent().then_some(row.peak_contact_radius),
-    },
-    ResultColumn {
-        name: "recovered_fraction",
-        is_plastic: false,
-        value: |row| row.has_speed().then(|| row.recovered_fraction()),
-    },
-    ResultColumn {
-        name: "plastic_fraction",
-        is_plastic: true,
-        value: |row| row.has_speed().then_some(row.plastic_fraction),
-    },
-    ResultColumn { name: WAVES[0], is_plastic: false, value: |row| row.wave_loss_fraction },
-    ResultColumn { name: WAVES[1], is_plastic: false, value: Essentials::restitution_with_waves },
-];
-
-/// The result columns of a plan.
-#[must_use]
-pub fn result_columns(plan: &Plan) -> Vec<ResultColumn> {
-    let is_wanted = |name| plan.columns.as_ref().is_none_or(|columns| columns.contains(&name));
-    RESULT_COLUMNS.iter().copied().filter(|column| column.is_in(plan) && is_wanted(column.name)).collect()
-}
-
-/// All column names of a plan.
-#[must_use]
-pub fn column_names(plan: &Plan) -> Vec<String> {
-    let results = result_columns(plan).into_iter().map(|column| column.name.to_owned());
-    std::iter::once("case".to_owned()).chain(plan.columns()).chain(results).chain(["status".to_owned()]).collect()
 }
 
 /// Writes rows as lines of text.
@@ -151,7 +73,7 @@ impl TextTable {
     #[must_use]
     pub fn new(plan: &Plan, format: Format) -> Self {
         let is_json = format == Format::Json;
-        let names = column_names(plan);
+        let names = plan.column_names();
         let before = (0..)
             .zip(&names)
             .map(|(i, name)| match (is_json, i) {
@@ -167,7 +89,7 @@ impl TextTable {
         };
         // it is in every table, behind the case
         let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
-        Self { is_json, names, before, results: result_columns(plan), restitution, swept }
+        Self { is_json, names, before, results: plan.results(), restitution, swept }
     }
 
     /// What the file begins with, ending in a line end.

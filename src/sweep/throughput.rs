@@ -12,8 +12,7 @@ use super::pace::Pace;
 use super::shard::{Layout, Shard};
 use super::table::Format;
 use crate::output::OutputDirectory;
-use crate::plan::Plan;
-use crate::scenario::Source;
+use crate::plan::{Plan, Source};
 
 /// Rows a second, each the best of the rounds.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,7 +10,7 @@ use parquet::schema::types::{SchemaDescriptor, Type, TypePtr};
 use super::BATCH;
 use crate::plan::axis::{Setting, Values};
 use crate::plan::{Cases, Plan};
-use crate::sweep::table::{ResultColumn, column_names, result_columns};
+use crate::scene::results::ResultColumn;
 
 /// Where the values of a column come from.
 pub(super) enum Column {
@@ -43,12 +43,12 @@ pub(super) fn columns(plan: &Plan) -> Vec<Column> {
             })
             .collect(),
     };
-    let results = result_columns(plan).into_iter().map(Column::Result);
+    let results = plan.results().into_iter().map(Column::Result);
     std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
 }
 
 pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, ParquetError> {
-    let fields = column_names(plan).into_iter().zip(columns).map(|(name, column)| {
+    let fields = plan.column_names().into_iter().zip(columns).map(|(name, column)| {
         let (physical, repetition, logical) = match column {
             Column::Case => (Physical::INT64, Repetition::REQUIRED, None),
             Column::Random(_) | Column::Number(..) => (Physical::DOUBLE, Repetition::REQUIRED, None),

@@ -1,0 +1,41 @@
+//! The texts that a plan is read from: hashed, and kept beside tables so that another machine reads the same plan again.
+
+use std::fmt::Write as _;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+/// All that a result depends on, as text.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    /// Of the scenario file.
+    pub text: String,
+    /// `key=value` of the command line, in its order.
+    pub overrides: Vec<String>,
+    /// Of the file of coefficients, if the scenario names one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coefficients: Option<String>,
+}
+
+impl Source {
+    /// SHA-256 of these texts, in hexadecimal.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        let mut hasher = Sha256::new();
+        hasher.update(&self.text);
+        for given in &self.overrides {
+            // a zero byte is in no TOML text, so that text and overrides cannot be mistaken for each other
+            hasher.update([0]);
+            hasher.update(given);
+        }
+        if let Some(coefficients) = &self.coefficients {
+            hasher.update([0, 0]);
+            hasher.update(coefficients);
+        }
+        hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
+            let _ = write!(hex, "{byte:02x}");
+            hex
+        })
+    }
+}
