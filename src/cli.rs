@@ -8,17 +8,14 @@ mod laws;
 mod merge;
 mod reference;
 mod run;
+mod scenario;
 mod schema;
 mod sweep;
+pub mod terminal;
 mod threads;
 mod validate;
 
-use std::fmt::Display;
-use std::io::{self, Write as _};
-use std::path::PathBuf;
-
-use clap::{Args, Parser, Subcommand};
-use plm_impact::scenario::{Scenario, ScenarioError};
+use clap::{Parser, Subcommand};
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
@@ -44,23 +41,6 @@ enum Command {
     FitPlm(fit_plm::Arguments),
 }
 
-/// A scenario and what the command line changes in it.
-#[derive(Debug, Args)]
-struct ScenarioArguments {
-    /// Scenario file (TOML)
-    #[arg(value_name = "FILE")]
-    scenario: PathBuf,
-    /// Override a key: --set impact.speed="1 m/s"
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    overrides: Vec<String>,
-}
-
-impl ScenarioArguments {
-    fn load(&self) -> Result<Scenario, ScenarioError> {
-        Scenario::load(&self.scenario, &self.overrides)
-    }
-}
-
 /// Does what the command line says.
 ///
 /// # Errors
@@ -76,32 +56,5 @@ pub fn run() -> anyhow::Result<()> {
         Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
-    }
-}
-
-/// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.
-pub fn note(line: impl Display) {
-    drop(writeln!(io::stderr().lock(), "{}", harmless(&line.to_string())));
-}
-
-/// The text without control characters, which names of files and keys may hold and which a terminal obeys.
-fn harmless(text: &str) -> String {
-    let is_obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
-    text.chars().fold(String::with_capacity(text.len()), |mut shown, c| {
-        if is_obeyed(c) {
-            shown.extend(c.escape_default());
-        } else {
-            shown.push(c);
-        }
-        shown
-    })
-}
-
-/// Prints a result; a reader that has seen enough (`| head`) is no failure.
-fn print(text: &str) -> io::Result<()> {
-    let mut stdout = io::stdout().lock();
-    match stdout.write_all(harmless(text).as_bytes()).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
     }
 }

@@ -1,4 +1,4 @@
-//! All that can go wrong, and the exit code it means.
+//! Every error of a command, and its exit code.
 
 use std::path::PathBuf;
 
@@ -125,24 +125,35 @@ impl Error {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Sweep(error) => error.exit_code(),
+            Self::Sweep(SweepError::Interrupted { .. } | SweepError::Dropped) => 130,
             Self::Terminated(_) => 143,
-            Self::Output(error) => error.exit_code(),
-            Self::Fit(error) => error.exit_code(),
-            Self::Validation(error) => error.exit_code(),
             Self::Missed { .. } => 3,
-            Self::Shard(_)
-            | Self::Option(_)
-            | Self::Scenario(_)
-            | Self::Indentation { .. }
-            | Self::Impact {
-                reason: ImpactError::Range(_) | ImpactError::Law(_) | ImpactError::NoClosedForm, ..
-            } => 2,
-            Self::Impact { reason: ImpactError::Integration(_), .. }
+            Self::Output(error) | Self::Sweep(SweepError::Output(error)) if is_full_disk(error) => 1,
+            Self::Sweep(SweepError::File { .. })
+            | Self::Fit(FitError::NotConverged(_) | FitError::Form(_))
+            | Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)
             | Self::FailedCases { .. }
             | Self::Strict { .. } => 1,
+            Self::Validation(error) => {
+                let is_input = matches!(error, ValidationError::Unreadable(_) | ValidationError::Coefficients { .. });
+                if is_input { 2 } else { 1 }
+            }
+            Self::Sweep(_)
+            | Self::Output(_)
+            | Self::Fit(_)
+            | Self::Shard(_)
+            | Self::Option(_)
+            | Self::Scenario(_)
+            | Self::Indentation { .. }
+            | Self::Impact { .. } => 2,
         }
     }
+}
+
+fn is_full_disk(error: &OutputError) -> bool {
+    use std::io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+    matches!(error, OutputError::Unwritable { reason, .. }
+        if matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull))
 }

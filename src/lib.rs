@@ -61,8 +61,9 @@
 //!
 //! # Modules
 //!
-//! Arrows point one way: the command → [`sweep`], [`run`], [`mod@bench`] → [`report`], [`plot`], [`scenario`] → [`repeat`]
-//! → [`impact`] → [`integrate`], [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
+//! Arrows point one way: the command → [`run`], [`mod@bench`] → [`report`] → [`plot`] → [`scenario`], [`sweep`] → [`plan`] →
+//! [`scene`] → [`repeat`] → [`impact`] → [`integrate`], [`law`] → [`material`]. [`scenario`] reads a file, [`scene`] and
+//! [`plan`] say what is to be computed, [`sweep`] computes tables. [`indentation`] and [`compare`] are the law without motion, and stand
 //! beside [`impact`]; [`validation`] and [`fit`] compare with finite elements, whose tables are in [`mod@reference`], and fit
 //! to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border;
 //! inside an impact everything is dimensionless.

@@ -80,16 +80,6 @@ impl OutputError {
     pub fn at(path: &Path) -> impl Fn(io::Error) -> Self {
         move |reason| Self::Unwritable { path: path.to_owned(), reason }
     }
-
-    /// 1 where the disk is full, else 2.
-    #[must_use]
-    pub fn exit_code(&self) -> u8 {
-        use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
-        match self {
-            Self::Unwritable { reason, .. } if matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull) => 1,
-            _ => 2,
-        }
-    }
 }
 
 /// What results are made from.

@@ -7,6 +7,7 @@
 
 pub mod axis;
 mod canvas;
+pub mod compare;
 pub mod force_indentation;
 mod frame;
 pub mod heatmap;
@@ -15,6 +16,7 @@ pub mod history;
 pub mod indentation;
 mod key;
 pub mod lines;
+mod mark;
 pub mod repeat;
 pub mod stack;
 mod style;

@@ -1,5 +1,6 @@
 //! One scene from a scenario to its output files.
 
+pub mod compare;
 pub mod indentation;
 pub mod repeat;
 pub mod table;

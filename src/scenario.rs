@@ -26,6 +26,7 @@ mod columns;
 pub mod compare;
 mod document;
 mod entries;
+mod error;
 mod explain;
 mod extreme;
 mod forces;
@@ -41,56 +42,15 @@ mod values;
 
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
 use crate::impact::{Solver, Warning};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::scene::{DEFAULT_SAMPLES, KEYS, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text};
 use entries::Entries;
+pub use error::ScenarioError;
 pub use kind::Kind;
 pub use place::{Place, Refusal};
 pub use source::plan_of;
-
-/// Why a scenario is refused.
-#[derive(Debug, Error)]
-pub enum ScenarioError {
-    /// The file system says no.
-    #[error("{}: cannot be read: {reason}", .path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        reason: std::io::Error,
-    },
-    /// Larger than what is read.
-    #[error("{}: is larger than {largest} MiB, the most that is read; write long lists as linspace or logspace, or split the file", .path.display())]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-        /// In MiB.
-        largest: u64,
-    },
-    /// Not UTF-8.
-    #[error("{}:{line}: is not a text file (not UTF-8)", .path.display())]
-    NotText {
-        /// The file.
-        path: PathBuf,
-        /// Of the first byte that is no text.
-        line: usize,
-    },
-    /// A `--set` that is no `key=value`.
-    #[error("--set {text}: {problem}")]
-    Override {
-        /// As given.
-        text: String,
-        /// What is wrong.
-        problem: String,
-    },
-    /// A key or a value.
-    #[error("{0}")]
-    Refused(Box<Refusal>),
-}
 
 /// A scenario file, read and checked.
 #[derive(Debug, Clone, PartialEq)]

@@ -117,20 +117,4 @@ impl SweepError {
         let path = path.to_owned();
         move |source| Self::File { path: path.clone(), problem, source }
     }
-
-    /// 130 after an interruption, 2 where the request has to change, 1 where the run failed.
-    #[must_use]
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Interrupted { .. } | Self::Dropped => 130,
-            Self::Output(error) => error.exit_code(),
-            Self::Changed { .. }
-            | Self::Version { .. }
-            | Self::Unsupported(_)
-            | Self::Place { .. }
-            | Self::Shards(_)
-            | Self::Damaged { .. } => 2,
-            Self::File { .. } => 1,
-        }
-    }
 }

@@ -33,12 +33,12 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
     for problem in problems::problems().context("problems")? {
-        super::note(format_args!("measuring {}: {}", problem.name, problem.about));
+        super::terminal::note(format_args!("measuring {}: {}", problem.name, problem.about));
         let measurements = measure::measure(&problem, arguments.quick, rounds, burst);
         all.push((problem, measurements));
     }
     let cases = hard_cases::hard_cases().context("hard cases")?;
-    super::note(format_args!("measuring tables"));
+    super::terminal::note(format_args!("measuring tables"));
     let rates = table_rates(&directory, arguments.quick)?;
     let text = format!(
         "# Speed against error\n\n## Time of one impact in µs to reach an error (and how many times slower ode_solvers' Dop853 is)\n\n{}\n\
@@ -57,8 +57,8 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let path = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
-    super::print(&text).context("standard output")?;
-    super::note(format_args!("wrote {} files to {}", files.len(), path.display()));
+    super::terminal::print(&text).context("standard output")?;
+    super::terminal::note(format_args!("wrote {} files to {}", files.len(), path.display()));
     Ok(())
 }
 

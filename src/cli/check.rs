@@ -10,7 +10,7 @@ use plm_impact::run::repeat::Computed;
 use plm_impact::run::{self, table};
 use plm_impact::scenario::{Kind, Scenario};
 
-use super::ScenarioArguments;
+use super::scenario::ScenarioArguments;
 
 /// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
 #[derive(Debug, Args)]
@@ -29,7 +29,7 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
             let comparison = scenario.comparison().map_err(Error::from)?;
             super::run::warn(&comparison.warnings);
             let text = plm_impact::report::compare::state(&comparison) + "\n" + &of_comparison(&scenario, &comparison);
-            super::print(&text).context("standard output")
+            super::terminal::print(&text).context("standard output")
         }
         Kind::Indentation => indentation(&scenario),
     }
@@ -40,23 +40,23 @@ fn sweep(scenario: &Scenario) -> anyhow::Result<()> {
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
     super::run::warn(&table::warnings(&plan));
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact);
-    super::print(&text).context("standard output")
+    super::terminal::print(&text).context("standard output")
 }
 
 fn repeat(scenario: &Scenario) -> anyhow::Result<()> {
     let Computed { scene, contact, repeat, warnings, .. } = run::repeat::compute(scenario)?;
     super::run::warn(&warnings);
-    super::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
+    super::terminal::print(&(repeat_lines(&repeat) + &overview(&scene, &contact))).context("standard output")
 }
 
 fn impact(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, contact, impact) = run::compute(scenario, None)?;
     super::run::warn(&impact.warnings);
-    super::print(&overview(&scene, &contact)).context("standard output")
+    super::terminal::print(&overview(&scene, &contact)).context("standard output")
 }
 
 fn indentation(scenario: &Scenario) -> anyhow::Result<()> {
     let (scene, tested, warnings) = run::indentation::compute(scenario, None)?;
     super::run::warn(&warnings);
-    super::print(&of_indentation(scenario, &scene, &tested)).context("standard output")
+    super::terminal::print(&of_indentation(scenario, &scene, &tested)).context("standard output")
 }

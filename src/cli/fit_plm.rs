@@ -69,8 +69,8 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let text = report::toml(&coefficients).map_err(Error::from)?;
     directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }]).map_err(Error::from)?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
-    super::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
-    super::note(format_args!("wrote {}", arguments.out.display()));
+    super::terminal::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
+    super::terminal::note(format_args!("wrote {}", arguments.out.display()));
     Ok(())
 }
 

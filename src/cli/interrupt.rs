@@ -52,6 +52,6 @@ fn end_the_slow(code: &AtomicUsize) {
         std::thread::sleep(LOOK);
     }
     std::thread::sleep(PATIENCE);
-    super::note("error: interrupted; the same command goes on from the rows that are written");
+    super::terminal::note("error: interrupted; the same command goes on from the rows that are written");
     std::process::exit(i32::try_from(code.load(Ordering::Relaxed)).unwrap_or(1));
 }

@@ -8,5 +8,5 @@ use clap::Args;
 pub struct Arguments {}
 
 pub fn laws(_: &Arguments) -> anyhow::Result<()> {
-    super::print(&plm_impact::report::laws::list()).context("standard output")
+    super::terminal::print(&plm_impact::report::laws::list()).context("standard output")
 }

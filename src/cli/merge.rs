@@ -43,9 +43,9 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let files = table::files(&merged.plan, &merged.tally, &warnings, provenance)?;
     directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
-        super::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
+        super::terminal::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        super::note(format_args!("wrote {}, {}", arguments.out.display(), names.join(", ")));
+        super::terminal::note(format_args!("wrote {}, {}", arguments.out.display(), names.join(", ")));
     }
     super::sweep::finish(&merged.tally, arguments.out.clone())
 }

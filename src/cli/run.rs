@@ -13,7 +13,7 @@ use plm_impact::run::repeat::run_repeat;
 use plm_impact::run::table;
 use plm_impact::scenario::{Kind, Scenario};
 
-use super::ScenarioArguments;
+use super::scenario::ScenarioArguments;
 
 /// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
 #[derive(Debug, Args)]
@@ -86,7 +86,7 @@ fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> 
     arguments.sweep.refuse_for("a comparison of laws")?;
     let comparison = scenario.comparison().map_err(Error::from)?;
     let directory = arguments.prepare(scenario)?;
-    let files = compare::files(&comparison, scenario, &command_line())?;
+    let files = plm_impact::run::compare::files(&comparison, scenario, &command_line())?;
     finish(arguments, scenario, &directory, &comparison.warnings, &compare::table(&comparison), &files)
 }
 
@@ -104,9 +104,9 @@ fn finish(
     let out = directory.path().to_owned();
     directory.write(files).map_err(Error::from)?;
     if !arguments.quiet {
-        super::print(table).context("standard output")?;
+        super::terminal::print(table).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        super::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
+        super::terminal::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
     }
     Ok(())
 }
@@ -115,14 +115,16 @@ fn finish(
 pub fn say_what_is_replaced(directory: &OutputDirectory) {
     if directory.is_of_earlier_version() {
         let path = directory.path().display();
-        super::note(format_args!("{path}: the results of an earlier version that are there will be replaced"));
+        super::terminal::note(format_args!(
+            "{path}: the results of an earlier version that are there will be replaced"
+        ));
     }
 }
 
 /// Warnings to standard error.
 pub fn warn(warnings: &[impl Display]) {
     for warning in warnings {
-        super::note(format_args!("warning: {warning}"));
+        super::terminal::note(format_args!("warning: {warning}"));
     }
 }
 

@@ -9,5 +9,5 @@ pub struct Arguments {}
 
 pub fn schema(_: &Arguments) -> anyhow::Result<()> {
     let text = serde_json::to_string_pretty(&plm_impact::scene::schema::schema())?;
-    super::print(&(text + "\n")).context("standard output")
+    super::terminal::print(&(text + "\n")).context("standard output")
 }

@@ -126,11 +126,11 @@ pub fn run(
         written.close().map_err(Error::from)?;
     }
     if !is_quiet {
-        super::print(&report::sweep::lines(&written.tally)).context("standard output")?;
+        super::terminal::print(&report::sweep::lines(&written.tally)).context("standard output")?;
         if written.resumed > 0 {
-            super::note(format_args!("{} of these rows were there from an earlier run", written.resumed));
+            super::terminal::note(format_args!("{} of these rows were there from an earlier run", written.resumed));
         }
-        super::note(format_args!("wrote {}", names.join(", ")));
+        super::terminal::note(format_args!("wrote {}", names.join(", ")));
     }
     finish(&written.tally, written.table.clone())
 }

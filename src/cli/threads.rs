@@ -47,7 +47,7 @@ fn start(wanted: usize) -> Result<ThreadPool, Error> {
         match builder.build() {
             Ok(pool) => {
                 if threads < wanted {
-                    super::note(format_args!(
+                    super::terminal::note(format_args!(
                         "warning: the system did not start {wanted} threads; going on with {threads} of {wanted} threads"
                     ));
                 }

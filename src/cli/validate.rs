@@ -49,8 +49,8 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let out = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
-    super::print(&report::table(&checks)).context("standard output")?;
-    super::note(format_args!(
+    super::terminal::print(&report::table(&checks)).context("standard output")?;
+    super::terminal::note(format_args!(
         "wrote validation.csv, validation.md and {} pictures to {}",
         files.len() - 2,
         out.display()

@@ -24,9 +24,7 @@
 
 use std::path::Path;
 
-use thiserror::Error;
-
-use super::FitError;
+use super::error::{CurveError, FitError};
 use super::header::{Bodies, Header};
 use crate::material::Pair;
 use crate::math::functions::ln;
@@ -59,18 +57,6 @@ pub struct LoadingCurve {
     pub yield_radius_ratio: f64,
     /// Rising in x and f.
     pub points: Vec<LoadingPoint>,
-}
-
-/// Why a curve is refused.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
-pub struct CurveError {
-    /// The file.
-    pub name: String,
-    /// From 1.
-    pub line: Option<u64>,
-    /// What is wrong, what is allowed, what to do.
-    pub message: String,
 }
 
 /// A column and how its numbers become dimensionless.

@@ -2,9 +2,6 @@
 
 use plotters::style::RGBColor;
 
-use super::PlotError;
-use super::canvas::{Canvas, Point};
-
 pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub(super) const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
@@ -68,40 +65,6 @@ pub enum Mark {
 
 const MARKS: [Mark; 7] =
     [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
-
-impl Mark {
-    pub(super) fn draw(self, canvas: &mut Canvas, at: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
-        let (x, y) = at;
-        let r = radius;
-        let stroke = Stroke::solid(color, 4.0);
-        match self {
-            Self::Circle => canvas.disc(at, r, color),
-            Self::Square => {
-                let r = 0.9 * r;
-                canvas.rectangle((x - r, y - r), (x + r, y + r), color)
-            }
-            Self::Triangle => {
-                canvas.polygon(&[(x, y - 1.2 * r), (x + 1.1 * r, y + 0.8 * r), (x - 1.1 * r, y + 0.8 * r)], color)
-            }
-            Self::Inverted => {
-                canvas.polygon(&[(x, y + 1.2 * r), (x + 1.1 * r, y - 0.8 * r), (x - 1.1 * r, y - 0.8 * r)], color)
-            }
-            Self::Diamond => {
-                let r = 1.25 * r;
-                canvas.polygon(&[(x, y - r), (x + r, y), (x, y + r), (x - r, y)], color)
-            }
-            Self::Cross => {
-                canvas.polyline(&[(x - r, y - r), (x + r, y + r)], stroke)?;
-                canvas.polyline(&[(x - r, y + r), (x + r, y - r)], stroke)
-            }
-            Self::Plus => {
-                let r = 1.2 * r;
-                canvas.polyline(&[(x - r, y), (x + r, y)], stroke)?;
-                canvas.polyline(&[(x, y - r), (x, y + r)], stroke)
-            }
-        }
-    }
-}
 
 /// Colour, dash and marker of the i-th series. The three lists have lengths without a common divisor but one, so that the
 /// combination repeats late.

@@ -1,4 +1,4 @@
-//! `comparison.csv`, `comparison.json`, the picture and the table of a `[compare]` scene.
+//! `comparison.csv`, `summary.json` and the table of a `[compare]` scene.
 
 use std::fmt::Write as _;
 
@@ -7,10 +7,6 @@ use serde::Serialize;
 use super::ReportError;
 use super::inputs::Inputs;
 use crate::compare::{Comparison, Origin};
-use crate::error::Error;
-use crate::law::Unloading;
-use crate::output::OutputFile;
-use crate::plot::{Axis, Lines, PlotError, Series};
 use crate::report::resolved::of_comparison;
 use crate::scenario::Scenario;
 use crate::units::rounded::{number, quantity};
@@ -165,63 +161,28 @@ pub fn table(comparison: &Comparison) -> String {
     })
 }
 
-/// Points of a curve.
-const POINTS: u32 = 200;
-
-fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
-    let (residual, way) = (unloading.peak.residual(), unloading.peak.elastic_approach);
-    (0..=POINTS)
-        .map(|i| residual + way * f64::from(i) / f64::from(POINTS))
-        .map(|x| (x * length, unloading.force(x) * force))
-        .collect()
-}
-
-/// The picture: force against indentation of every law, and of the finite elements.
+/// `comparison.csv`.
 ///
 /// # Errors
-/// [`PlotError`].
-pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
-    /// A black circle among the styles, behind as many curves as there are laws.
-    const BLACK: usize = 13;
-    let point = &comparison.bodies.yield_point;
-    let (length, force) = (point.indentation, point.force);
-    let mut series: Vec<Series> = comparison
-        .compared()
-        .into_iter()
-        .filter_map(|one| Some(Series::line(one.name, curve(&one.unloading.ok()?, length, force))))
-        .collect();
-    if let Some(curve) = comparison.curve() {
-        // from its own peak, which is within 1 % of this one
-        let (top_x, top_f) = curve.points.first().copied().unwrap_or((1.0, 1.0));
-        let (scale_x, scale_f) = (comparison.peak.indentation / top_x, comparison.peak.force / top_f);
-        let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
-        series.push(Series::points("finite elements", points).styled(BLACK));
-    }
-    let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
-    // from a little before the shallowest dent on
-    let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
-    let last = comparison.peak.indentation * length;
-    let x = Axis::engineering("Indentation", "m")
-        .between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
-    let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
-    let origin = match comparison.origin {
-        Origin::Plm => "peak: from the PLM",
-        Origin::Given => "peak: as given",
-    };
-    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.to_png()
-}
-
-/// All files of a comparison.
-///
-/// # Errors
-/// [`Error`] of reports and pictures.
-pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Result<Vec<OutputFile>, Error> {
-    let rows = rows(comparison);
+/// [`ReportError::Csv`].
+pub fn csv(comparison: &Comparison) -> Result<Vec<u8>, ReportError> {
     let mut csv = csv::Writer::from_writer(Vec::new());
-    for row in &rows {
-        csv.serialize(row).map_err(ReportError::from)?;
+    for row in rows(comparison) {
+        csv.serialize(row)?;
     }
-    let table = csv.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))?;
+    csv.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
+}
+
+/// `summary.json`; `sha256` is the hash of the scenario.
+///
+/// # Errors
+/// [`ReportError::Json`].
+pub fn summary(
+    comparison: &Comparison,
+    scenario: &Scenario,
+    sha256: String,
+    command: &str,
+) -> Result<String, ReportError> {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let pair = &comparison.bodies.pair;
     let summary = Summary {
@@ -234,19 +195,12 @@ pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Res
             sphere_indentation_m: peak.elastic_approach.map(|e| pair.sphere_compliance * e * point.indentation),
             spent_work: comparison.peak.spent * point.force * point.indentation,
         },
-        laws: rows,
+        laws: rows(comparison),
         warnings: comparison.warnings.iter().map(ToString::to_string).collect(),
         inputs: Inputs(of_comparison(scenario, comparison)),
         version: env!("CARGO_PKG_VERSION"),
-        scenario_sha256: scenario.sha256()?,
+        scenario_sha256: sha256,
         command,
     };
-    let mut json = serde_json::to_string_pretty(&summary).map_err(ReportError::from)?;
-    json.push('\n');
-    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
-    Ok(vec![
-        file("summary.json", json.into_bytes()),
-        file("comparison.csv", table),
-        file("unloading.png", picture(comparison)?),
-    ])
+    Ok(serde_json::to_string_pretty(&summary)? + "\n")
 }

@@ -1,0 +1,52 @@
+//! The picture of a comparison: force against indentation while each law unloads from one peak.
+
+use super::{Axis, Lines, PlotError, Series};
+use crate::compare::{Comparison, Origin};
+use crate::law::Unloading;
+use crate::units::rounded::number;
+
+/// Points of a curve.
+const POINTS: u32 = 200;
+
+fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
+    let (residual, way) = (unloading.peak.residual(), unloading.peak.elastic_approach);
+    (0..=POINTS)
+        .map(|i| residual + way * f64::from(i) / f64::from(POINTS))
+        .map(|x| (x * length, unloading.force(x) * force))
+        .collect()
+}
+
+/// The picture: force against indentation of every law, and of the finite elements.
+///
+/// # Errors
+/// [`PlotError`].
+pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
+    /// A black circle among the styles, behind as many curves as there are laws.
+    const BLACK: usize = 13;
+    let point = &comparison.bodies.yield_point;
+    let (length, force) = (point.indentation, point.force);
+    let mut series: Vec<Series> = comparison
+        .compared()
+        .into_iter()
+        .filter_map(|one| Some(Series::line(one.name, curve(&one.unloading.ok()?, length, force))))
+        .collect();
+    if let Some(curve) = comparison.curve() {
+        // from its own peak, which is within 1 % of this one
+        let (top_x, top_f) = curve.points.first().copied().unwrap_or((1.0, 1.0));
+        let (scale_x, scale_f) = (comparison.peak.indentation / top_x, comparison.peak.force / top_f);
+        let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
+        series.push(Series::points("finite elements", points).styled(BLACK));
+    }
+    let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
+    // from a little before the shallowest dent on
+    let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
+    let last = comparison.peak.indentation * length;
+    let x = Axis::engineering("Indentation", "m")
+        .between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
+    let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
+    let origin = match comparison.origin {
+        Origin::Plm => "peak: from the PLM",
+        Origin::Given => "peak: as given",
+    };
+    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.to_png()
+}
