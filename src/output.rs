@@ -265,7 +265,8 @@ impl OutputDirectory {
             || self.own.is_none()
             || !place.exists()
             || there.is_some_and(|there| there.knows(&self.path, name))
-            || self.is_of_earlier_version && new.is_none_or(|new| is_alike(&place, new));
+            || self.is_of_earlier_version && new.is_none_or(|new| is_alike(&place, new))
+            || new.is_some_and(|new| is_same(&place, new));
         if is_allowed { Ok(()) } else { Err(OutputError::Foreign { path: place }) }
     }
 
@@ -331,6 +332,11 @@ fn has_marks(directory: &Path) -> bool {
     has("summary.json", "\"command\": \"plm-impact ")
         || has("validation.md", "# Validation\n")
         || has("report.md", "# Speed against error\n")
+}
+
+/// Whether two files have the same bytes. Then nothing is lost where one takes the place of the other.
+fn is_same(one: &Path, two: &Path) -> bool {
+    fs::read(one).ok().zip(fs::read(two).ok()).is_some_and(|(one, two)| one == two)
 }
 
 /// Whether two files begin with the same line: the header of a table, the heading of a report, the mark of a picture.

@@ -325,31 +325,17 @@ fn a_full_disk_ends_with_1_and_the_same_command_goes_on() {
     assert!(desk.read("out/table.csv") == desk.read("alone/table.csv"));
 }
 
-/// The pictures of the repository stand in a fresh clone with the list of who wrote them, without which the first command of
-/// the README would be refused.
 #[test]
-fn in_a_fresh_clone_every_scenario_with_pictures_runs_at_its_own_place() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let desk = Desk::with("");
-    let kept = fs::read_to_string(root.join(".gitignore")).unwrap();
-    let mut names = Vec::new();
-    for file in kept.lines().filter_map(|line| line.strip_prefix("!/plots/")) {
-        let (name, _) = file.split_once('/').unwrap();
-        let scenario = format!("scenarios/{name}.toml");
-        if !root.join(&scenario).exists() {
-            // those of bench and validate
-            continue;
-        }
-        for copied in [&format!("plots/{file}"), &scenario] {
-            fs::create_dir_all(desk.path(copied).parent().unwrap()).unwrap();
-            fs::copy(root.join(copied), desk.path(copied)).unwrap();
-        }
-        names.push(scenario);
-    }
-    names.dedup();
-    assert!(names.contains(&"scenarios/steel-on-steel.toml".to_owned()) && names.len() > 10, "{names:?}");
-    for scenario in names {
-        let output = start(&desk, &["run", &scenario, "--quiet"]).wait_with_output().unwrap();
-        assert_eq!(code(&output), Some(0), "{scenario}: {}", text(&output.stderr));
-    }
+fn a_file_of_somebody_else_gives_way_only_to_the_same_bytes() {
+    let desk = Desk::with(STEEL);
+    ends(&desk, &["run", "s.toml", "--out", "out"], 0);
+    // as in a fresh clone: the picture is there, and nothing says who wrote it
+    fs::remove_file(desk.path("out/.plm-impact.json")).unwrap();
+    fs::remove_file(desk.path("out/summary.json")).unwrap();
+    fs::remove_file(desk.path("out/trace.csv")).unwrap();
+    ends(&desk, &["run", "s.toml", "--out", "out"], 0);
+    fs::remove_file(desk.path("out/.plm-impact.json")).unwrap();
+    fs::remove_file(desk.path("out/summary.json")).unwrap();
+    let said = ends(&desk, &["run", "s.toml", "--out", "out", "--set", "impact.speed=1"], 2);
+    assert!(said.contains("is not as this program wrote it"), "{said}");
 }
