@@ -52,6 +52,12 @@ fn rows(text: &str) -> Vec<Row> {
     reader.records().map(|record| row(record.unwrap())).collect()
 }
 
+/// A page without the cells of its tables, and without the number of threads.
+fn words(page: &str) -> Vec<&str> {
+    let is_measured = |line: &&str| line.starts_with('|') || line.starts_with("Rows a second on");
+    page.lines().filter(|line| !is_measured(line)).collect()
+}
+
 fn assert_is_picture(bytes: &[u8]) {
     let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
@@ -80,7 +86,7 @@ fn bench_writes_the_whole_report() {
         fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     let picture = |problem: &str| format!("{}.png", problem.to_lowercase().replace(' ', "-"));
     let pictures = PROBLEMS.map(picture);
-    let others = ["speed_vs_error.csv", "report.md", "throughput", ".plm-impact.json"].map(str::to_owned);
+    let others = ["speed_vs_error.csv", "README.md", "throughput", ".plm-impact.json"].map(str::to_owned);
     let want = pictures.iter().cloned().chain(others).collect();
     assert_eq!(fs::read_to_string(out.join("throughput/notes")).unwrap(), "mine");
     assert_eq!(names, want);
@@ -89,7 +95,10 @@ fn bench_writes_the_whole_report() {
         assert!(common::picture::has_free_border(&fs::read(out.join(name)).unwrap()), "{name}");
     }
 
-    let report = fs::read_to_string(out.join("report.md")).unwrap();
+    let report = fs::read_to_string(out.join("README.md")).unwrap();
+    // but for what was measured, and how finely, the page of the repository is what the command writes
+    let kept = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/plots/bench/README.md")).unwrap();
+    assert_eq!(words(&kept), words(&report), "plots/bench/README.md is stale");
     assert_eq!(String::from_utf8(output.stdout).unwrap().trim_end(), report.trim_end());
     for problem in PROBLEMS {
         for method in METHODS {

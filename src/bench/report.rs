@@ -1,4 +1,4 @@
-//! The speed-against-error report: CSV, pictures, tables in Markdown.
+//! The report of `bench`: a CSV file of all settings, a picture of each problem, and a page in Markdown.
 
 use std::fmt::Write as _;
 
@@ -13,7 +13,7 @@ use crate::plot::PlotError;
 use crate::plot::axis::Axis;
 use crate::plot::lines::{Lines, Series};
 
-/// One problem with everything measured on it.
+/// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
 
 /// `speed_vs_error.csv`.
@@ -56,10 +56,26 @@ pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     Ok(OutputFile { name: "speed_vs_error.csv".into(), bytes })
 }
 
-/// Errors below this are rounding; on the logarithmic axis they are drawn here.
+/// The page with all tables, as Markdown. `rates` is the table of how fast tables are written.
+///
+/// # Errors
+/// What a method reports on a hard case: none is expected to.
+pub fn page(all: &[Measured], cases: &[HardCase], rates: &str) -> Result<String, IntegrationError> {
+    Ok(format!(
+        include_str!("page.md"),
+        ratios = ratio_table(all),
+        times = time_table(all),
+        verlet = verlet_table(all),
+        hard_cases = hard_case_table(cases)?,
+        threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+        tables = rates.trim_end(),
+    ))
+}
+
+/// Smaller errors are drawn here: a logarithmic axis has no zero.
 const ROUNDING: f64 = 1e-16;
 
-/// One work-precision picture: time of one impact against the largest of its errors.
+/// The picture of a problem: time of one impact against the larger of its errors.
 ///
 /// # Errors
 /// What drawing reports.
@@ -91,9 +107,8 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
 
 const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
-/// The fastest setting that keeps within a threshold.
-#[must_use]
-pub fn time_to_reach(measurements: &[Measurement], contender: Contender, threshold: f64) -> Option<f64> {
+/// The shortest time of a setting that keeps within a threshold \[ns\].
+fn time_to_reach(measurements: &[Measurement], contender: Contender, threshold: f64) -> Option<f64> {
     let reaching = measurements.iter().filter(|m| m.contender == contender && m.reaches(threshold));
     reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
 }
@@ -109,9 +124,8 @@ fn microseconds(ns: f64) -> String {
     }
 }
 
-/// Time of one impact \[µs\] to each threshold, and how many times that of `ode_solvers`' Dop853 is.
-#[must_use]
-pub fn time_table(all: &[Measured]) -> String {
+/// Time of one impact \[µs\] to each threshold, and how many times as long Dop853 of `ode_solvers` takes.
+fn time_table(all: &[Measured]) -> String {
     let mut text = String::from("| problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12 |\n|---|---|---|---|---|---|\n");
     for (problem, measurements) in all {
         for contender in Contender::ALL {
@@ -130,9 +144,8 @@ pub fn time_table(all: &[Measured]) -> String {
     text
 }
 
-/// The ratios that the stepper is judged by.
-#[must_use]
-pub fn ratio_table(all: &[Measured]) -> String {
+/// The ratios that rk8 is judged by.
+fn ratio_table(all: &[Measured]) -> String {
     let mut text = String::from(
         "| problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ batch at 1e-9 | rk8 ÷ closed form at 1e-9 | Dop853 ÷ batch at 1e-9 |\n|---|---|---|---|---|---|---|\n",
     );
@@ -160,10 +173,9 @@ pub fn ratio_table(all: &[Measured]) -> String {
     text
 }
 
-/// Steps per contact that velocity Verlet needs: the fewest of the ladder from which on every finer setting keeps within
-/// the threshold: for e, for the contact time taken within the last step, and for the step at which separation is seen.
-#[must_use]
-pub fn verlet_table(all: &[Measured]) -> String {
+/// Steps per contact that velocity Verlet needs. A number of steps serves if it and all finer settings keep within the
+/// threshold.
+fn verlet_table(all: &[Measured]) -> String {
     let mut text = String::from(
         "| problem | e within 1 % | e within 0.1 % | contact time within 1 % | contact time within 0.1 % | separation seen within 1 % | separation seen within 0.1 % |\n|---|---|---|---|---|---|---|\n",
     );
@@ -195,7 +207,7 @@ fn steps(measurement: &Measurement) -> Option<u32> {
 ///
 /// # Errors
 /// What a method reports: none is expected to.
-pub fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
+fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
     let methods = [Method::Rk8, Method::Dop853, Method::Dopri5];
     let mut text = String::from("| hard case | e | rk8 | dop853 | dopri5 |\n|---|---|---|---|---|\n");
     for case in cases {

@@ -25,10 +25,14 @@ pub struct Arguments {
     quick: bool,
 }
 
+/// The report in Markdown.
+const PAGE: &str = "README.md";
+
 pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     let directory =
         OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
     super::run::say_what_is_replaced(&directory);
+    directory.check([PAGE, "speed_vs_error.csv"]).map_err(Error::from)?;
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
@@ -40,18 +44,8 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     let cases = hard_cases::hard_cases().context("hard cases")?;
     super::terminal::note(format_args!("measuring tables"));
     let rates = table_rates(&directory, arguments.quick)?;
-    let text = format!(
-        "# Speed against error\n\n## Time of one impact in µs to reach an error (and how many times slower ode_solvers' Dop853 is)\n\n{}\n\
-         ## Ratios\n\n{}\n## Steps per contact that velocity Verlet needs\n\n{}\n\
-         ## Hard cases: larger relative error of e and contact time at the default tolerance\n\n{}\n\
-         ## Tables: rows a second on {} threads\n\n{rates}",
-        report::time_table(&all),
-        report::ratio_table(&all),
-        report::verlet_table(&all),
-        report::hard_case_table(&cases).context("hard cases")?,
-        std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-    );
-    let mut files = vec![report::csv(&all)?, OutputFile { name: "report.md".into(), bytes: text.clone().into_bytes() }];
+    let text = report::page(&all, &cases, &rates).context("hard cases")?;
+    let mut files = vec![report::csv(&all)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
     }

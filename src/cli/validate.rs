@@ -39,8 +39,8 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let mut files = vec![
         OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? },
         OutputFile {
-            name: "validation.md".into(),
-            bytes: report::markdown(&checks, &coefficients.provenance.name).into_bytes(),
+            name: "README.md".into(),
+            bytes: report::page(&checks, &coefficients.provenance.name, own.is_none()).into_bytes(),
         },
     ];
     if !arguments.no_pictures {
@@ -51,13 +51,13 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     directory.write(&files).map_err(Error::from)?;
     super::terminal::print(&report::table(&checks)).context("standard output")?;
     super::terminal::note(format_args!(
-        "wrote validation.csv, validation.md and {} pictures to {}",
+        "wrote validation.csv, README.md and {} pictures to {}",
         files.len() - 2,
         out.display()
     ));
     match check::count(&checks, Verdict::Miss) {
         0 => Ok(()),
-        missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.md") }.into()),
+        missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.csv") }.into()),
     }
 }
 

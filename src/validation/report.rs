@@ -1,4 +1,4 @@
-//! The rows as CSV, as Markdown, and summed up for the terminal.
+//! The report of `validate`: every comparison as CSV, and a summary for the terminal and for a page in Markdown.
 
 use std::fmt::Write as _;
 
@@ -62,6 +62,12 @@ impl Group<'_> {
         }
     }
 
+    /// What is on record of rows that are beyond their tolerance.
+    fn remark(&self) -> Option<&'static str> {
+        let known = self.checks.iter().find(|check| check.verdict() == Verdict::Known);
+        known.and_then(|check| check.known).map(|known| known.remark)
+    }
+
     /// Smallest and largest limit.
     fn tolerance(&self) -> String {
         let limits = || self.checks.iter().map(|check| check.tolerance.limit);
@@ -111,14 +117,13 @@ fn verdict(checks: &[Check]) -> String {
     }
 }
 
-/// One line for each quantity, for the terminal.
-#[must_use]
-pub fn table(checks: &[Check]) -> String {
+/// A line for each quantity, under the names of the columns.
+fn summary(checks: &[Check]) -> Vec<[String; 7]> {
     let mut rows = vec![["quantity", "checks", "mean", "rms", "largest", "tolerance", "verdict"].map(str::to_owned)];
-    for group in groups(checks) {
+    rows.extend(groups(checks).iter().map(|group| {
         let deviations = group.deviations();
         let several = |text: String| if deviations.len() > 1 { text } else { String::new() };
-        rows.push([
+        [
             group.quantity.to_owned(),
             deviations.len().to_string(),
             several(signed(mean(&deviations))),
@@ -126,8 +131,15 @@ pub fn table(checks: &[Check]) -> String {
             signed(largest(deviations.iter().copied())),
             group.tolerance(),
             group.verdict(),
-        ]);
-    }
+        ]
+    }));
+    rows
+}
+
+/// The summary, misses and what is on record, for the terminal.
+#[must_use]
+pub fn table(checks: &[Check]) -> String {
+    let rows = summary(checks);
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..7).map(width).collect();
     let mut text = String::new();
@@ -145,72 +157,45 @@ pub fn table(checks: &[Check]) -> String {
         let _ = writeln!(text, "MISS: {quantity}: {case}: {off}, tolerance {limit} ({})", tolerance.source);
     }
     for group in groups(checks) {
-        let known = group.checks.iter().find(|check| check.verdict() == Verdict::Known);
-        if let Some(known) = known.and_then(|check| check.known) {
-            let _ = writeln!(text, "known of the built-in law: {}: {}", group.quantity, known.remark);
+        if let Some(remark) = group.remark() {
+            let _ = writeln!(text, "known of the built-in law: {}: {remark}", group.quantity);
         }
     }
     text + &verdict(checks) + "\n"
 }
 
-/// `validation.md`: the summary, then every row.
+/// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in law
+/// it also says where the law is off, and shows three of the `pictures`.
 #[must_use]
-pub fn markdown(checks: &[Check], law: &str) -> String {
-    let mut text = format!("# Validation\n\nLaw: {law}.\n\n{}.\n\n", verdict(checks));
-    text.push_str(&summary(checks));
-    text.push_str(
-        "\nDeviations are got / expected − 1 unless the quantity says otherwise; the verdict is on each row below, the mean says whether the law is off to one side.\n",
-    );
-    for group in groups(checks) {
-        let _ = write!(text, "\n## {}\n\n", group.quantity);
-        let mut references: Vec<&str> = group.checks.iter().map(|check| check.reference).collect();
-        references.dedup();
-        let mut sources: Vec<&str> = group.checks.iter().map(|check| check.tolerance.source).collect();
-        sources.sort_unstable();
-        sources.dedup();
-        let _ = write!(text, "Reference: {}. Tolerance: {}.\n\n", references.join("; "), sources.join("; "));
-        if let Some(known) = group.checks.iter().find_map(|check| check.known) {
-            let _ = write!(text, "On record for the built-in law: {}.\n\n", known.remark);
-        }
-        text.push_str(
-            "| case | expected | got | unit | deviation | tolerance | verdict |\n|---|---|---|---|---|---|---|\n",
-        );
-        let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:.6e}"));
-        for check in &group.checks {
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | {} | {} | {} | {} |",
-                check.case,
-                number(check.expected),
-                number(check.got),
-                check.unit,
-                signed(check.deviation),
-                share(check.tolerance.limit),
-                check.verdict().name()
-            );
-        }
+pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
+    let mut rows = String::new();
+    for row in summary(checks).iter().skip(1) {
+        let _ = writeln!(rows, "| {} |", row.join(" | "));
     }
-    text
-}
-
-/// The summary as a table in Markdown.
-fn summary(checks: &[Check]) -> String {
-    let mut text = String::from(
-        "| quantity | checks | mean deviation | rms | largest | tolerance | verdict |\n|---|---|---|---|---|---|---|\n",
-    );
+    let (mut sources, mut above) = (String::new(), String::new());
     for group in groups(checks) {
-        let deviations = group.deviations();
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} |",
-            group.quantity,
-            deviations.len(),
-            signed(mean(&deviations)),
-            share(rms(&deviations)),
-            signed(largest(deviations.iter().copied())),
-            group.tolerance(),
-            group.verdict()
-        );
+        let listed = |of: fn(&Check) -> &'static str| {
+            let mut texts: Vec<&str> = group.checks.iter().map(|check| of(check)).collect();
+            texts.sort_unstable();
+            texts.dedup();
+            texts.join("; ")
+        };
+        let (references, tolerances) = (listed(|check| check.reference), listed(|check| check.tolerance.source));
+        if references != above {
+            let _ = writeln!(sources, "\nReference: {references}.\n");
+            above = references;
+        }
+        let known =
+            group.remark().map(|remark| format!(" On record for the built-in law: {remark}.")).unwrap_or_default();
+        let _ = writeln!(sources, "* {}. Tolerance: {tolerances}.{known}", group.quantity);
     }
-    text
+    let about = if is_built_in { include_str!("built_in_law.md") } else { "" };
+    format!(
+        include_str!("page.md"),
+        law = law,
+        verdict = verdict(checks),
+        rows = rows,
+        sources = sources,
+        about = about
+    )
 }
