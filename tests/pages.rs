@@ -1,0 +1,181 @@
+//! The pages of the repository: the commands that they show run and leave git clean, what they print is what is printed, their
+//! links lead somewhere, and the pictures they show are those that the program draws.
+
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use common::command::text;
+use tempfile::TempDir;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+const PAGES: [&str; 4] = ["README.md", "scenarios/README.md", "plots/bench/README.md", "plots/validate/README.md"];
+
+fn read(page: &str) -> String {
+    fs::read_to_string(Path::new(ROOT).join(page)).unwrap()
+}
+
+/// The blocks of a page in this language.
+fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
+    let fence = format!("```{language}\n");
+    page.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap()).collect()
+}
+
+fn copy(from: &Path, to: &Path) {
+    if from.is_dir() {
+        fs::create_dir_all(to).unwrap();
+        for entry in fs::read_dir(from).unwrap() {
+            let name = entry.unwrap().file_name();
+            copy(&from.join(&name), &to.join(&name));
+        }
+    } else {
+        fs::create_dir_all(to.parent().unwrap()).unwrap();
+        fs::copy(from, to).unwrap();
+    }
+}
+
+/// A fresh clone of what the commands of the pages need, with the program as `bin/plm-impact`.
+struct Clone(TempDir);
+
+impl Clone {
+    fn new() -> Self {
+        let clone = Self(TempDir::new().unwrap());
+        for kept in ["README.md", ".gitignore", "scenarios", "plots", "tests/reference"] {
+            copy(&Path::new(ROOT).join(kept), &clone.path().join(kept));
+        }
+        clone.shell("git init -q && git add -A && git clean -fdxq", 0);
+        clone.shell("git -c user.name=test -c user.email=test@localhost commit -qm all", 0);
+        fs::create_dir(clone.path().join(".git/bin")).unwrap();
+        symlink(env!("CARGO_BIN_EXE_plm-impact"), clone.path().join(".git/bin/plm-impact")).unwrap();
+        clone
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// What a command line prints; it has to end with this code.
+    fn shell(&self, line: &str, code: i32) -> String {
+        let path = format!("{}:{}", self.path().join(".git/bin").display(), std::env::var("PATH").unwrap());
+        let output = Command::new("sh").args(["-c", line]).current_dir(self.path()).env("PATH", path).output().unwrap();
+        assert_eq!(output.status.code(), Some(code), "{line}: {}", text(&output.stderr));
+        text(&output.stdout)
+    }
+}
+
+#[test]
+fn every_command_that_a_page_shows_runs_and_leaves_git_clean() {
+    let clone = Clone::new();
+    let mut count = 0;
+    for page in PAGES {
+        for block in blocks(&read(page), "sh") {
+            if block.contains("big.toml") {
+                // recipes for clusters; `tests/shards.rs` runs shards
+                continue;
+            }
+            for line in block.lines().filter(|line| *line != "cargo test") {
+                let code = line.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
+                let printed = clone.shell(&line.replacen("cargo run --release -- ", "plm-impact ", 1), code);
+                if count == 0 {
+                    assert!(
+                        read("README.md").contains(&format!("```text\n{printed}```\n")),
+                        "README.md shows not:\n{printed}"
+                    );
+                }
+                assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 15, "{count}");
+}
+
+#[test]
+fn the_table_of_commands_knows_every_command_and_no_option_that_is_not_there() {
+    let clone = Clone::new();
+    let page = read("README.md");
+    let lines: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("| `plm-impact ")).collect();
+    let shown: BTreeSet<&str> = lines.iter().map(|line| line.split([' ', '`']).next().unwrap()).collect();
+    let help = clone.shell("plm-impact --help", 0);
+    let commands = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let known: BTreeSet<&str> = commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert_eq!(shown, known.into_iter().filter(|name| *name != "help").collect());
+    for line in lines {
+        let usage = line.split('`').next().unwrap();
+        let help = clone.shell(&format!("plm-impact {} --help", usage.split(' ').next().unwrap()), 0);
+        for option in usage.split([' ', '[', ']']).filter(|word| word.starts_with('-')) {
+            let is_known = help.split_whitespace().any(|word| word.trim_end_matches(',') == option);
+            assert!(is_known, "{option} in {usage}");
+        }
+    }
+}
+
+#[test]
+fn the_front_page_is_short() {
+    let size = read("README.md").len();
+    assert!(size <= 10 << 10, "{size} bytes");
+}
+
+/// The anchor that GitHub gives a heading.
+fn anchor(heading: &str) -> String {
+    let kept = |c: &char| c.is_alphanumeric() || " -_".contains(*c);
+    heading.trim().to_lowercase().chars().filter(kept).map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
+fn anchors(page: &str) -> BTreeSet<String> {
+    page.lines().filter(|line| line.starts_with('#')).map(|line| anchor(line.trim_start_matches('#'))).collect()
+}
+
+#[test]
+fn every_link_within_the_repository_leads_somewhere() {
+    let mut count = 0;
+    for page in PAGES {
+        let body = read(page);
+        let folder = Path::new(ROOT).join(page).parent().unwrap().to_owned();
+        for link in body.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()) {
+            let (file, place) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { Path::new(ROOT).join(page) } else { folder.join(file) };
+            assert!(target.exists(), "{page}: {link}");
+            if !place.is_empty() {
+                assert!(anchors(&fs::read_to_string(target).unwrap()).contains(place), "{page}: {link}");
+            }
+            count += 1;
+        }
+    }
+    assert!(count > 60, "{count}");
+}
+
+/// The pictures of the gallery, each in the folder of its scenario.
+fn gallery() -> Vec<PathBuf> {
+    let list = |folder: PathBuf| fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    list(Path::new(ROOT).join("plots/gallery")).flat_map(list).collect()
+}
+
+/// `PLM_IMPACT_GALLERY=write` puts the pictures that are drawn into the gallery; look at them then.
+#[test]
+fn the_gallery_shows_what_the_program_draws() {
+    let clone = Clone::new();
+    let shown = read("README.md") + &read("scenarios/README.md");
+    let pictures = gallery();
+    let name = |picture: &PathBuf| picture.parent().unwrap().file_name().unwrap().to_str().unwrap().to_owned();
+    for scenario in pictures.iter().map(name).collect::<BTreeSet<String>>() {
+        clone.shell(&format!("plm-impact run scenarios/{scenario}.toml --quiet"), 0);
+    }
+    assert!(pictures.len() >= 15, "{}", pictures.len());
+    for picture in pictures {
+        let within = format!("{}/{}", name(&picture), picture.file_name().unwrap().to_str().unwrap());
+        assert!(shown.contains(&format!("plots/gallery/{within})")), "no page shows {within}");
+        let drawn = fs::read(clone.path().join("plots").join(&within)).unwrap();
+        if std::env::var("PLM_IMPACT_GALLERY").is_ok_and(|what| what == "write") {
+            fs::write(&picture, &drawn).unwrap();
+        }
+        let stale = "is stale: PLM_IMPACT_GALLERY=write cargo test --test pages";
+        assert!(fs::read(&picture).unwrap() == drawn, "{within} {stale}");
+    }
+}
