@@ -1,4 +1,4 @@
-//! Coefficients of the PLM from loading curves: reading curves, the least-squares problem, and what is said of its outcome.
+//! Coefficients of the PLM from loading curves: reading the curves, the least-squares fit, and the report of it.
 
 pub mod curve;
 mod error;

@@ -1,7 +1,7 @@
 //! Impacts that break careless integrators, each with its restitution and where that comes from.
 //!
-//! All are dimensionless: a [`Law`] and a speed ratio. Where a scene in SI units makes the case hard (nanometres, a
-//! modulus ratio of 10¹²), the law and the ratio are those of that scene.
+//! All are dimensionless: a [`Law`] and a speed ratio. Some come from scenes in SI units that are hard, such as nanometres or
+//! a modulus ratio of 10¹².
 
 use crate::bench::problems::{kinked_law, steel_speed_ratio};
 use crate::impact::Contact;
@@ -30,7 +30,7 @@ const BALANCE: &str = "balance of energy, e^2 = f_m eps_m/((n + 1) w_m), without
 const ELASTIC: &str = "elastic: what was spent comes back, e = 1 exactly";
 const PRINTED: &str = "known to 16 digits from 30-digit arithmetic";
 
-/// A sphere on a half-space, given by the ratios that decide: everything else is steel-like.
+/// A sphere on a half-space, given by the ratios that matter.
 #[derive(Debug, Clone, Copy)]
 struct Scene {
     radius: f64,

@@ -1,4 +1,5 @@
-//! Time against error: every method over its ladder on one problem, interleaved, best of many.
+//! Time against error: every method with each of its settings on one problem. The settings take turns, and the best time of
+//! each counts.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -31,7 +32,7 @@ impl Contender {
         Self::Method(Method::ClosedForm),
     ];
 
-    /// As in a scenario; the batch form is `rk8_batch`.
+    /// Its name as in a scenario; the batch form is `rk8_batch`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -40,7 +41,7 @@ impl Contender {
         }
     }
 
-    /// Its ladder.
+    /// Its settings, from coarse to fine.
     fn rungs(self, is_quick: bool) -> Vec<Rung> {
         let thinned = |rungs: Vec<Rung>| if is_quick { rungs.into_iter().step_by(3).collect() } else { rungs };
         match self {
@@ -54,22 +55,22 @@ impl Contender {
     }
 }
 
-/// One setting of a method.
+/// A setting of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rung {
     /// Relative tolerance.
     Tolerance(f64),
-    /// Steps over the exact contact time. No code steps a whole number of times over a contact, so the error is the worst
-    /// of five step sizes, T/(steps + phase).
+    /// Steps over the exact contact time T. In a DEM code a contact seldom lasts a whole number of steps. So five step
+    /// sizes T/(steps + phase) are tried, and the largest error counts.
     Steps(u32),
     /// Nothing to set.
     Exact,
 }
 
-/// What is added to the number of steps over a contact.
+/// The phases of [`Rung::Steps`].
 const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// One measured setting.
+/// What was measured of a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// Which method.
@@ -78,9 +79,9 @@ pub struct Measurement {
     pub rung: Rung,
     /// |e/e_exact − 1|.
     pub restitution_error: f64,
-    /// The same for the contact time, which a fixed step gives within its last step.
+    /// The same for the contact time, which a fixed step interpolates within its last step.
     pub contact_time_error: f64,
-    /// The same for the time at which separation is seen: for a fixed step in whole steps, else the contact time.
+    /// The same for the time at which separation is seen: in whole steps with a fixed step, else the contact time.
     pub separation_error: f64,
     /// The same for the peak force.
     pub peak_force_error: f64,
@@ -102,7 +103,7 @@ impl Measurement {
 /// The methods are compared on impacts by the law alone.
 const NONE: ScaledForces = ScaledForces::NONE;
 
-/// Impacts of one batch; their speeds differ by up to a thousandth, so that the lanes do not march as one.
+/// Impacts of one batch. Their speeds differ by up to a thousandth, so that the lanes do not all take the same steps.
 const BATCH: usize = 512;
 
 /// A method ready to run a problem many times.
@@ -135,7 +136,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// One impact (of a batch: all, the first of which is the problem's).
+    /// One impact; of a batch all impacts, and the outcome is that of the first, the problem itself.
     fn run(&mut self, problem: &Problem) -> Result<Outcome, IntegrationError> {
         let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
         match self {
@@ -152,12 +153,12 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Impacts of one run.
+    /// How many impacts a run computes.
     fn size(&self) -> usize {
         if let Self::Batch { problems, .. } = self { problems.len() } else { 1 }
     }
 
-    /// Cost of one impact. The lanes of a batch do what rk8 does alone.
+    /// Cost of one impact. A lane of a batch takes the steps that rk8 takes alone.
     fn work(&self, problem: &Problem) -> Work {
         match self {
             Self::Rk8(rk8) => rk8.work(),
@@ -177,7 +178,8 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Relative errors of e, contact time, separation as it is seen, and peak force: the worst over the phases of a fixed step; `None` if a run fails.
+/// Relative errors of e, contact time, separation as it is seen, and peak force. With a fixed step the largest of all phases
+/// counts. `None` if a run fails.
 fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 4]> {
     let relative = |got: f64, want: f64| (got / want - 1.0).abs();
     let phases = if matches!(rung, Rung::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
@@ -199,8 +201,8 @@ fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 4
     Some(worst)
 }
 
-/// Measures every method on a problem. Settings that fail (a Verlet step so coarse that the sphere never parts) are left
-/// out; of the rest, each round times every one for about `burst`.
+/// Measures every method on a problem. A setting that fails, such as a Verlet step so coarse that the sphere never leaves,
+/// is left out. Each round times every other setting for about `burst`.
 #[must_use]
 pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
     let mut entries: Vec<(Runner, u32, Measurement)> = Vec::new();

@@ -55,11 +55,11 @@ pub struct LoadingCurve {
     pub pair: Pair,
     /// a_Y/R.
     pub yield_radius_ratio: f64,
-    /// Rising in x and f.
+    /// The points; x and f rise.
     pub points: Vec<LoadingPoint>,
 }
 
-/// A column and how its numbers become dimensionless.
+/// A column. Its numbers divided by `unit` are dimensionless.
 #[derive(Debug, Clone, Copy)]
 struct Column {
     index: usize,
@@ -139,7 +139,7 @@ impl LoadingCurve {
         Ok(Self { name: name.to_owned(), pair: bodies.pair, yield_radius_ratio: bodies.yield_radius_ratio, points })
     }
 
-    /// Part of a range that is each point's own, for weights uniform in ln x: half the way to both neighbours.
+    /// The weight of each point, so that weights are uniform in ln x: half the distance of its neighbours in ln x.
     #[must_use]
     pub fn log_weights(&self) -> Vec<f64> {
         let at: Vec<f64> = self.points.iter().map(|point| ln(point.indentation)).collect();

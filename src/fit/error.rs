@@ -30,7 +30,7 @@ pub enum FitError {
 pub struct CurveError {
     /// The file.
     pub name: String,
-    /// From 1.
+    /// The line, counted from 1.
     pub line: Option<u64>,
     /// What is wrong, what is allowed, what to do.
     pub message: String,

@@ -1,4 +1,4 @@
-//! Other knots for the force, with slopes to start from.
+//! A table of coefficients with other knots of the force.
 
 use super::FitError;
 use crate::law::PlmCoefficients;

@@ -1,18 +1,18 @@
-//! Coefficients as the numbers that are varied: logarithms of what must stay positive, so that every step makes a law.
+//! Coefficients as the numbers that the fit varies: logarithms of what must stay positive, so that every step gives a law.
 
 use nalgebra::DVector;
 
 use crate::law::PlmCoefficients;
 use crate::math::functions;
 
-/// Least distance of a knot to the one before, and least value of a coefficient, where a logarithm is taken.
+/// A coefficient, or a distance of two knots, that is smaller has this logarithm.
 const LEAST: f64 = 1e-9;
 
 fn ln(value: f64) -> f64 {
     functions::ln(value.max(LEAST))
 }
 
-/// Slopes at κ = 0 and at κ = 1: the two ends of a slope that is straight in κ².
+/// Slopes at κ = 0 and at κ = 1. In between a slope is linear in κ².
 fn push_ends(into: &mut Vec<f64>, slope: f64, per_kappa_squared: f64) {
     into.extend([ln(slope), ln(slope + per_kappa_squared)]);
 }
@@ -41,7 +41,7 @@ fn push_increments(into: &mut Vec<f64>, first: f64, knots: &[f64]) {
     into.extend(knots.iter().zip(before).map(|(knot, before)| ln(knot - before)));
 }
 
-/// The table of varied numbers; what they do not hold is taken from `form`.
+/// The table that the varied numbers stand for. What they do not hold is taken from `form`.
 #[must_use]
 pub fn decode(numbers: &DVector<f64>, form: &PlmCoefficients, has_knots: bool) -> PlmCoefficients {
     let mut table = form.clone();

@@ -13,8 +13,8 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest, rms under a law fitted to
-/// the other curves, and rms under the built-in table (`built_in`).
+/// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest. Two more columns have the
+/// rms from a law that was fitted to the other curves, and from the built-in table (`built_in`).
 #[must_use]
 pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     let header = [
@@ -32,22 +32,19 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     ];
     let mut rows = vec![header.map(str::to_owned)];
     for (case, built_in) in fit.cases.iter().zip(built_in) {
-        let left_out = |index: usize| {
-            case.left_out
-                .map_or_else(|| "-".to_owned(), |left| percent(if index == 0 { left.0.rms } else { left.1.rms }))
-        };
+        let or_none = |rms: Option<f64>| rms.map_or_else(|| "-".to_owned(), percent);
         rows.push([
             case.name.clone(),
             format!("{:.4}", case.sphere_compliance),
             percent(case.force.rms),
             format!("{:+.2}", 100.0 * case.force.largest),
-            left_out(0),
+            or_none(case.left_out.map(|(force, _)| force.rms)),
             percent(built_in.force.rms),
             percent(case.approach.rms),
             format!("{:+.2}", 100.0 * case.approach.largest),
-            left_out(1),
+            or_none(case.left_out.map(|(_, approach)| approach.rms)),
             percent(built_in.approach.rms),
-            case.radius.map_or_else(|| "-".to_owned(), |radius| percent(radius.rms)),
+            or_none(case.radius.map(|radius| radius.rms)),
         ]);
     }
     let mut text = aligned(&rows);
@@ -121,31 +118,20 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
 /// # Errors
 /// [`FitError::Form`].
 pub fn toml(coefficients: &PlmCoefficients) -> Result<String, FitError> {
-    let mut rounded = coefficients.clone();
-    let round = |values: &mut [f64]| {
-        for value in values {
-            *value = format!("{value:.9e}").parse().unwrap_or(*value);
-        }
-    };
-    let (force, approach) = (&mut rounded.force, &mut rounded.elastic_approach);
-    for list in [&mut force.from, &mut force.slope, &mut force.slope_kappa_squared] {
-        round(list);
-    }
-    for list in [&mut approach.geometry_from, &mut approach.geometry_factor, &mut rounded.contact_radius.ratio] {
-        round(list);
-    }
-    for value in [
-        &mut approach.first_slope,
-        &mut approach.first_slope_kappa_squared,
-        &mut approach.first_slope_limit,
-        &mut approach.plastic_from_rho,
-        &mut approach.plastic_slope,
-        &mut approach.plastic_slope_kappa_squared,
-    ] {
-        round(std::slice::from_mut(value));
-    }
+    let mut rounded = toml::Value::try_from(coefficients)?;
+    round(&mut rounded);
     let text = toml::to_string(&rounded)?;
     Ok(format!(
         "# Coefficients of the piecewise-linear loading law, for `[law.plm] coefficients = \"...\"` in a scenario.\n\n{text}"
     ))
+}
+
+/// Rounds all numbers within to ten digits.
+fn round(value: &mut toml::Value) {
+    match value {
+        toml::Value::Float(number) => *number = format!("{number:.9e}").parse().unwrap_or(*number),
+        toml::Value::Array(list) => list.iter_mut().for_each(round),
+        toml::Value::Table(table) => table.iter_mut().for_each(|(_, value)| round(value)),
+        _ => {}
+    }
 }

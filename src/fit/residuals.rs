@@ -1,4 +1,4 @@
-//! What the fit makes small: deviations of ln F and ln ε, weights uniform in ln x, and any rise of e with x.
+//! What the fit makes small: deviations of ln F and ln ε, with weights uniform in ln x, and any rise of e with x.
 
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
@@ -7,15 +7,16 @@ use super::parameters::{decode, encode};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::{exp, ln, tanh};
 
-/// Places along each curve where e is looked at.
+/// Points along each curve where e is computed.
 const RESTITUTION_POINTS: u32 = 150;
-/// Straight pieces let e rise by so much behind a knot; only what is beyond is penalised.
+/// Rise of ln e that is not penalised: behind a knot the straight pieces of the law let e rise by about so much.
 const ALLOWED_RISE: f64 = 3e-4;
-/// Weight of a rise beyond, against a deviation of the curve by the same share.
+/// Weight of a larger rise, compared with a deviation of the curve by the same share.
 const RISE_WEIGHT: f64 = 1.0;
-/// Weight of a change of ln coefficient: decides what no curve decides (it stays), and nothing else.
+/// Weight of a change of ln coefficient. It is so small that it matters only for coefficients that no curve decides: they
+/// stay as they were.
 const STAY_WEIGHT: f64 = 1e-5;
-/// No coefficient goes farther than this from its start, in its logarithm: a factor of 20.
+/// Largest change of ln coefficient: a factor of 20.
 const REACH: f64 = 3.0;
 /// Step of central differences in ln coefficient.
 const STEP: f64 = 1e-6;
@@ -39,7 +40,8 @@ impl<'a> Residuals<'a> {
         self.table_at(&self.numbers)
     }
 
-    /// The numbers are without bounds; what they stand for has one on either side, so that no step leads nowhere.
+    /// The fit varies numbers without bounds. tanh maps them to coefficients within a factor of 20 of the start, so that
+    /// every step gives a law that can be evaluated.
     fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
         let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * tanh((number - start) / REACH));
         decode(&bounded, self.form, self.has_knots)
@@ -96,17 +98,17 @@ impl levenberg_marquardt::LeastSquaresProblem<f64, Dyn, Dyn> for Residuals<'_> {
 /// How far the law is from one point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deviation {
-    /// Share of the curve's range in ln x; they sum to 1.
+    /// Share of the curve's range in ln x. The weights of a curve sum to 1.
     pub weight: f64,
     /// ln f of the law − ln f of the point.
     pub force: f64,
-    /// The same for ε.
+    /// ln ε of the law − ln ε of the point.
     pub approach: f64,
-    /// The same for a, where the curve has it.
+    /// ln a of the law − ln a of the point, where the curve has the contact radius.
     pub radius: Option<f64>,
 }
 
-/// Deviations at all points from first yield on: before it the law has no coefficients.
+/// Deviations at all points from first yield on. Before it the law is Hertz's, and has no coefficients.
 pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item = Deviation> {
     let plastic = || curve.points.iter().zip(curve.log_weights()).filter(|(point, _)| point.indentation >= 1.0);
     let total: f64 = plastic().map(|(_, weight)| weight).sum();
@@ -121,7 +123,7 @@ pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item 
     })
 }
 
-/// ln e above its least value so far, along the curve and somewhat beyond.
+/// By how much ln e is above its least value so far, up to 1.5 times the last indentation of the curve.
 pub(super) fn rises(law: &Law, curve: &LoadingCurve) -> impl Iterator<Item = f64> {
     let last = curve.points.last().map_or(1.0, |point| point.indentation);
     let range = ln(1.5 * last);

@@ -10,28 +10,28 @@ use crate::law::plm::RadiusRatio;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::power::{farther_or_nan, max_or_nan};
 
-/// Evaluations for each varied number, after which there is little hope.
+/// Most evaluations for each varied number.
 const PATIENCE: usize = 20;
 
-/// Relative, of the sum of squares and of the steps: the knots of the law make edges in the sum of squares, along which
-/// steps creep to no use.
+/// Relative precision of the sum of squares and of the numbers. The knots of the law make kinks in the sum of squares, and
+/// a stricter fit creeps along them without gain.
 const PRECISION: f64 = 1e-8;
 
 /// What to fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// Knots, and where slopes and factors start from; what the curves do not decide stays as here.
+    /// The knots, and the coefficients that the fit starts from. What the curves do not decide stays as it is here.
     pub start: PlmCoefficients,
     /// Whether knots are fitted too.
     pub has_knots: bool,
 }
 
-/// Root mean square and largest deviation, relative.
+/// How large relative deviations are.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// Weights uniform in ln x.
+    /// Root mean square, with weights uniform in ln x.
     pub rms: f64,
-    /// With its sign.
+    /// The largest, with its sign.
     pub largest: f64,
 }
 
@@ -46,24 +46,24 @@ pub struct CaseFit {
     pub range: (f64, f64),
     /// Largest a/R, where the curve has it.
     pub largest_radius_ratio: Option<f64>,
-    /// Of the force.
+    /// Deviations of the force.
     pub force: Spread,
-    /// Of the elastic approach.
+    /// Deviations of the elastic approach.
     pub approach: Spread,
-    /// Of the contact radius, where the curve has it.
+    /// Deviations of the contact radius, where the curve has it.
     pub radius: Option<Spread>,
-    /// Force and elastic approach of this curve under a law fitted to the others; none with fewer than three curves.
+    /// Deviations of force and elastic approach from a law fitted to the other curves; `None` with fewer than three curves.
     pub left_out: Option<(Spread, Spread)>,
-    /// By how much e rises above its least value before.
+    /// Largest rise of ln e above its least value before.
     pub restitution_rise: f64,
 }
 
-/// What came of a fit.
+/// The outcome of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// The coefficients; their provenance is that of the start.
     pub coefficients: PlmCoefficients,
-    /// One for each curve.
+    /// How well each curve is met.
     pub cases: Vec<CaseFit>,
 }
 
@@ -114,7 +114,7 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
     Ok(table)
 }
 
-/// Λ at the knots of `start` beyond the first, where it stays; linear least squares of Λ/Λ_point − 1.
+/// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. At the first knot it stays as it is.
 fn radius_ratio(curves: &[&LoadingCurve], start: &RadiusRatio) -> RadiusRatio {
     let mut rows: Vec<(Vec<f64>, f64)> = Vec::new();
     let free = start.from.len().saturating_sub(1);

@@ -6,28 +6,28 @@ use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::ln;
 use crate::reference::{LOADING, unloading};
 
-/// Fewest elements in contact at which a dent has a shape.
+/// A dent that fewer elements resolve has no shape to compare.
 const RESOLVED: f64 = 10.0;
 
 /// One of the five pairs of materials: loading curve and unloadings.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// "case 3".
+    /// Its name, such as "case 3".
     pub name: &'static str,
     /// The loading curve.
     pub loading: LoadingCurve,
-    /// Unloadings by rising depth.
+    /// The unloadings, by rising depth.
     pub cycles: Vec<Cycle>,
 }
 
 /// A full unloading.
 #[derive(Debug, Clone)]
 pub struct Cycle {
-    /// Run and number of the unloading in it.
+    /// Name of the run.
     pub run: String,
-    /// From 1.
+    /// Number of the unloading in the run, from 1.
     pub number: u32,
-    /// Elements over the contact radius at the peak.
+    /// How many elements span the contact radius at the peak.
     pub elements: f64,
     /// x_m, f_m and ε_m = x_s,m/κ of the finite elements.
     pub peak: Peak,
@@ -35,18 +35,18 @@ pub struct Cycle {
     pub contact_radius: f64,
     /// x_r of the finite elements.
     pub residual: f64,
-    /// √(recovered/spent work), where the loading curve reaches back to first yield.
+    /// √(recovered/spent work); only where the loading curve reaches back to first yield.
     pub restitution: Option<f64>,
     /// R_res/R fitted within the contact radius, and within 0.7 of it.
     pub residual_radii: [f64; 2],
-    /// From the peak to separation, both left out: x, f, x_s.
+    /// x, f and x_s at points between peak and separation.
     pub points: Vec<[f64; 3]>,
-    /// Surface after unloading: r/R, z/R; few unloadings have it.
+    /// Surface after unloading: r/R and z/R. Few unloadings have it.
     pub dent: Vec<[f64; 2]>,
 }
 
 impl Cycle {
-    /// "case3_small, x = 105.1".
+    /// Its name, such as "case3_small, x = 105.1".
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}, x = {}", self.run, crate::units::rounded::number(self.peak.indentation))
@@ -77,7 +77,7 @@ impl Case {
         self.loading.points.iter().filter(|point| point.indentation >= 1.0)
     }
 
-    /// Unloadings without those at (nearly) the depth of a better resolved one.
+    /// The unloadings, without those that another at nearly the same depth resolves better.
     #[must_use]
     pub fn distinct_cycles(&self) -> Vec<&Cycle> {
         let is_near = |a: &Cycle, b: &Cycle| ln(a.peak.indentation / b.peak.indentation).abs() < 0.1;

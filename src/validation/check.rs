@@ -2,37 +2,37 @@
 
 use crate::math::power::farther_or_nan;
 
-/// How far a number may be off, and who says so.
+/// How far a number may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// Largest deviation that passes, either way.
+    /// Largest deviation that passes, up or down.
     pub limit: f64,
     /// Where it comes from.
     pub source: &'static str,
 }
 
-/// A deviation beyond the tolerance that is on record: not a pass, but no news either.
+/// A deviation beyond the tolerance that is on record. It is no pass, but it does not fail the validation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Known {
-    /// How large it was found to be; beyond this it is a miss.
+    /// A deviation beyond this is a miss.
     pub limit: f64,
     /// What is off, and where.
     pub remark: &'static str,
 }
 
-/// How a row ends.
+/// What a check comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// Within the tolerance.
     Pass,
-    /// Beyond it, as is known of the law.
+    /// Beyond the tolerance, but on record.
     Known,
-    /// Beyond it.
+    /// Beyond the tolerance, and not on record.
     Miss,
 }
 
 impl Verdict {
-    /// In tables.
+    /// Its word in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -43,31 +43,31 @@ impl Verdict {
     }
 }
 
-/// One row of the validation.
+/// One comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
-    /// What is compared; rows of the same quantity are summed up together.
+    /// What is compared. Checks of the same quantity share a row of the summary.
     pub quantity: String,
-    /// For what: case, run, speed.
+    /// Which case, run or speed.
     pub case: String,
     /// Where the expected number comes from.
     pub reference: &'static str,
-    /// Of both numbers; empty for plain ones.
+    /// Unit of both numbers; empty for plain numbers.
     pub unit: &'static str,
-    /// The reference; `None` for a mean over many.
+    /// The number of the reference; `None` for a mean over many.
     pub expected: Option<f64>,
-    /// The law or the program; `None` for a mean over many.
+    /// The number of the law or the program; `None` for a mean over many.
     pub got: Option<f64>,
     /// Relative deviation, got/expected − 1, unless the quantity says of what else it is a share.
     pub deviation: f64,
-    /// What passes.
+    /// How far it may be off.
     pub tolerance: Tolerance,
-    /// What is known not to.
+    /// What is on record, if anything is.
     pub known: Option<Known>,
 }
 
 impl Check {
-    /// Two numbers.
+    /// A check of one number against another.
     #[must_use]
     pub fn numbers(
         quantity: &str,
@@ -90,7 +90,7 @@ impl Check {
         }
     }
 
-    /// A mean, or a root mean square, of deviations.
+    /// A check of a mean, or of a root mean square, of deviations.
     #[must_use]
     pub fn mean(quantity: &str, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
         let quantity = quantity.to_owned();
@@ -111,19 +111,19 @@ impl Check {
     }
 }
 
-/// Rows with a verdict.
+/// How many checks have this verdict.
 #[must_use]
 pub fn count(checks: &[Check], verdict: Verdict) -> usize {
     checks.iter().filter(|check| check.verdict() == verdict).count()
 }
 
-/// got/expected − 1; zero if both are.
+/// got/expected − 1; 0 where both are the same.
 #[must_use]
 pub fn deviation(expected: f64, got: f64) -> f64 {
     if got == expected { 0.0 } else { got / expected - 1.0 }
 }
 
-/// The one farthest from zero; NaN if any is.
+/// The deviation farthest from zero; NaN if any is NaN.
 #[must_use]
 pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
     deviations.fold(0.0, farther_or_nan)

@@ -1,4 +1,4 @@
-//! Curvature of the dent: Eq. 25 from the finite elements' own peak against circles fitted to their craters.
+//! Radius of curvature of the dent: Eq. 25 from the peak of the finite elements, against circles fitted to their craters.
 
 use super::ValidationError;
 use super::cases::cases;

@@ -31,13 +31,13 @@ const SCENARIOS: [(&str, &str); 3] = [
 /// One impact, by finite elements and by the law.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// "D1".
+    /// Its name, such as "D1".
     pub name: &'static str,
-    /// Finite elements.
+    /// Results of the finite elements.
     pub reference: ImpactRow,
-    /// Their samples, by time.
+    /// Their samples, in the order of time.
     pub samples: Vec<Sample>,
-    /// The law with each of [`EXPONENTS`], integrated, with a trace.
+    /// The impact by the law with each of [`EXPONENTS`], with a trace.
     pub impacts: Vec<Impact>,
 }
 

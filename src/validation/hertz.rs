@@ -1,5 +1,4 @@
-//! Elastic impacts against published values and Hertz's closed forms. The program integrates; its own closed form is not
-//! used here.
+//! Elastic impacts, integrated by rk8, against published values and against Hertz's closed forms.
 //!
 //! The half-space of this model is never rigid. A sphere of modulus E on a rigid plane and a rigid sphere of the same
 //! density on a half-space of modulus E are the same problem: F = (4/3) E* √R δ^1.5 with E* = E/(1 − ν²) in both.
@@ -26,7 +25,7 @@ struct Scene {
     density: f64,
     speed: f64,
     reference: &'static str,
-    /// Quantity, unit, value, half a unit of its last digit.
+    /// Published values: quantity, unit, value, half a unit of its last digit.
     values: &'static [(&'static str, &'static str, f64, f64)],
 }
 

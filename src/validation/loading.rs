@@ -12,9 +12,9 @@ const LARGEST_FORCE: Tolerance = Tolerance { limit: 0.036, source: "documented 3
 const INDENTATION: Tolerance = Tolerance { limit: 0.013, source: "documented 1.2 %, margin 0.1 %" };
 const RADIUS: Tolerance = Tolerance { limit: 0.03, source: "aim of the law, 3 %" };
 
-/// a/R up to which the contact radius is looked at by itself.
+/// Contact radii up to this a/R are compared by themselves.
 const NARROW: f64 = 0.15;
-/// Found here: 3 % is what the polyline of the contact radius aims at, not what it keeps.
+/// Found by this validation: the polyline of the contact radius was fitted to be within 3 %, but is not everywhere.
 const KNOWN_RADIUS: [Known; 2] = [
     Known {
         limit: 0.04,
@@ -26,14 +26,14 @@ const KNOWN_RADIUS: [Known; 2] = [
     },
 ];
 
-/// A quantity along the loading curve: of the law and of a point.
+/// A quantity along the loading curve, by the law and by the finite elements.
 pub(super) struct Quantity {
     pub name: &'static str,
     pub of_law: fn(&Case, &Law, f64) -> f64,
     pub of_point: fn(&Case, &LoadingPoint) -> Option<f64>,
 }
 
-/// What is compared, in units of the yield point.
+/// The quantities that are compared, in units of the yield point.
 pub(super) const QUANTITIES: [Quantity; 4] = [
     Quantity { name: "force", of_law: |_, law, x| law.loading.force(x), of_point: |_, point| Some(point.force) },
     Quantity {
@@ -53,7 +53,7 @@ pub(super) const QUANTITIES: [Quantity; 4] = [
     },
 ];
 
-/// x, expected and got of a quantity at every point from first yield on.
+/// x, and the expected and the computed value of a quantity, at every point from first yield on.
 pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f64; 2])> {
     let pair = |point: &LoadingPoint| {
         let expected = (quantity.of_point)(case, point)?;
@@ -62,7 +62,7 @@ pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f
     case.plastic().filter_map(pair).collect()
 }
 
-/// Root mean square of the deviations along a curve, as a row.
+/// A check of the root mean square of the deviations along a curve.
 fn spread(quantity: &str, case: &Case, points: &[[f64; 2]], tolerance: Tolerance) -> Check {
     let deviations: Vec<f64> = points.iter().map(|[expected, got]| deviation(*expected, *got)).collect();
     let over = format!("{}, {} points", case.name, points.len());

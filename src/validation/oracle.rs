@@ -1,5 +1,5 @@
-//! The program against 30-digit arithmetic: closed form and integration of every impact of the oracle, which is a law with
-//! the built-in coefficients.
+//! The program against 30-digit arithmetic: every impact of `tests/reference/oracle.csv`, in closed form and integrated. The
+//! law has the built-in coefficients, whatever is validated.
 
 use serde::Deserialize;
 

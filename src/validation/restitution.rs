@@ -8,7 +8,7 @@ use crate::reference::STATIC;
 
 const DENT: Tolerance = Tolerance { limit: 0.022, source: "documented 2 % of the dent's depth, margin 0.2 %" };
 
-/// Found here.
+/// Found by this validation.
 const UNFITTED: Known = Known {
     limit: 0.024,
     remark: "for the softest sphere (case 1) below 30 delta_Y, where there was no loading curve to fit the law to",
@@ -19,7 +19,7 @@ pub(super) fn restitution(law: &Law, x: f64) -> f64 {
     (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
 }
 
-/// Limits for one cycle, the mean and the root mean square.
+/// Tolerances of one cycle, of the mean, and of the root mean square.
 fn tolerances(exponent: UnloadingExponent) -> [Tolerance; 3] {
     match exponent {
         UnloadingExponent::Paper => [
