@@ -70,33 +70,6 @@ impl Clone {
 }
 
 #[test]
-fn every_command_that_a_page_shows_runs_and_leaves_git_clean() {
-    let clone = Clone::new();
-    let mut count = 0;
-    for page in PAGES {
-        for block in blocks(&read(page), "sh") {
-            if block.contains("big.toml") {
-                // recipes for clusters; `tests/shards.rs` runs shards
-                continue;
-            }
-            for line in block.lines().filter(|line| *line != "cargo test") {
-                let code = line.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
-                let printed = clone.shell(&line.replacen("cargo run --release -- ", "plm-impact ", 1), code);
-                if count == 0 {
-                    assert!(
-                        read("README.md").contains(&format!("```text\n{printed}```\n")),
-                        "README.md shows not:\n{printed}"
-                    );
-                }
-                assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
-                count += 1;
-            }
-        }
-    }
-    assert!(count > 15, "{count}");
-}
-
-#[test]
 fn the_table_of_commands_knows_every_command_and_no_option_that_is_not_there() {
     let clone = Clone::new();
     let page = read("README.md");
@@ -151,25 +124,18 @@ fn every_link_within_the_repository_leads_somewhere() {
     assert!(count > 60, "{count}");
 }
 
-/// The pictures of the gallery, each in the folder of its scenario.
-fn gallery() -> Vec<PathBuf> {
-    let list = |folder: PathBuf| fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    list(Path::new(ROOT).join("plots/gallery")).flat_map(list).collect()
+/// Pictures of the gallery: those of one scenario, or the folders of all.
+fn gallery(scenario: &str) -> Vec<PathBuf> {
+    let folder = Path::new(ROOT).join("plots/gallery").join(scenario);
+    fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap().path()).collect()
 }
 
-/// `PLM_IMPACT_GALLERY=write` puts the pictures that are drawn into the gallery; look at them then.
-#[test]
-fn the_gallery_shows_what_the_program_draws() {
-    let clone = Clone::new();
+/// The pictures of the gallery are those that a run has just drawn. `PLM_IMPACT_GALLERY=write` puts the drawn ones into the
+/// gallery; look at them then.
+fn compare_with_gallery(scenario: &str, clone: &Clone) {
     let shown = read("README.md") + &read("scenarios/README.md");
-    let pictures = gallery();
-    let name = |picture: &PathBuf| picture.parent().unwrap().file_name().unwrap().to_str().unwrap().to_owned();
-    for scenario in pictures.iter().map(name).collect::<BTreeSet<String>>() {
-        clone.shell(&format!("plm-impact run scenarios/{scenario}.toml --quiet"), 0);
-    }
-    assert!(pictures.len() >= 15, "{}", pictures.len());
-    for picture in pictures {
-        let within = format!("{}/{}", name(&picture), picture.file_name().unwrap().to_str().unwrap());
+    for picture in gallery(scenario) {
+        let within = format!("{scenario}/{}", picture.file_name().unwrap().to_str().unwrap());
         assert!(shown.contains(&format!("plots/gallery/{within})")), "no page shows {within}");
         let drawn = fs::read(clone.path().join("plots").join(&within)).unwrap();
         if std::env::var("PLM_IMPACT_GALLERY").is_ok_and(|what| what == "write") {
@@ -177,5 +143,42 @@ fn the_gallery_shows_what_the_program_draws() {
         }
         let stale = "is stale: PLM_IMPACT_GALLERY=write cargo test --test pages";
         assert!(fs::read(&picture).unwrap() == drawn, "{within} {stale}");
+    }
+}
+
+#[test]
+fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery() {
+    let clone = Clone::new();
+    let mut run = BTreeSet::new();
+    let mut count = 0;
+    for page in PAGES {
+        for block in blocks(&read(page), "sh") {
+            if block.contains("big.toml") {
+                // recipes for clusters; `tests/shards.rs` runs shards
+                continue;
+            }
+            for line in block.lines().filter(|line| *line != "cargo test") {
+                let code = line.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
+                let command = line.replacen("cargo run --release -- ", "plm-impact ", 1);
+                let command = command.split(" #").next().unwrap().trim_end();
+                let printed = clone.shell(command, code);
+                if count == 0 {
+                    assert!(read("README.md").contains(&format!("```text\n{printed}```\n")), "README.md: {printed}");
+                }
+                assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
+                let scenario =
+                    command.strip_prefix("plm-impact run scenarios/").and_then(|rest| rest.strip_suffix(".toml"));
+                if let Some(scenario) = scenario {
+                    compare_with_gallery(scenario, &clone);
+                    run.insert(scenario.to_owned());
+                }
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 15, "{count}");
+    for folder in gallery("") {
+        let scenario = folder.file_name().unwrap().to_str().unwrap();
+        assert!(run.contains(scenario), "no page shows how to draw plots/gallery/{scenario}");
     }
 }
