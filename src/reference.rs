@@ -1,5 +1,5 @@
 //! Finite-element results of this project for the five material cases of Xie et al. (2024) and for whole impacts, which
-//! checks, comparisons and pictures show beside the laws: the one reader of `tests/reference/fe_*.csv`. Each table tells in
+//! checks, comparisons and pictures show beside the laws: the one reader of `src/reference/fe_*.csv`. Each table tells in
 //! its head where it comes from, how it was obtained and its error. Only numbers: whoever asks compares.
 
 pub mod impacts;
@@ -10,17 +10,17 @@ use serde::de::DeserializeOwned;
 use thiserror::Error;
 
 /// Who is compared with: the quasi-static campaign.
-pub const STATIC: &str = "finite elements, CalculiX 2.20, tests/reference/fe_*.csv";
+pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
 /// The whole impacts.
-pub const DYNAMIC: &str = "explicit finite elements, tests/reference/fe_dynamic.csv";
+pub const DYNAMIC: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
 
 /// The loading curves: name of the case, and its file in the form that `fit-plm` reads.
 pub const LOADING: [(&str, &str); 5] = [
-    ("case 1", include_str!("../tests/reference/fe_loading_case1.csv")),
-    ("case 2", include_str!("../tests/reference/fe_loading_case2.csv")),
-    ("case 3", include_str!("../tests/reference/fe_loading_case3.csv")),
-    ("case 4", include_str!("../tests/reference/fe_loading_case4.csv")),
-    ("case 5", include_str!("../tests/reference/fe_loading_case5.csv")),
+    ("case 1", include_str!("reference/fe_loading_case1.csv")),
+    ("case 2", include_str!("reference/fe_loading_case2.csv")),
+    ("case 3", include_str!("reference/fe_loading_case3.csv")),
+    ("case 4", include_str!("reference/fe_loading_case4.csv")),
+    ("case 5", include_str!("reference/fe_loading_case5.csv")),
 ];
 
 /// A reference table that is compiled in is damaged.

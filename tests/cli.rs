@@ -40,7 +40,7 @@ fn run_writes_all_outputs_and_prints_the_table_alone() {
     let summary: serde_json::Value =
         serde_json::from_slice(&fs::read(desk.path("plots/s/summary.json")).unwrap()).unwrap();
     let restitution = summary["restitution"].as_f64().unwrap();
-    // tests/reference/oracle.csv, "steel on steel, 3 m/s"
+    // src/reference/oracle.csv, "steel on steel, 3 m/s"
     assert!((restitution / 0.492_463_617_254_029_9 - 1.0).abs() < 1e-8, "{restitution}");
     assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml");
     assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);

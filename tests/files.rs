@@ -156,7 +156,7 @@ fn pipes_and_devices_are_not_replaced() {
     assert!(message.contains("pipe: cannot be written: it is a device or a pipe"), "{message}");
     ends(&desk, &["merge", "shards", "--out", "pipe", "--force"], 2);
     let curves: Vec<String> =
-        (1..=3).map(|i| format!("{}/tests/reference/fe_loading_case{i}.csv", env!("CARGO_MANIFEST_DIR"))).collect();
+        (1..=3).map(|i| format!("{}/src/reference/fe_loading_case{i}.csv", env!("CARGO_MANIFEST_DIR"))).collect();
     let fit = ["fit-plm", &curves[0], &curves[1], &curves[2], "-o", "pipe", "--force"];
     ends(&desk, &fit, 2);
     assert!(fs::symlink_metadata(&pipe).unwrap().file_type().is_fifo());
@@ -191,7 +191,7 @@ fn files_of_others_are_replaced_by_force_alone() {
     assert_eq!(desk.files("out"), ["summary.json"]);
     // coefficients
     fs::write(desk.path("c.toml"), "mine").unwrap();
-    let curve = format!("{}/tests/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
+    let curve = format!("{}/src/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
     let message = ends(&desk, &["fit-plm", &curve, "-o", "c.toml"], 2);
     assert!(message.contains("c.toml: is there"), "{message}");
     assert_eq!(desk.read("c.toml"), "mine");

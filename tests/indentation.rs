@@ -231,8 +231,8 @@ const CASES: [(&str, f64, f64, f64); 5] = [
 
 #[test]
 fn load_cycles_follow_the_finite_elements() {
-    // reference/fe_unloading.csv: full unloadings, each to its own peak x_m
-    let text = include_str!("reference/fe_unloading.csv");
+    // src/reference/fe_unloading.csv: full unloadings, each to its own peak x_m
+    let text = include_str!("../src/reference/fe_unloading.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let mut runs: BTreeMap<String, Vec<BTreeMap<String, String>>> = BTreeMap::new();
     for row in reader.deserialize() {

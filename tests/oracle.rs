@@ -1,4 +1,4 @@
-//! Every row of `tests/reference/oracle.csv`: 30-digit energy balance and quadrature of the law, no time stepping.
+//! Every row of `src/reference/oracle.csv`: 30-digit energy balance and quadrature of the law, no time stepping.
 
 #![allow(clippy::unwrap_used)]
 
@@ -16,7 +16,7 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let text = include_str!("reference/oracle.csv");
+    let text = include_str!("../src/reference/oracle.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     reader
         .records()

@@ -1,4 +1,4 @@
-//! Every row of `tests/reference/oracle.csv` through the command, with the default solver.
+//! Every row of `src/reference/oracle.csv` through the command, with the default solver.
 
 #![allow(clippy::unwrap_used)]
 
@@ -34,7 +34,7 @@ fn scenario(row: &csv::StringRecord) -> String {
 #[test]
 fn the_command_reproduces_the_oracle_at_its_defaults() {
     let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("reference/oracle.csv").as_bytes());
+        csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("../src/reference/oracle.csv").as_bytes());
     let headers = reader.headers().unwrap().clone();
     for (name, column) in QUANTITIES {
         assert_eq!(&headers[column], name);

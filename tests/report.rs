@@ -203,7 +203,7 @@ fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
 fn the_table_is_short_and_in_engineering_units() {
     let contact = contact(210e9, Some(345e6));
     let table = report::table(&contact, &impact(&contact, 3.0));
-    // tests/reference/oracle.csv, this scene: e = 0.49246, F_m = 1105.7 N, δ_m = 36.948 µm, T = 28.86 µs
+    // src/reference/oracle.csv, this scene: e = 0.49246, F_m = 1105.7 N, δ_m = 36.948 µm, T = 28.86 µs
     for text in ["0.4925", "1.106 kN", "36.95 µm", "28.86 µs", "24.25 % recovered, 75.75 % into the dent"] {
         assert!(table.contains(text), "{text} not in\n{table}");
     }

@@ -267,11 +267,11 @@ impl Second {
 }
 
 const CURVES: [&str; 5] = [
-    include_str!("reference/fe_loading_case1.csv"),
-    include_str!("reference/fe_loading_case2.csv"),
-    include_str!("reference/fe_loading_case3.csv"),
-    include_str!("reference/fe_loading_case4.csv"),
-    include_str!("reference/fe_loading_case5.csv"),
+    include_str!("../src/reference/fe_loading_case1.csv"),
+    include_str!("../src/reference/fe_loading_case2.csv"),
+    include_str!("../src/reference/fe_loading_case3.csv"),
+    include_str!("../src/reference/fe_loading_case4.csv"),
+    include_str!("../src/reference/fe_loading_case5.csv"),
 ];
 
 fn checks() -> Vec<Check> {
@@ -282,7 +282,7 @@ fn checks() -> Vec<Check> {
 fn rows_of_load_cycles_follow_from_a_second_implementation() {
     let checks = checks();
     let mut compared = 0;
-    for cycle in rows(include_str!("reference/fe_unloading.csv")) {
+    for cycle in rows(include_str!("../src/reference/fe_unloading.csv")) {
         let case: usize = cycle["case"].trim_start_matches("case").parse().unwrap();
         let second = Second::of(CURVES[case - 1]);
         let x = number(&cycle, "x");
@@ -370,7 +370,7 @@ fn whole_impacts_are_those_of_the_scenarios() {
         let checks = checks();
         let check = checks.iter().find(|check| check.quantity == quantity && check.case == "D1").unwrap();
         assert_relative_eq!(check.got.unwrap(), second.restitution(low, is_paper), max_relative = 1e-5);
-        // tests/reference/fe_dynamic.csv
+        // src/reference/fe_dynamic.csv
         assert_eq!(check.expected, Some(0.5030));
     }
 }

@@ -202,7 +202,7 @@ fn an_elastic_impact_loses_as_v_to_three_fifths() {
 
 #[test]
 fn whole_impacts_agree_with_finite_elements() {
-    // the three impacts of reference/fe_dynamic.csv: e of PLM with pressure-shape exponent and waves as worked out when
+    // the three impacts of src/reference/fe_dynamic.csv: e of PLM with pressure-shape exponent and waves as worked out when
     // they were made, which this is within 0.1 % of, and e of the finite elements, documented to be within 0.8 %
     let steel = |sphere| (material(sphere, 0.3), 7850.0, material(210e9, 0.3), 7850.0, 345e6);
     let alumina = (material(360e9, 0.23), 3900.0, material(70e9, 0.33), 2700.0, 280e6);

@@ -54,7 +54,7 @@ pub const TABLE: &str = "fe_dynamic.csv";
 /// # Errors
 /// [`ReferenceError`] if the table was damaged.
 pub fn impacts() -> Result<Vec<ImpactRow>, ReferenceError> {
-    rows(TABLE, include_str!("../../tests/reference/fe_dynamic.csv"))
+    rows(TABLE, include_str!("fe_dynamic.csv"))
 }
 
 /// Their samples, by time.
@@ -62,5 +62,5 @@ pub fn impacts() -> Result<Vec<ImpactRow>, ReferenceError> {
 /// # Errors
 /// [`ReferenceError`] if the table was damaged.
 pub fn samples() -> Result<Vec<Sample>, ReferenceError> {
-    rows("fe_dynamic_curves.csv", include_str!("../../tests/reference/fe_dynamic_curves.csv"))
+    rows("fe_dynamic_curves.csv", include_str!("fe_dynamic_curves.csv"))
 }

@@ -74,7 +74,7 @@ pub struct DentPoint {
 /// # Errors
 /// [`ReferenceError`] if the table was damaged.
 pub fn unloadings() -> Result<Vec<UnloadingRow>, ReferenceError> {
-    rows("fe_unloading.csv", include_str!("../../tests/reference/fe_unloading.csv"))
+    rows("fe_unloading.csv", include_str!("fe_unloading.csv"))
 }
 
 /// Points of all of them.
@@ -82,7 +82,7 @@ pub fn unloadings() -> Result<Vec<UnloadingRow>, ReferenceError> {
 /// # Errors
 /// [`ReferenceError`] if the table was damaged.
 pub fn points() -> Result<Vec<UnloadingPoint>, ReferenceError> {
-    rows("fe_unloading_curves.csv", include_str!("../../tests/reference/fe_unloading_curves.csv"))
+    rows("fe_unloading_curves.csv", include_str!("fe_unloading_curves.csv"))
 }
 
 /// Points of the dents; few unloadings have them.
@@ -90,5 +90,5 @@ pub fn points() -> Result<Vec<UnloadingPoint>, ReferenceError> {
 /// # Errors
 /// [`ReferenceError`] if the table was damaged.
 pub fn dents() -> Result<Vec<DentPoint>, ReferenceError> {
-    rows("fe_dents.csv", include_str!("../../tests/reference/fe_dents.csv"))
+    rows("fe_dents.csv", include_str!("fe_dents.csv"))
 }

@@ -1,4 +1,4 @@
-//! The program against 30-digit arithmetic: every impact of `tests/reference/oracle.csv`, in closed form and integrated. The
+//! The program against 30-digit arithmetic: every impact of `src/reference/oracle.csv`, in closed form and integrated. The
 //! law has the built-in coefficients, whatever is validated.
 
 use serde::Deserialize;
@@ -10,7 +10,7 @@ use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::reference::rows;
 
-const REFERENCE: &str = "30-digit energy balance and quadrature, tests/reference/oracle.csv";
+const REFERENCE: &str = "30-digit energy balance and quadrature, src/reference/oracle.csv";
 const EXACT: Tolerance = Tolerance { limit: 5e-14, source: "rounding; two digits are lost in shallow dents" };
 const INTEGRATED: Tolerance = Tolerance { limit: 1e-8, source: "100 x the default tolerance 1e-10" };
 
@@ -76,7 +76,7 @@ impl Row {
 }
 
 pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
-    let table: Vec<Row> = rows("oracle.csv", include_str!("../../tests/reference/oracle.csv"))?;
+    let table: Vec<Row> = rows("oracle.csv", include_str!("../reference/oracle.csv"))?;
     let mut checks = Vec::new();
     for row in &table {
         let contact = row.contact()?;

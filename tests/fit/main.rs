@@ -15,7 +15,7 @@ use plm_impact::law::{PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Pair};
 
 fn reference(case: u32) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/reference/fe_loading_case{case}.csv"))
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/reference/fe_loading_case{case}.csv"))
 }
 
 fn finite_elements() -> Vec<LoadingCurve> {

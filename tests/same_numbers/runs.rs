@@ -162,7 +162,7 @@ fn validate() -> Run {
 
 /// Coefficients fitted to the loading curves of the finite elements.
 fn fit() -> Run {
-    let curve = |case| folder(&format!("tests/reference/fe_loading_case{case}.csv")).to_string_lossy().into_owned();
+    let curve = |case| folder(&format!("src/reference/fe_loading_case{case}.csv")).to_string_lossy().into_owned();
     let words = ["fit-plm", "-o", "out/coefficients.toml"].map(str::to_owned);
     Run { name: "fit-plm".to_owned(), arguments: words.into_iter().chain((1..=5).map(curve)).collect() }
 }

@@ -41,7 +41,7 @@ fn refusal(tables: &str) -> String {
 
 #[test]
 fn rows_agree_with_the_reference() {
-    let reference = include_str!("../reference/oracle.csv");
+    let reference = include_str!("../../src/reference/oracle.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(reference.as_bytes());
     let mut count = 0;
     for record in reader.records().map(Result::unwrap) {
