@@ -14,6 +14,7 @@ use crate::integrate::{Drag, IntegrationError, Sampler, State, Work};
 use crate::law::curve::Piece;
 use crate::law::{Law, Peak, Unloading};
 use crate::math::power::max_or_nan;
+use crate::math::root::halved;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
 /// first touch.
@@ -79,13 +80,12 @@ impl<'a> Remembering<'a> {
             let loss = before.loss;
             return if is_past_dent { State { distance: residual, loss, ..at_dent } } else { at_dent };
         }
-        let (mut gone, mut pushing) = (since_dent, step);
-        for _ in 0..60 {
-            let since = 0.5 * (gone + pushing);
+        let mut is_pushed = |since: f64| {
             let State { distance, speed, .. } = flown_back(since);
             let (force, of_damping) = self.at(distance, speed);
-            *(if force + of_damping > 0.0 { &mut pushing } else { &mut gone }) = since;
-        }
+            force + of_damping > 0.0
+        };
+        let (gone, _) = halved(since_dent, step, |since| !is_pushed(since));
         let left = flown_back(gone);
         let (force, of_damping) = self.at(left.distance, left.speed);
         let of_damping = max_or_nan(of_damping, -force);

@@ -1,6 +1,8 @@
 //! The cubic through the values and slopes at both ends of a step, on 0 ≤ x ≤ 1.
 
-use crate::math::root::next_guess;
+use std::convert::Infallible;
+
+use crate::math::root::bracketed;
 
 /// Where in (0, 1) the cubic with these values and slopes at both ends is least, if it falls at first and rises at last.
 pub(super) fn cubic_minimum(before: f64, slope_before: f64, after: f64, slope_after: f64) -> Option<f64> {
@@ -24,23 +26,9 @@ pub(super) fn cubic_root(before: f64, slope_before: f64, after: f64, slope_after
             y * y * ((1.0 + 2.0 * x) * before + x * slope_before) + x * x * ((3.0 - 2.0 * x) * after - y * slope_after);
         let slope =
             6.0 * x * y * (after - before) + y * (1.0 - 3.0 * x) * slope_before + x * (3.0 * x - 2.0) * slope_after;
-        (value, slope)
+        Ok((value, slope))
     };
-    let (mut low, mut high) = (0.0, 1.0);
-    let mut x = if before > after { before / (before - after) } else { 1.0 };
-    for _ in 0..60 {
-        let (value, slope) = at(x);
-        if value > 0.0 {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = x - value / slope;
-        let next = next_guess(newton, low, high);
-        if (next - x).abs() <= 1e-12 {
-            return next;
-        }
-        x = next;
-    }
-    x
+    let first = if before > after { before / (before - after) } else { 1.0 };
+    bracketed((0.0, 1.0), first, |x, next| (next - x).abs() <= 1e-12, at)
+        .unwrap_or_else(|never: Infallible| match never {})
 }

@@ -8,6 +8,7 @@
 use super::landing::Node;
 use super::piece::Variables;
 use super::{Sampler, State, nystrom};
+use crate::math::root::kept_between;
 
 const TERMS: usize = 5;
 
@@ -95,18 +96,10 @@ pub(super) fn sample<F: Variables>(
         let mut theta = wanted / (to.t - from.t);
         if !F::IS_TIME {
             // the clock rises (as θ² at first touch), so Newton's method from above converges
-            for _ in 0..60 {
+            theta = kept_between((0.0, 1.0), theta, 1e-16, |theta| {
                 let (value, slope) = clock.at(theta);
-                if slope <= 0.0 {
-                    break;
-                }
-                let next = (theta - (value - wanted) / slope).clamp(0.0, 1.0);
-                let change = (next - theta).abs();
-                theta = next;
-                if change <= 1e-16 {
-                    break;
-                }
-            }
+                if slope <= 0.0 { 0.0 } else { (value - wanted) / slope }
+            });
         }
         let (y, speed) = if F::IS_POLYNOMIAL {
             let (y, slope) = position.at(theta);

@@ -4,6 +4,7 @@
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
 use crate::math::functions::{atan, pow, sin, sin_cos};
 use crate::math::power::{power_state, power_time, quarter_period};
+use crate::math::root::kept_between;
 use crate::math::smooth::Smooth;
 
 /// Energy and closed-form times instead of steps, for ways that only the restoring force acts on.
@@ -137,17 +138,11 @@ impl SmoothWay {
         let Self { force, start, c } = *self;
         let speed = |d: f64| (2.0 * c * force.work(start, d, farthest)).max(0.0).sqrt();
         let deepest = (farthest - lowest).sqrt();
-        let mut root = (time * (0.5 * c * force.value(start, farthest)).sqrt()).min(deepest);
-        for _ in 0..50 {
+        let first = (time * (0.5 * c * force.value(start, farthest)).sqrt()).min(deepest);
+        let root = kept_between((0.0, deepest), first, 1e-15 * deepest, |root| {
             let d = farthest - root * root;
-            let miss = force.time(start, d, farthest, 0.0, c) - time;
-            let next = (root - miss * speed(d) / (2.0 * root)).clamp(0.0, deepest);
-            let change = next - root;
-            root = next;
-            if change.is_nan() || change.abs() <= 1e-15 * deepest {
-                break;
-            }
-        }
+            (force.time(start, d, farthest, 0.0, c) - time) * speed(d) / (2.0 * root)
+        });
         let d = farthest - root * root;
         (d, speed(d))
     }
@@ -155,16 +150,9 @@ impl SmoothWay {
     /// Distance and speed at `time` after leaving `from` on the way to `end`; the time is convex in the distance.
     fn before_end(&self, from: f64, end: f64, time: f64, speed: &dyn Fn(f64) -> f64) -> (f64, f64) {
         let Self { force, start, c } = *self;
-        let mut d = end;
-        for _ in 0..50 {
-            let miss = force.time(start, from, d, speed(d), c) - time;
-            let next = (d - miss * speed(d)).clamp(from, end);
-            let change = next - d;
-            d = next;
-            if change.is_nan() || change.abs() <= 1e-15 * end {
-                break;
-            }
-        }
+        let d = kept_between((from, end), end, 1e-15 * end, |d| {
+            (force.time(start, from, d, speed(d), c) - time) * speed(d)
+        });
         (d, speed(d))
     }
 }

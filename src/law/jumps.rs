@@ -1,5 +1,7 @@
 //! Loading laws that are printed piece by piece, where the force jumps from one piece to the next.
 
+use crate::math::root::halved;
+
 /// What becomes of the jumps of a force that was printed piece by piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Jumps {
@@ -25,14 +27,5 @@ pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Op
     if high == from {
         return None;
     }
-    let mut low = high / GROWTH;
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if excess(middle) > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Some(high)
+    Some(halved(high / GROWTH, high, |x| excess(x) > 0.0).1)
 }

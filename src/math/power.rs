@@ -1,7 +1,7 @@
-//! The power law d^n: its value, and the time a motion d'' = −k d^n takes. A leaf that laws, integrators and closed forms share.
+//! The power law d^n: its value, and the time that a motion d'' = −k d^n takes.
 
 use crate::math::functions::{asin, atan, gamma, pow, sin, sin_cos};
-use crate::math::root::next_guess;
+use crate::math::root::{Bracket, fallen_from};
 
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
 #[inline]
@@ -142,20 +142,14 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
         let (sin, cos) = sin_cos(phi);
         (farthest * pow(sin, 2.0 * a), entry * cos)
     };
-    let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
+    let mut bracket = Bracket { low: 0.0, high: std::f64::consts::FRAC_PI_2 };
     // d = entry t is exact at first
     let mut phi = asin(pow((entry * time / farthest).clamp(0.0, 1.0), 0.5 / a));
     for _ in 0..100 {
         let (distance, speed) = at(phi);
         let miss = power_time(exponent, distance, entry, speed) - time;
-        if miss > 0.0 {
-            high = phi;
-        } else {
-            low = phi;
-        }
         let slope = 2.0 * a * farthest / entry * pow(sin(phi), 2.0 * a - 1.0);
-        let newton = phi - miss / slope;
-        let next = next_guess(newton, low, high);
+        let next = bracket.next(phi, (-miss, -slope));
         if (next - phi).abs() <= 1e-16 || miss == 0.0 {
             break;
         }
@@ -178,16 +172,10 @@ pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 
     let of_weight = pow(p * weight / stiffness, 1.0 / exponent);
     let both = of_rest + of_weight;
     let (constant, slope) = (pow(of_rest / both, p), pow(of_weight / both, exponent));
-    let mut z = 1.0_f64;
-    for _ in 0..60 {
+    both * fallen_from(1.0, |z| {
         let higher = pow(z, exponent);
-        let next = z - (z * higher - constant - slope * z) / (p * higher - slope);
-        if next >= z || !next.is_finite() {
-            break;
-        }
-        z = next;
-    }
-    both * z
+        (z * higher - constant - slope * z) / (p * higher - slope)
+    })
 }
 
 /// The one of two numbers that is farther from zero; NaN if either is NaN.

@@ -1,4 +1,4 @@
-//! Integrals over an interval whose ends may be singular: the double exponential rule. A leaf.
+//! Integrals over an interval whose ends may be singular: the double exponential rule.
 //!
 //! Takahasi and Mori (1974), Publ. RIMS 9, 721-741: with x = a + (b − a)/(1 + exp(−π sinh t)) the trapezoidal rule in t
 //! converges exponentially, also where the integrand has an integrable singularity at an end.

@@ -1,8 +1,171 @@
-//! Zeros inside a bracket.
+//! Zeros of functions of one number: each way to search for one, once.
+//!
+//! All of them end after a fixed number of guesses, whatever the function returns, so that a number that is none cannot
+//! keep them busy.
 
-/// The next guess of a zero between two bounds: Newton's where it lies between them, else their middle.
-#[inline(always)]
-#[must_use]
-pub fn next_guess(newton: f64, low: f64, high: f64) -> f64 {
-    if newton > low && newton < high { newton } else { 0.5 * (low + high) }
+/// Guesses of a search that is not told how many.
+const MOST: u32 = 200;
+
+/// Two bounds that close in on a zero of a function that falls through it.
+#[derive(Debug, Clone, Copy)]
+pub struct Bracket {
+    /// The function is positive here.
+    pub low: f64,
+    /// The function is not positive here.
+    pub high: f64,
+}
+
+impl Bracket {
+    /// Narrows the bounds by the function at `x`, and says where to look next: where Newton's method goes, or, if that is
+    /// not inside, in the middle. A value of zero, or one that is no number, counts as beyond the zero.
+    #[inline(always)]
+    pub fn next(&mut self, x: f64, (value, slope): (f64, f64)) -> f64 {
+        *(if value > 0.0 { &mut self.low } else { &mut self.high }) = x;
+        let newton = x - value / slope;
+        if newton > self.low && newton < self.high { newton } else { 0.5 * (self.low + self.high) }
+    }
+}
+
+/// The zero of a function that falls from `low` to `high`, searched from `first` on until two guesses are near each other
+/// by `is_near`. `at` gives the value and its derivative.
+///
+/// Without a zero in between, one of the two bounds comes out.
+///
+/// # Errors
+/// What `at` reports.
+#[inline]
+pub fn bracketed<E>(
+    (low, high): (f64, f64),
+    first: f64,
+    is_near: impl Fn(f64, f64) -> bool,
+    mut at: impl FnMut(f64) -> Result<(f64, f64), E>,
+) -> Result<f64, E> {
+    let (mut bracket, mut x) = (Bracket { low, high }, first);
+    for _ in 0..MOST {
+        let next = bracket.next(x, at(x)?);
+        if is_near(x, next) {
+            return Ok(next);
+        }
+        x = next;
+    }
+    Ok(x)
+}
+
+/// Where `is_before` turns from true to false between two bounds, by 60 halvings: the last place before it and the first
+/// behind it.
+pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> bool) -> (f64, f64) {
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        *(if is_before(middle) { &mut low } else { &mut high }) = middle;
+    }
+    (low, high)
+}
+
+/// The zero of a convex function below a place where it is positive and rises: from there Newton's method falls towards it,
+/// and ends where rounding stops the fall. `step` is the value over the derivative.
+#[inline]
+pub fn fallen_from(start: f64, step: impl Fn(f64) -> f64) -> f64 {
+    let mut x = start;
+    for _ in 0..100 {
+        let next = x - step(x);
+        if next >= x || !next.is_finite() {
+            break;
+        }
+        x = next;
+    }
+    x
+}
+
+/// The zero by Newton's method from `first` on, kept between two bounds, until a step is no longer than `resolution`.
+/// `step` is the value over the derivative.
+pub fn kept_between((low, high): (f64, f64), first: f64, resolution: f64, step: impl Fn(f64) -> f64) -> f64 {
+    let mut x = first;
+    for _ in 0..60 {
+        let next = (x - step(x)).clamp(low, high);
+        let change = (next - x).abs();
+        x = next;
+        if change.is_nan() || change <= resolution {
+            break;
+        }
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use super::*;
+    use crate::math::functions::{atan, exp};
+
+    /// [`bracketed`] to the last digit, and how often it asked.
+    fn search(bounds: (f64, f64), first: f64, f: impl Fn(f64) -> (f64, f64)) -> (f64, u32) {
+        let mut asked = 0;
+        let is_near = |x: f64, next: f64| (next - x).abs() <= f64::EPSILON * next.abs();
+        let root = bracketed(bounds, first, is_near, |x| {
+            asked += 1;
+            Ok::<_, Infallible>(f(x))
+        });
+        (root.unwrap(), asked)
+    }
+
+    #[test]
+    fn newton_is_fast_where_it_converges_and_halving_helps_where_it_does_not() {
+        // 2 − x², e^−x − 1/2
+        let (root, asked) = search((0.0, 2.0), 1.0, |x| (2.0 - x * x, -2.0 * x));
+        assert!((root - 2f64.sqrt()).abs() <= 2e-16 * root && asked < 8, "{root} {asked}");
+        let (root, asked) = search((0.0, 50.0), 49.0, |x| (exp(-x) - 0.5, -exp(-x)));
+        // from 49 the first guesses are halves, and at the zero the value is one rounding off
+        assert!((root - std::f64::consts::LN_2).abs() <= 2e-16 && asked < 60, "{root} {asked}");
+        // Newton's method alone runs away from arctan's zero for |x| > 1.39
+        let (root, asked) = search((-1e3, 1e3), 900.0, |x| (-atan(x - 0.25), -1.0 / (1.0 + (x - 0.25) * (x - 0.25))));
+        assert!((root - 0.25).abs() <= 2e-16 && asked < 80, "{root} {asked}");
+    }
+
+    #[test]
+    fn hard_functions_end_at_their_zero() {
+        // at either end of the bracket: an end is no guess, so it is come near to by halves, 2^-200 from there at last
+        assert!(search((0.0, 1.0), 0.5, |x| (-x, -1.0)).0.abs() < 1e-59);
+        assert!((search((0.0, 1.0), 0.5, |x| (1.0 - x, -1.0)).0 - 1.0).abs() <= f64::EPSILON);
+        // flat at the zero: (1 − x)³; flat all over but for a jump; a wrong slope; no slope
+        let (root, _) = search((0.0, 3.0), 0.0, |x| ((1.0 - x) * (1.0 - x) * (1.0 - x), -3.0 * (1.0 - x) * (1.0 - x)));
+        assert!((root - 1.0).abs() < 1e-5, "{root}");
+        for slope in [0.0, f64::NAN, 1.0, -1e300] {
+            let (root, asked) = search((0.0, 1.0), 0.9, |x| (if x < 0.3 { 1.0 } else { -1.0 }, slope));
+            assert!((root - 0.3).abs() <= 2.0 * f64::EPSILON || slope == -1e300, "{slope} {root}");
+            assert!(asked <= MOST);
+        }
+        // no number beyond x = 1/2, as a formula has that ends there
+        let (root, _) = search((0.0, 1.0), 0.75, |x| (if x <= 0.5 { 0.25 - x } else { f64::NAN }, -1.0));
+        assert!((root - 0.25).abs() <= f64::EPSILON);
+    }
+
+    #[test]
+    fn without_a_zero_a_bound_comes_out_and_nothing_hangs() {
+        assert!((search((0.0, 1.0), 0.5, |_| (1.0, 0.0)).0 - 1.0).abs() <= f64::EPSILON);
+        assert!(search((0.0, 1.0), 0.5, |_| (-1.0, 0.0)).0 < 1e-50);
+        let (_, asked) = search((0.0, 1.0), 0.5, |_| (f64::NAN, f64::NAN));
+        assert!(asked <= MOST);
+        assert_eq!(bracketed((0.0, 1.0), 0.5, |_, _| false, |_| Err("stop")), Err("stop"));
+    }
+
+    #[test]
+    fn halving_finds_the_neighbours_of_a_jump() {
+        let (low, high) = halved(0.0, 1.0, |x| x * x < 0.5);
+        assert!(low * low < 0.5 && high * high >= 0.5 && high - low <= f64::EPSILON);
+    }
+
+    #[test]
+    fn newton_from_above_and_between_bounds() {
+        // x³ = 5 from above; x = 0 is a double zero of x², to which the fall is slow; no number ends it at once
+        let cube = fallen_from(9.0, |x| (x * x * x - 5.0) / (3.0 * x * x));
+        assert!((cube * cube * cube - 5.0).abs() < 4e-15, "{cube}");
+        assert!(fallen_from(1.0, |x| 0.5 * x) < 1e-29);
+        assert_eq!(fallen_from(2.0, |_| f64::NAN), 2.0);
+        // √2, and a zero outside of the bounds
+        let root = kept_between((0.0, 2.0), 2.0, 1e-16, |x| (x * x - 2.0) / (2.0 * x));
+        assert!((root - 2f64.sqrt()).abs() < 3e-16);
+        assert_eq!(kept_between((0.0, 1.0), 0.5, 1e-16, |x| x - 7.0), 1.0);
+        assert!(kept_between((0.0, 1.0), 0.5, 1e-16, |_| f64::NAN).is_nan());
+    }
 }

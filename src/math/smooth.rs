@@ -1,11 +1,13 @@
 //! Increasing smooth forces that are neither a power from zero nor a straight line: value, derivatives, work, inverse of the
-//! work, and the time a motion against them takes. A leaf that laws, integrators and closed forms share.
+//! work, and the time that a motion against them takes.
 //!
-//! What a force is, is written once, in the file of its law, as a function of a [`Number`]: of a plain `f64`, or of a
-//! [`Jet`] that carries two derivatives along.
+//! The formula of a force is written once, in the file of its law, for any [`Number`]. With plain `f64` it gives the force,
+//! with a [`Jet`] the force and its first two derivatives.
+
+use std::convert::Infallible;
 
 use crate::math::functions::{exp, ln, pow};
-use crate::math::root::next_guess;
+use crate::math::root::{bracketed, fallen_from};
 
 mod number;
 mod quadrature;
@@ -215,23 +217,10 @@ impl Smooth {
         while self.value(start, high) < force && high.is_finite() {
             (low, high) = (high, 4.0 * high);
         }
-        let mut distance = 0.5 * (low + high);
-        for _ in 0..200 {
-            let miss = self.value(start, distance) - force;
-            // not a number beyond the range of the formula
-            if miss > 0.0 || miss.is_nan() {
-                high = distance;
-            } else {
-                low = distance;
-            }
-            let newton = distance - miss / self.slope(start, distance);
-            let next = next_guess(newton, low, high);
-            if (next - distance).abs() <= f64::EPSILON * distance {
-                return next;
-            }
-            distance = next;
-        }
-        distance
+        let is_near = |distance: f64, next: f64| (next - distance).abs() <= f64::EPSILON * distance;
+        // what is missing falls; it is no number beyond the range of the formula
+        let at = |distance: f64| Ok((force - self.value(start, distance), -self.slope(start, distance)));
+        bracketed((low, high), 0.5 * (low + high), is_near, at).unwrap_or_else(|never: Infallible| match never {})
     }
 
     /// The distance at which the work from the start less that of a constant `pull` is `work` ≥ 0, beyond where they balance.
@@ -250,15 +239,8 @@ impl Smooth {
                 return distance;
             }
         }
-        // convex from here down to the root: Newton's method falls towards it
-        for _ in 0..100 {
-            let next = distance - miss(distance) / (self.value(start, distance) - pull);
-            if next >= distance || !next.is_finite() {
-                break;
-            }
-            distance = next;
-        }
-        distance.max(0.0)
+        // convex from here down to the root
+        fallen_from(distance, |d| miss(d) / (self.value(start, d) - pull)).max(0.0)
     }
 
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a

@@ -9,7 +9,7 @@ use ode_solvers::System;
 use super::driver::{Driver, Node};
 use crate::integrate::cubic::cubic_minimum;
 use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
-use crate::math::root::next_guess;
+use crate::math::root::Bracket;
 
 /// The landing on a crossing, and the state there.
 fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
@@ -254,18 +254,11 @@ impl Driver {
         node: Node,
         time: f64,
     ) -> Result<Node, IntegrationError> {
-        let (mut low, mut high) = (0.0, time);
+        let mut bracket = Bracket { low: 0.0, high: time };
         let mut at = node;
         for _ in 0..100 {
             let tau = at[0] - node[0];
-            let (value, slope) = equations.event(event, at);
-            if value > 0.0 {
-                low = tau;
-            } else {
-                high = tau;
-            }
-            let newton = tau - value / slope;
-            let next = next_guess(newton, low, high);
+            let next = bracket.next(tau, equations.event(event, at));
             at = self.after(equations.path, node, next)?;
             if (next - tau).abs() <= RESOLUTION * (1.0 + node[0].abs()) {
                 break;
