@@ -3,7 +3,7 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
-//! The files depend on each other in this order: what acts ([`forces`], [`scaled_forces`], [`scales`]); what an impact comes
+//! The files depend on each other in this order: what acts ([`scales`], [`forces`], [`scaled_forces`]); what an impact comes
 //! to ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
 //! is reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
 //! (`impacts`, [`spot`]); and this file, which only names them.
@@ -34,7 +34,7 @@ pub use contact::Contact;
 pub use error::ImpactError;
 pub use essentials::Essentials;
 pub use forces::{Damping, Forces, drop_speed};
-pub use ledger::{Branch, TraceRow};
+pub use ledger::TraceRow;
 pub use outcome::{Fate, FixedSteps, Outcome};
 pub use record::{Event, Point, Recorder};
 pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};

@@ -3,7 +3,7 @@
 
 use plm_impact::impact::{Damping, ScaledForces, course};
 use plm_impact::integrate::damped::Damped;
-use plm_impact::integrate::library::{Library, Pair};
+use plm_impact::integrate::library::{Library, Scheme};
 use plm_impact::integrate::{Drag, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
 use plm_impact::law::Law;
 
@@ -30,8 +30,8 @@ fn a_viscous_spring_follows_its_closed_form() {
         let left = (-zeta * angle / root).exp();
         let time = angle / (omega * root);
         let mut own = Damped::new(1e-12);
-        let mut five = Library::new(Pair::Dopri5, 1e-12);
-        let mut eight = Library::new(Pair::Dop853, 1e-12);
+        let mut five = Library::new(Scheme::Dopri5, 1e-12);
+        let mut eight = Library::new(Scheme::Dop853, 1e-12);
         let all: [&mut dyn Integrator; 3] = [&mut own, &mut five, &mut eight];
         for integrator in all {
             let (turned, end, landing) = spring(integrator, omega, zeta, u);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::problems::Problem;
 use crate::impact::{Method, Outcome, ScaledForces, batch, closed_form, course, verlet};
-use crate::integrate::library::{Library, Pair};
+use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::math::functions::pow;
@@ -119,8 +119,8 @@ impl<'a> Runner<'a> {
     fn new(contender: Contender, rung: Rung, phase: f64, problem: &'a Problem) -> Self {
         let tolerance = if let Rung::Tolerance(tolerance) = rung { tolerance } else { 0.0 };
         match contender {
-            Contender::Method(Method::Dopri5) => Self::Library(Library::new(Pair::Dopri5, tolerance)),
-            Contender::Method(Method::Dop853) => Self::Library(Library::new(Pair::Dop853, tolerance)),
+            Contender::Method(Method::Dopri5) => Self::Library(Library::new(Scheme::Dopri5, tolerance)),
+            Contender::Method(Method::Dop853) => Self::Library(Library::new(Scheme::Dop853, tolerance)),
             Contender::Method(Method::Verlet) => {
                 let steps = if let Rung::Steps(steps) = rung { steps } else { 1 };
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);

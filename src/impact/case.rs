@@ -3,7 +3,6 @@
 use std::sync::LazyLock;
 
 use super::contact::Contact;
-use super::forces::Damping;
 use super::scaled_forces::ScaledForces;
 use super::scales::Scales;
 use crate::law::Law;
@@ -72,10 +71,7 @@ impl Contact {
             }
             None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
         };
-        let damping = self.forces().damping.map(|damping| match damping {
-            Damping::HuntCrossley(chi) => Damping::HuntCrossley(chi * scales.speed),
-            viscous @ Damping::Viscous(_) => viscous,
-        });
+        let damping = self.forces().damping.map(|damping| damping.scaled(scales.speed));
         Ok(Case { scales, law, q, forces: ScaledForces { weight: weight / scales.force, damping } })
     }
 

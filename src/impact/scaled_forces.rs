@@ -67,11 +67,7 @@ impl ScaledForces {
     /// The resistance, as integrators know it.
     #[must_use]
     pub fn drag(&self) -> Drag {
-        match self.damping {
-            None => Drag::NONE,
-            Some(Damping::HuntCrossley(chi)) => Drag::of_force(chi),
-            Some(Damping::Viscous(zeta)) => Drag::of_stiffness(2.0 * zeta),
-        }
+        self.damping.map_or(Drag::NONE, Damping::drag)
     }
 }
 
@@ -94,10 +90,7 @@ impl ScaledForces {
     /// the sphere swings through it.
     pub(super) fn creep(&self, distance: f64, slope: f64) -> Option<Creep> {
         let omega = (ACCELERATION * slope).sqrt();
-        let zeta = match self.damping? {
-            Damping::HuntCrossley(chi) => 0.5 * ACCELERATION * self.weight * chi / omega,
-            Damping::Viscous(zeta) => zeta,
-        };
+        let zeta = self.damping?.fraction_of_critical(self.weight, omega);
         let within = NEAR * distance;
         // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();

@@ -7,7 +7,7 @@ use super::record::Recorder;
 use super::scaled_forces::ScaledForces;
 use super::verlet;
 use crate::integrate::exact::Exact;
-use crate::integrate::library::{Library, Pair};
+use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::law::Law;
@@ -110,8 +110,8 @@ pub fn run(
         (Method::ClosedForm, Some(exact)) if recorder.is_none() => Ok((*exact, Work::default())),
         (Method::ClosedForm, _) if forces.is_none() => with(Exact, law, q, forces, recorder),
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Rk8::new(tolerance), law, q, forces, recorder),
-        (Method::Dopri5, _) => with(Library::new(Pair::Dopri5, tolerance), law, q, forces, recorder),
-        (Method::Dop853, _) => with(Library::new(Pair::Dop853, tolerance), law, q, forces, recorder),
+        (Method::Dopri5, _) => with(Library::new(Scheme::Dopri5, tolerance), law, q, forces, recorder),
+        (Method::Dop853, _) => with(Library::new(Scheme::Dop853, tolerance), law, q, forces, recorder),
         (Method::Verlet, _) => {
             // without a closed form, the step is a part of the undamped contact
             let undamped = || closed_form::solve_with(law, q, &ScaledForces { damping: None, ..*forces });

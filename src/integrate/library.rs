@@ -13,7 +13,7 @@ mod henon;
 mod newton;
 
 use super::{Drag, IntegrationError, Integrator, Landing, Path, Sampler, State, Work};
-pub use driver::Pair;
+pub use driver::Scheme;
 use driver::{Driver, Node};
 
 /// `ode_solvers` with landing.
@@ -23,8 +23,8 @@ pub struct Library(Driver);
 impl Library {
     /// An integrator with this relative tolerance.
     #[must_use]
-    pub fn new(pair: Pair, tolerance: f64) -> Self {
-        Self(Driver::new(pair, tolerance))
+    pub fn new(scheme: Scheme, tolerance: f64) -> Self {
+        Self(Driver::new(scheme, tolerance))
     }
 }
 

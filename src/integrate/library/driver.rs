@@ -10,7 +10,7 @@ use crate::integrate::{IntegrationError, MOST_STEPS, Work};
 
 /// Which of the crate's two adaptive methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pair {
+pub enum Scheme {
     /// Order 5(4).
     Dopri5,
     /// Order 8(5,3).
@@ -20,7 +20,7 @@ pub enum Pair {
 /// The crate with what it is asked for, and what it has cost.
 #[derive(Debug, Clone)]
 pub(super) struct Driver {
-    pair: Pair,
+    scheme: Scheme,
     pub(super) tolerance: f64,
     pub(super) work: Work,
     /// Steps of the legs before this one.
@@ -31,8 +31,8 @@ pub(super) struct Driver {
 pub(super) type Node = [f64; 4];
 
 impl Driver {
-    pub(super) fn new(pair: Pair, tolerance: f64) -> Self {
-        Self { pair, tolerance, work: Work::default(), taken_before_leg: 0 }
+    pub(super) fn new(scheme: Scheme, tolerance: f64) -> Self {
+        Self { scheme, tolerance, work: Work::default(), taken_before_leg: 0 }
     }
 
     /// A leg begins: its steps are counted from here.
@@ -88,9 +88,9 @@ impl Driver {
                 (stepper.integrate(), stepper.y_out().last().cloned())
             }};
         }
-        let (result, last) = match self.pair {
-            Pair::Dopri5 => integrate!(Dopri5, 0.04, 0.2, 10.0),
-            Pair::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
+        let (result, last) = match self.scheme {
+            Scheme::Dopri5 => integrate!(Dopri5, 0.04, 0.2, 10.0),
+            Scheme::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
         };
         self.work.force_evaluations += evaluations.take();
         let stats = result.map_err(|error| match error {
