@@ -1,20 +1,24 @@
 //! Quasi-static indentation: the contact law without inertia, through a list of loads and indentations.
 //!
-//! Each step is a target, reached along the loading curve, along the unloading branch or back up it; the memory of the
-//! contact is the largest state it has seen. Everything is in closed form. SI units at this border, dimensionless inside.
+//! Each step ends at a target: a load or an indentation. The way there runs along the loading curve, down the unloading branch
+//! or back up it; the contact remembers the largest state it has seen. Any law will do: its loading curve and the unloading
+//! from the largest state are all that is needed. Where the force of a law jumps, no indentation has the loads in between:
+//! a step to such a load ends just behind the jump.
+//!
+//! SI units at this border, dimensionless inside.
 //!
 //! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
 
-mod course;
+mod machine;
 mod specimen;
 
 use thiserror::Error;
 
-use crate::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::impact::Warning;
+use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
-pub use course::Branch;
-use course::{Course, Move};
+use machine::{Machine, Stroke};
 pub use specimen::{Span, Spans, Specimen, Tested};
 
 /// Where a step ends.
@@ -32,6 +36,17 @@ pub enum IndentationError {
     /// A quantity outside double precision.
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
+    /// A law that has no loading or no unloading.
+    #[error(transparent)]
+    Law(#[from] OutsideLaw),
+    /// A step that leaves off where the law says nothing.
+    #[error("step {step}: {reason}")]
+    Outside {
+        /// From 1.
+        step: usize,
+        /// Why the law has no answer.
+        reason: OutsideLaw,
+    },
     /// A step that ends where it begins.
     #[error("step {step} ends where it begins; take it out, or give it another target")]
     NoMove {
@@ -76,6 +91,14 @@ pub enum Doubt {
         pressure: f64,
         /// The sphere's yield strength \[Pa\].
         strength: f64,
+    },
+    /// Outside the range that the authors of the law state.
+    #[error("step {step}: {warning}")]
+    OutsideStated {
+        /// From 1.
+        step: usize,
+        /// Which range that is.
+        warning: Warning,
     },
     /// The step gains energy, behind a knot of the loading curve.
     #[error(
@@ -191,20 +214,16 @@ pub struct StaticContact {
 }
 
 impl StaticContact {
-    /// Pairs the bodies under the PLM law (or Hertz alone, for a half-space without a yield strength).
+    /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
-    pub fn try_new(
-        indenter: Indenter,
-        half_space: &HalfSpace,
-        coefficients: &PlmCoefficients,
-        exponent: UnloadingExponent,
-    ) -> Result<Self, OutOfFloatRange> {
+    /// [`IndentationError::Range`] where a constant of the pair over- or underflows, [`IndentationError::Law`] for a law that
+    /// has no loading or no unloading.
+    pub fn try_new(indenter: Indenter, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
         let radius = indenter.radius;
         let pair = Pair::try_new(radius, &indenter.material, half_space)?;
-        let (units, law) = if let Some(point) = pair.yield_point {
-            let law = coefficients.law(&pair, point.contact_radius / radius, exponent);
+        let law = law.of_pair(&pair, half_space)?;
+        let (units, law) = if let (Some(point), Some(law)) = (pair.yield_point, law) {
             (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
         } else {
             let deep = pair.hertz_stiffness() * pow(radius, 1.5);
@@ -220,6 +239,12 @@ impl StaticContact {
         &self.pair
     }
 
+    /// Whether a load that is large enough leaves a dent.
+    #[must_use]
+    pub fn can_yield(&self) -> bool {
+        self.law.elastic_until().is_finite()
+    }
+
     /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
     /// and one more at every change of branch.
     ///
@@ -227,29 +252,36 @@ impl StaticContact {
     /// [`IndentationError`] naming the step.
     pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
         let Units { length, force, .. } = self.units;
-        let mut course = Course::new(&self.law);
+        let mut machine = Machine::new(&self.law);
         let (mut steps, mut trace, mut doubts) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
         for (number, target) in (1..).zip(targets) {
             let goal = match *target {
-                Target::Load(load) => course.indentation_at_force(load / force),
+                Target::Load(load) => machine.indentation_at_force(load / force),
                 Target::Indentation(indentation) => indentation / length,
             };
             let (indentation, radius) = (goal * length, self.indenter.radius);
             if indentation.is_nan() || indentation > radius {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
-            let way = course.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
+            let stroke = machine.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
+            let peak = &stroke.memory().peak;
+            self.law.accept(peak).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
-                trace.extend(way.points(samples).map(|point| self.row(number, &point)));
+                trace.extend(stroke.points(samples).map(|point| self.row(number, &point)));
             }
-            let step = self.step(*target, &way)?;
+            let step = self.step(*target, &stroke)?;
+            let is_new = stroke.is_new_peak();
+            if let Some((from, to)) = self.law.outside_stated(peak).filter(|_| is_new) {
+                let warning = Warning::OutsideStated { indentation: peak.indentation, from, to };
+                doubts.push(Doubt::OutsideStated { step: number, warning });
+            }
             self.doubt(number, &step, steps.last(), &mut doubts);
             steps.push(step);
         }
         Ok(Indentation { steps, trace, doubts })
     }
 
-    fn row(&self, step: usize, point: &course::Point) -> TraceRow {
+    fn row(&self, step: usize, point: &machine::Point) -> TraceRow {
         let Units { length, force, .. } = self.units;
         let sphere_indentation = self.pair.sphere_compliance * point.elastic_approach * length;
         TraceRow {
@@ -265,12 +297,12 @@ impl StaticContact {
         }
     }
 
-    fn step(&self, target: Target, way: &Move) -> Result<Step, OutOfFloatRange> {
+    fn step(&self, target: Target, stroke: &Stroke) -> Result<Step, OutOfFloatRange> {
         let Units { length, force, contact_radius } = self.units;
         let energy = force * length;
-        let end = way.end();
+        let end = stroke.end();
         let row = self.row(0, &end);
-        let unloading = way.memory();
+        let unloading = stroke.memory();
         let peak = unloading.peak;
         let peak_force = normal("peak force (N)", peak.force * force)?;
         let radius = normal("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
@@ -280,8 +312,8 @@ impl StaticContact {
             indentation: row.indentation,
             sphere_indentation: row.sphere_indentation,
             force: row.force,
-            work: way.work() * energy,
-            plastic_work: way.plastic_work() * energy,
+            work: stroke.work() * energy,
+            plastic_work: stroke.plastic_work() * energy,
             stored_energy: unloading.stored(end.indentation) * energy,
             memory: Memory {
                 force: peak_force,

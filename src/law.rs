@@ -68,6 +68,35 @@ pub struct Reloaded {
     fresh: Law,
 }
 
+/// Where on its law a contact is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// Loading without a dent so far.
+    Elastic,
+    /// Loading, the dent grows.
+    Plastic,
+    /// Loading in a dent made before, back up its unloading branch.
+    Reloading,
+    /// Unloading.
+    Unloading,
+    /// Above the dent, without contact; an impact has ended there.
+    Separated,
+}
+
+impl Branch {
+    /// `elastic`, `plastic`, `reloading`, `unloading` or `separated`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Elastic => "elastic",
+            Self::Plastic => "plastic",
+            Self::Reloading => "reloading",
+            Self::Unloading => "unloading",
+            Self::Separated => "separated",
+        }
+    }
+}
+
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {

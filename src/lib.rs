@@ -39,14 +39,13 @@
 //!
 //! ```
 //! use plm_impact::impact::{Contact, Solver};
-//! use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+//! use plm_impact::law::Plm;
 //! use plm_impact::material::{HalfSpace, Material, Sphere};
 //!
 //! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
-//! let contact =
-//!     Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+//! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //!
 //! // integrated, with a trace of 200 rows
 //! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;

@@ -43,7 +43,7 @@ mod values;
 use std::path::{Path, PathBuf};
 
 use crate::impact::{Solver, Warning};
-use crate::material::{HalfSpace, Material, Sphere};
+use crate::material::{HalfSpace, Material};
 use crate::scene::{DEFAULT_SAMPLES, KEYS, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text};
 use entries::Entries;
@@ -176,15 +176,8 @@ impl Scenario {
     /// The scene before its numbers are put into it: law, method, and the numbers without a key to vary.
     fn blank(&self) -> Result<Scene, ScenarioError> {
         let defaults = Solver::default();
-        let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
         let count = |path: &str| self.entries.count(path);
         Ok(Scene {
-            sphere: Sphere { radius: f64::NAN, material, density: f64::NAN, yield_strength: None },
-            half_space: HalfSpace { material, yield_strength: None, density: None },
-            speed: f64::NAN,
-            drop_height: None,
-            forces: crate::impact::Forces::default(),
-            law: self.law()?,
             solver: Solver {
                 method: self.method().unwrap_or(defaults.method),
                 steps_per_contact: count("solver.steps_per_contact")
@@ -193,7 +186,7 @@ impl Scenario {
                 ..defaults
             },
             samples: self.samples(),
-            warnings: Vec::new(),
+            ..Scene::of_law(self.law()?)
         })
     }
 

@@ -8,7 +8,7 @@ pub mod schema;
 
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
 use crate::law::LawChoice;
-use crate::material::{HalfSpace, Sphere};
+use crate::material::{HalfSpace, Material, Sphere};
 pub use keys::{KEYS, Key};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
@@ -38,12 +38,29 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// A scene under this law whose other numbers are still to come.
+    #[must_use]
+    pub fn of_law(law: LawChoice) -> Self {
+        let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
+        Self {
+            sphere: Sphere { radius: f64::NAN, material, density: f64::NAN, yield_strength: None },
+            half_space: HalfSpace { material, yield_strength: None, density: None },
+            speed: f64::NAN,
+            law,
+            drop_height: None,
+            forces: Forces::default(),
+            solver: Solver::default(),
+            samples: DEFAULT_SAMPLES,
+            warnings: Vec::new(),
+        }
+    }
+
     /// The bodies paired under the law.
     ///
     /// # Errors
     /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
     pub fn contact(&self) -> Result<Contact, ImpactError> {
-        let contact = Contact::with_law(self.sphere, self.half_space, self.law.get())?;
+        let contact = Contact::try_new(self.sphere, self.half_space, self.law.get())?;
         Ok(contact.with_forces(self.forces))
     }
 }

@@ -174,7 +174,7 @@ fn indentation_and_comparison_obey_the_same_rule() {
     let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
     let indenter = Indenter { radius: 5e-3, material: steel, yield_strength: None };
     let exponent = UnloadingExponent::Fixed(1.2);
-    let contact = StaticContact::try_new(indenter, &half_space, PlmCoefficients::built_in(), exponent).unwrap();
+    let contact = StaticContact::try_new(indenter, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
     let (bodies, law) = (Bodies::new(contact.pair(), &half_space).unwrap(), self::steel(1.2).law());
     let depth = |x: f64| Target::Indentation(x * bodies.yield_point.indentation);
     let done = contact.indent(&[depth(1.4), depth(0.0), depth(1.6), depth(0.0), depth(1.8)], Some(20)).unwrap();
@@ -205,9 +205,8 @@ fn coefficients_that_would_gain_by_themselves_do_not() {
     table.elastic_approach.first_slope = 1.99;
     table.check().unwrap();
     let scene = Scene::steel();
-    let contact =
-        Contact::try_new(*scene.contact().sphere(), *scene.contact().half_space(), &table, UnloadingExponent::Paper);
-    let contact = contact.unwrap();
+    let plm = Plm::new(&table, UnloadingExponent::Paper);
+    let contact = Contact::try_new(*scene.contact().sphere(), *scene.contact().half_space(), &plm).unwrap();
     for i in 1..60 {
         let speed = contact.yield_speed().unwrap() * (1.0 + 0.05 * f64::from(i));
         let row = contact.essentials(speed).unwrap();

@@ -7,10 +7,8 @@ use std::collections::BTreeMap;
 
 use Target::{Indentation as To, Load};
 use common::off;
-use plm_impact::indentation::{
-    Branch, Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target,
-};
-use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+use plm_impact::indentation::{Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target};
+use plm_impact::law::{Branch, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
 use proptest::prelude::*;
 
@@ -26,7 +24,7 @@ fn alloy(youngs_modulus: f64, yield_strength: Option<f64>) -> HalfSpace {
 }
 
 fn contact(half_space: &HalfSpace, exponent: UnloadingExponent) -> StaticContact {
-    StaticContact::try_new(indenter(), half_space, PlmCoefficients::built_in(), exponent).unwrap()
+    StaticContact::try_new(indenter(), half_space, &Plm { exponent, ..Plm::default() }).unwrap()
 }
 
 fn ti_10_nb(exponent: UnloadingExponent) -> StaticContact {
@@ -100,7 +98,7 @@ fn an_indentation_and_an_impact_share_one_law() {
     let sphere = Indenter { radius: 35e-3, material: steel(208e9), yield_strength: None };
     let half_space = HalfSpace { material: steel(210e9), yield_strength: Some(345e6), density: None };
     let exponent = UnloadingExponent::Paper;
-    let contact = StaticContact::try_new(sphere, &half_space, PlmCoefficients::built_in(), exponent).unwrap();
+    let contact = StaticContact::try_new(sphere, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
     let point = contact.pair().yield_point.unwrap();
     let step = steps(&contact, &[To(30.0 * point.indentation)])[0];
     assert!(off(step.force, 111.039_290_6 * point.force) < 1e-9);
@@ -168,8 +166,7 @@ fn steps_that_do_not_move_or_go_too_deep_are_refused_by_number() {
 fn doubts_are_raised_once_by_the_step_that_gives_them() {
     let strong = Indenter { yield_strength: Some(1.2e9), ..indenter() };
     let half_space = alloy(77e9, Some(630e6));
-    let contact =
-        StaticContact::try_new(strong, &half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper).unwrap();
+    let contact = StaticContact::try_new(strong, &half_space, &Plm::default()).unwrap();
     let doubts = |targets: &[Target]| contact.indent(targets, None).unwrap().doubts;
     assert!(doubts(&[Load(1.0), Load(0.0)]).is_empty());
     let found = doubts(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
@@ -198,10 +195,10 @@ fn the_spans_of_uncertain_inputs_hold_every_case_within() {
         strength_uncertainty: Some(23e6),
     };
     let targets = [Load(30.0), Load(0.0)];
-    let (coefficients, exponent) = (PlmCoefficients::built_in(), UnloadingExponent::Paper);
+    let (plm, exponent) = (&Plm::default(), UnloadingExponent::Paper);
     let run = |half_space: &HalfSpace| contact(half_space, exponent).indent(&targets, None).unwrap();
     let middle = run(&specimen.half_space);
-    let spans = specimen.spans(indenter(), coefficients, exponent, &targets, &middle).unwrap().unwrap();
+    let spans = specimen.spans(indenter(), plm, &targets, &middle).unwrap().unwrap();
     assert_eq!(specimen.corners().len(), 4);
     for i in 0..=10 {
         for j in 0..=10 {
@@ -217,7 +214,7 @@ fn the_spans_of_uncertain_inputs_hold_every_case_within() {
         }
     }
     let known = Specimen { modulus_uncertainty: None, strength_uncertainty: None, ..specimen };
-    assert!(known.spans(indenter(), coefficients, exponent, &targets, &middle).unwrap().is_none());
+    assert!(known.spans(indenter(), plm, &targets, &middle).unwrap().is_none());
 }
 
 /// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3, and the rigid sphere of case 5 as the finite elements had it.
@@ -247,7 +244,7 @@ fn load_cycles_follow_the_finite_elements() {
         let sphere = Indenter { radius: 35e-3, material: material(of_sphere), yield_strength: None };
         let half_space = HalfSpace { material: material(of_half_space), yield_strength: Some(strength), density: None };
         let exponent = UnloadingExponent::PressureShape;
-        let contact = StaticContact::try_new(sphere, &half_space, PlmCoefficients::built_in(), exponent).unwrap();
+        let contact = StaticContact::try_new(sphere, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
         let point = contact.pair().yield_point.unwrap();
         // the cycles of the run, one after the other, as the finite elements went
         let targets: Vec<_> =

@@ -76,6 +76,62 @@ fn several_half_spaces_are_told_apart_by_name() {
     }
 }
 
+/// The same cycles under other laws: the dents are those of their printed formulas.
+#[test]
+fn other_laws_leave_their_own_dents() {
+    let under = |table: &str| Desk::with(CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", table));
+    let steps = |desk: &Desk| {
+        run(desk);
+        let summary = summary(desk);
+        (summary["half_spaces"][0].clone(), summary["provenance"]["law"].as_str().unwrap().to_owned())
+    };
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let (radius, strength) = (0.25e-3_f64, 630e6);
+    let pi = std::f64::consts::PI;
+
+    let (half_space, law) = steps(&under("[law.thornton]"));
+    assert_eq!(law, "thornton");
+    let modulus = number(&half_space["effective_modulus_Pa"]);
+    // R_p = (4E*/(3 F_m)) ((2 F_m + F_y)/(2π p_y))^1.5, δ_m − δ_r = (3 F_m/(4 E* √R_p))^(2/3), p_y from F_y = π³ R² p_y³/(6 E*²)
+    let yield_force = number(&half_space["yield_force_N"]);
+    let pressure = (6.0 * modulus * modulus * yield_force / (pi.powi(3) * radius * radius)).cbrt();
+    for step in half_space["steps"].as_array().unwrap() {
+        let force = number(&step["peak_force_N"]);
+        let of_unloading =
+            4.0 * modulus / (3.0 * force) * ((2.0 * force + yield_force) / (2.0 * pi * pressure)).powf(1.5);
+        let recovered = (3.0 * force / (4.0 * modulus * of_unloading.sqrt())).powf(2.0 / 3.0);
+        let dent = number(&step["peak_indentation_m"]) - recovered;
+        assert!((number(&step["residual_indentation_m"]) / dent - 1.0).abs() < 1e-10, "{step}");
+    }
+
+    let (half_space, law) = steps(&under("[law.jackson_green]"));
+    assert_eq!(law, "jackson_green");
+    // δ_r/δ_m = 1.02 (1 − ((x + 5.9)/6.9)^−0.54), x = δ_m over R (π C σ_Y/(2 E*))², C = 1.295 exp(0.736 ν)
+    let yields = radius * (pi * 1.295 * (0.736_f64 * 0.3).exp() * strength / (2.0 * modulus)).powi(2);
+    for step in half_space["steps"].as_array().unwrap() {
+        let depth = number(&step["peak_indentation_m"]);
+        let share = 1.02 * (1.0 - ((depth / yields + 5.9) / 6.9).powf(-0.54));
+        assert!((number(&step["residual_indentation_m"]) / (share * depth) - 1.0).abs() < 1e-10, "{step}");
+    }
+
+    // an elastic law has no dent, so none is written
+    let (half_space, law) = steps(&under("[law.hertz]"));
+    assert_eq!(law, "hertz");
+    assert!(!half_space.to_string().contains("residual") && !half_space.to_string().contains("plastic"));
+
+    // and where a law has no answer, the steps are pointed at
+    let desk = Desk::with(
+        CYCLES
+            .replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", "[law.mesarovic_johnson]")
+            .replace("{ load = \"10 N\" }", "{ load = \"0.1 N\" }"),
+    );
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("s.toml:17:") && message.contains("step 1: the law has no answer"), "{message}");
+    assert!(!desk.path("out").exists());
+}
+
 #[test]
 fn an_elastic_half_space_has_nothing_plastic() {
     let desk = Desk::with(CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", ""));

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{STEPPING, Scene, off};
-use plm_impact::impact::{Branch, Event, Impact, Method, TraceRow};
-use plm_impact::law::UnloadingExponent;
+use plm_impact::impact::{Event, Impact, Method, TraceRow};
+use plm_impact::law::{Branch, UnloadingExponent};
 use plm_impact::math::power::max_or_nan;
 use proptest::prelude::*;
 

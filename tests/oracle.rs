@@ -4,7 +4,7 @@
 
 use approx::assert_relative_eq;
 use plm_impact::impact::{Contact, Impact, Method, Solver};
-use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+use plm_impact::law::{Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 
 struct Row {
@@ -40,7 +40,7 @@ fn rows() -> Vec<Row> {
             };
             Row {
                 case: record[0].to_string(),
-                contact: Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), exponent).unwrap(),
+                contact: Contact::try_new(sphere, half_space, &Plm { exponent, ..Plm::default() }).unwrap(),
                 speed: number(8),
                 want: [10, 11, 12, 13, 14, 15, 16, 17, 19, 20, 21].map(number),
                 residual_radius: record[18].parse().ok(),

@@ -33,8 +33,9 @@ fn scenario(row: &csv::StringRecord) -> String {
 
 #[test]
 fn the_command_reproduces_the_oracle_at_its_defaults() {
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("../src/reference/oracle.csv").as_bytes());
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_reader(include_str!("../src/reference/oracle.csv").as_bytes());
     let headers = reader.headers().unwrap().clone();
     for (name, column) in QUANTITIES {
         assert_eq!(&headers[column], name);

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use plm_impact::impact::{Contact, Impact, Solver};
-use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+use plm_impact::law::Plm;
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::plot::{self, Axis, Guide, Heatmap, Histogram, Lines, PlotError, Series};
 
@@ -79,7 +79,7 @@ fn impact(sphere_modulus: f64, yield_strength: Option<f64>, speed: f64) -> Impac
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let sphere = Sphere { radius: 5e-3, material: material(sphere_modulus), density: 7850.0, yield_strength: None };
     let half_space = HalfSpace { material: material(210e9), yield_strength, density: None };
-    let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper).unwrap();
+    let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
     contact.impact(speed, &Solver::default(), Some(400)).unwrap()
 }
 

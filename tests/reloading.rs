@@ -4,8 +4,8 @@
 mod common;
 
 use common::{STEPPING, Scene, off, solver};
-use plm_impact::impact::{Branch, Contact, Essentials, Event, Impact, Method, Spot, Warning, closed_form};
-use plm_impact::law::{Peak, UnloadingExponent};
+use plm_impact::impact::{Contact, Essentials, Event, Impact, Method, Spot, Warning, closed_form};
+use plm_impact::law::{Branch, Peak, UnloadingExponent};
 use plm_impact::material::Material;
 use plm_impact::math::power::quarter_period;
 use proptest::prelude::*;

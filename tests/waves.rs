@@ -9,7 +9,7 @@ use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
 use plm_impact::impact::{Contact, Impact, Method, Solver, Warning};
 use plm_impact::law::jackson_green::JacksonGreen;
 use plm_impact::law::jumps::Jumps;
-use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+use plm_impact::law::{Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use proptest::prelude::*;
 
@@ -37,7 +37,7 @@ impl Bodies {
     }
 
     fn contact(&self) -> Contact {
-        Contact::try_new(self.sphere, self.half_space, PlmCoefficients::built_in(), self.exponent).unwrap()
+        Contact::try_new(self.sphere, self.half_space, &Plm { exponent: self.exponent, ..Plm::default() }).unwrap()
     }
 
     fn impact(&self, speed: f64) -> Impact {
@@ -284,7 +284,7 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
     let bodies = Bodies::steel(Some(345e6));
     let contact = |jumps| {
         let law = JacksonGreen { jumps, ..Default::default() };
-        Contact::with_law(bodies.sphere, bodies.half_space, &law).unwrap()
+        Contact::try_new(bodies.sphere, bodies.half_space, &law).unwrap()
     };
     // F' is infinite at a jump of the force, and so is what it radiates
     let says = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::WavesAtJump { .. }));

@@ -7,10 +7,10 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::impact::closed_form::{self, energy_balance};
-use crate::impact::{Contact, Outcome};
+use crate::impact::{Contact, ImpactError, Outcome};
 use crate::law::curve::Curve;
-use crate::law::{ElasticApproach, Law, PlmCoefficients, UnloadingExponent};
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Sphere};
+use crate::law::{ElasticApproach, Law, Plm};
+use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::pow;
 use crate::math::power::quarter_period;
 
@@ -73,8 +73,8 @@ pub fn kinked_law() -> Law {
 /// The six problems.
 ///
 /// # Errors
-/// [`OutOfFloatRange`], which none of their numbers is near.
-pub fn problems() -> Result<Vec<Problem>, OutOfFloatRange> {
+/// [`ImpactError`], which none of their numbers is near.
+pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p2 = kinked_law();
     let p3 = Law { loading: p2.loading.clone().then_straight(60.0, 0.75), ..p2.clone() };
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
@@ -87,9 +87,9 @@ pub fn problems() -> Result<Vec<Problem>, OutOfFloatRange> {
     };
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
         let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength), density: None };
-        let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+        let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let (scales, law, q) = contact.scaled(speed)?;
-        Ok(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
+        Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
     Ok(vec![
         Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),

@@ -4,7 +4,7 @@ use super::error::ImpactError;
 use super::forces::Forces;
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::law::{Bodies, ContactLaw, Law, OutsideLaw, PlmCoefficients, UnloadingExponent};
+use crate::law::{ContactLaw, Law};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
 use crate::math::functions::pow;
 
@@ -27,49 +27,17 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Pairs the bodies under the PLM law (or Hertz alone, for a half-space without a yield strength).
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] where a constant of the pair over- or underflows.
-    pub fn try_new(
-        sphere: Sphere,
-        half_space: HalfSpace,
-        coefficients: &PlmCoefficients,
-        exponent: UnloadingExponent,
-    ) -> Result<Self, OutOfFloatRange> {
-        let mass = normal("sphere mass (kg)", sphere.mass())?;
-        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
-        let yielding = pair.yield_point.map(|point| {
-            let law = coefficients.law(&pair, point.contact_radius / pair.radius, exponent);
-            Ok((Scales::of_yield(&point, point.speed(mass)?), law))
-        });
-        Self::new(sphere, half_space, pair, mass, yielding.transpose()?)
-    }
-
-    /// Pairs the bodies under any law (or Hertz alone, for a half-space without a yield strength).
+    /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
     ///
     /// # Errors
     /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
     /// loading or no unloading (see [`Combined`](crate::law::Combined)).
-    pub fn with_law(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
+    pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
-        let yielding = Bodies::new(&pair, &half_space).map(|bodies| {
-            let point = bodies.yield_point;
-            let name = law.about().name;
-            let law = law.law(&bodies).ok_or(OutsideLaw::Incomplete { name })?;
-            Ok::<_, ImpactError>((Scales::of_yield(&point, point.speed(mass)?), law))
-        });
-        Ok(Self::new(sphere, half_space, pair, mass, yielding.transpose()?)?)
-    }
-
-    fn new(
-        sphere: Sphere,
-        half_space: HalfSpace,
-        pair: Pair,
-        mass: f64,
-        yielding: Option<(Scales, Law)>,
-    ) -> Result<Self, OutOfFloatRange> {
+        let scales =
+            pair.yield_point.map(|point| Ok::<_, OutOfFloatRange>(Scales::of_yield(&point, point.speed(mass)?)));
+        let yielding = scales.transpose()?.zip(law.of_pair(&pair, &half_space)?);
         // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
         let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
             let until = law.elastic_until();

@@ -5,33 +5,7 @@ use super::essentials::Essentials;
 use super::outcome::Outcome;
 use super::record::{Event, Point};
 use super::scales::Scales;
-use crate::law::Peak;
-
-/// Which branch of the law a trace row is on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Branch {
-    /// Loading without a dent so far.
-    Elastic,
-    /// Loading, dent growing.
-    Plastic,
-    /// Loading in a dent of an earlier impact, up its unloading branch.
-    Reloading,
-    /// Unloading.
-    Unloading,
-}
-
-impl Branch {
-    /// `elastic`, `plastic`, `reloading` or `unloading`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::Plastic => "plastic",
-            Self::Reloading => "reloading",
-            Self::Unloading => "unloading",
-        }
-    }
-}
+use crate::law::{Branch, Peak};
 
 /// One row of a trace.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Uncertain elastic constants and strengths: what the corners of their intervals make of every step.
 
 use super::{Indentation, IndentationError, Indenter, StaticContact, Step, Target};
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::ContactLaw;
 use crate::material::{HalfSpace, Material, Pair};
 use crate::math::power::max_or_nan;
 
@@ -25,6 +25,8 @@ pub struct Tested {
     pub specimen: Specimen,
     /// What its pairing with the sphere fixes.
     pub pair: Pair,
+    /// Whether a load that is large enough leaves a dent.
+    pub can_yield: bool,
     /// What came of it.
     pub indentation: Indentation,
     /// What its uncertainties make of each step, if it has any.
@@ -83,8 +85,7 @@ impl Specimen {
     pub fn spans(
         &self,
         indenter: Indenter,
-        coefficients: &PlmCoefficients,
-        exponent: UnloadingExponent,
+        law: &dyn ContactLaw,
         targets: &[Target],
         middle: &Indentation,
     ) -> Result<Option<Vec<Spans>>, IndentationError> {
@@ -94,9 +95,7 @@ impl Specimen {
         }
         let corners: Vec<Indentation> = corners
             .iter()
-            .map(|half_space| {
-                StaticContact::try_new(indenter, half_space, coefficients, exponent)?.indent(targets, None)
-            })
+            .map(|half_space| StaticContact::try_new(indenter, half_space, law)?.indent(targets, None))
             .collect::<Result<_, _>>()?;
         let spans = (0..middle.steps.len()).map(|step| {
             let span = |value: fn(&Step) -> f64| {

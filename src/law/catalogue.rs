@@ -1,4 +1,4 @@
-//! The list of laws, and of those that are not public. The tables of their keys are in `scenario/law.rs`.
+//! The list of laws, combinations of two of them, and the laws that are not public. Each law has a file of its own.
 
 use super::brake::Brake;
 use super::contact_law::{About, Bodies, ContactLaw};
@@ -132,9 +132,9 @@ impl LawChoice {
     }
 }
 
-/// Two halves.
+/// The loading of one law with the unloading of another.
 ///
-/// What the unloading needs of the peak (force, indentation, contact radius) is what the loading gives.
+/// The unloading is given the force, indentation and contact radius of the peak as the loading has them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combined {
     /// How it loads.

@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 
 use super::plm::RadiusRatio;
-use super::published::{Loading, Published, RecoveryRule};
+use super::published::{Loading, OutsideLaw, Published, RecoveryRule};
 use super::{ElasticApproach, Law, UnloadingExponent};
 use crate::material::{HalfSpace, Pair, YieldPoint};
 
@@ -91,6 +91,15 @@ pub trait ContactLaw: Debug {
     /// The whole law; `None` if it lacks a half.
     fn law(&self, bodies: &Bodies) -> Option<Law> {
         Some(assemble(self.loading(bodies)?, self.recovery(bodies)?))
+    }
+
+    /// The whole law of a pair of bodies; `None` for a half-space without a yield strength, on which every contact is Hertz's.
+    ///
+    /// # Errors
+    /// [`OutsideLaw::Incomplete`] for a law that lacks a half.
+    fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
+        let incomplete = OutsideLaw::Incomplete { name: self.about().name };
+        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies).ok_or(incomplete)).transpose()
     }
 }
 

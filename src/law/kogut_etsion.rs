@@ -29,9 +29,11 @@ use crate::math::smooth::{POWER, Smooth};
 ///
 /// The printed pieces do not meet: the force jumps by +3.0 % at x = 1, +1.7 % at 6, and +7.9 % at 110, from where on users
 /// go on fully plastic (an extension, not the authors'). `jumps` = printed keeps that; crossed lets every piece go on until
-/// the next one falls below it: x = 1.48, 6.65 and 147 (ν = 0.3). A large K H makes the last piece cross an earlier one,
-/// and from K H = 8.4 σ_Y on it would cross Hertz before first yield: there the crossed law has no answer. Just above yield the printed law gives back up to 1.5 % (energy 3 %)
-/// more than it takes; the elastic approach is then cut to what was spent, e = 1.
+/// the next one falls below it: x = 1.48, 6.65 and 147 (ν = 0.3). A large K H makes the last piece cross an earlier one.
+/// From K H = 8.4 σ_Y on it would cross Hertz before first yield: there the crossed law has no answer.
+///
+/// Just above yield the printed law gives back up to 1.5 % more indentation (3 % more energy) than it takes. The elastic
+/// approach is then cut to what the work of loading allows, so that e = 1.
 ///
 /// Fitted for 1 ≤ x ≤ 110, a deformable sphere on a rigid flat. The two exponents of the residual and n are from memory,
 /// not seen in print.

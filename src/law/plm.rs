@@ -45,6 +45,14 @@ impl Default for Plm {
     }
 }
 
+impl Plm {
+    /// The PLM of these coefficients, with this exponent.
+    #[must_use]
+    pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
+        Self { coefficients: Arc::new(coefficients.clone()), exponent }
+    }
+}
+
 static ABOUT: About = About {
     name: "plm",
     title: "PLM (Weng et al. 2021 in form) with Xie et al. 2024",

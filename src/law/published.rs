@@ -1,8 +1,8 @@
 //! The rules of a published law: contact radius along the loading curve, and what a peak gives back.
 //!
-//! Whatever a law prints, no contact gives back more than it has taken, and no dent is a hill. Where a law's own formulas
-//! say otherwise, the elastic approach is cut to what is possible; where they are off by more than [`LARGEST_CUT`], the law
-//! has no answer ([`OutsideLaw`]), and none is made up.
+//! No contact gives back more energy than it has taken, and no dent is higher than the surface. Where the formulas of a law
+//! say so all the same, the elastic approach is cut to the largest one that is possible. Where they are off by more than
+//! [`LARGEST_CUT`], the law has no answer there ([`OutsideLaw`]).
 
 use std::fmt;
 use std::sync::Arc;
@@ -46,7 +46,7 @@ impl Loaded {
     }
 }
 
-/// A dent of this share of the indentation is one of rounding: the difference of two numbers that are nearly equal.
+/// A dent that is a smaller share of the indentation than this comes from rounding, and counts as none.
 const NO_DENT: f64 = 1e-13;
 
 /// What unloading from a peak gives back, by the law's own formulas.
@@ -80,7 +80,7 @@ impl Recovered {
         if bounded < (1.0 - NO_DENT) * x { bounded } else { x }
     }
 
-    /// Whether it is near to what is possible.
+    /// Refuses what is farther from the possible than [`LARGEST_CUT`].
     fn accept(&self, x: f64, force: f64, spent: f64) -> Result<(), OutsideLaw> {
         let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
         let raw = self.elastic_approach;
@@ -137,7 +137,7 @@ impl fmt::Debug for Loading {
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
     #[error(
-        "the law has no answer for a peak indentation of {} x the yield indentation: {problem}; use another law, or another speed",
+        "the law has no answer for a peak indentation of {} x the yield indentation: {problem}; use another law, or another speed or depth",
         four_digits(*.indentation)
     )]
     Range {
@@ -196,7 +196,7 @@ impl Published {
     }
 
     /// ε, at most x and at most what the work of loading allows.
-    #[cold] // beside the PLM, which these calls must not slow
+    #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
     pub(super) fn elastic_approach(&self, loading: &Curve, x: f64, force: f64) -> f64 {
         if x <= self.elastic_until {
             return x;

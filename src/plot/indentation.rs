@@ -7,7 +7,8 @@ use super::frame::Frame;
 use super::key::{self, Entry};
 use super::style::{DASHED, GREY, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
-use crate::indentation::{Branch, Span, Tested, TraceRow};
+use crate::indentation::{Span, Tested, TraceRow};
+use crate::law::Branch;
 use crate::units::rounded::quantity;
 
 /// Radius of markers, and half the length of the ends of error bars \[px\].

@@ -156,7 +156,7 @@ impl StepReport {
 impl<'a> HalfSpaceReport<'a> {
     fn of(tested: &'a Tested) -> Self {
         let Specimen { name, half_space, modulus_uncertainty, strength_uncertainty } = &tested.specimen;
-        let can_yield = half_space.yield_strength.is_some();
+        let can_yield = tested.can_yield;
         let steps = &tested.indentation.steps;
         let spans = |i: usize| tested.spans.as_ref().and_then(|spans| spans.get(i));
         let report = |(i, step)| StepReport::of(i + 1, step, can_yield, spans(i));
@@ -225,7 +225,7 @@ pub fn table(tested: &[Tested]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        let can_yield = one.pair.yield_point.is_some();
+        let can_yield = one.can_yield;
         let mut head = vec!["step", "to", "indentation", "force", "stiffness S", "contact radius", "work"];
         if can_yield {
             head.extend(["residual", "plastic work"]);

@@ -82,7 +82,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
     if can_yield {
         entries.push(Entry::word("law", scene.law.name()));
-        entries.extend(words_of_law(scene));
+        entries.extend(words_of_law(&scene.law));
     }
     entries.push(Entry::word("solver.method", scene.solver.method.name()));
     if scene.solver.method == Method::Verlet {
@@ -93,7 +93,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
 }
 
 /// The keys of a law that are no numbers.
-fn words_of_law(scene: &Scene) -> Vec<Entry> {
+fn words_of_law(law: &LawChoice) -> Vec<Entry> {
     let jumps = |key, jumps| {
         Entry::word(
             key,
@@ -103,7 +103,7 @@ fn words_of_law(scene: &Scene) -> Vec<Entry> {
             },
         )
     };
-    match &scene.law {
+    match law {
         LawChoice::Plm(plm) => vec![coefficients(plm)],
         LawChoice::JacksonGreen(law) => {
             let hardness = match law.hardness {
@@ -118,10 +118,11 @@ fn words_of_law(scene: &Scene) -> Vec<Entry> {
     }
 }
 
-/// The PLM of a scene without an impact.
-fn of_plm(plm: &Plm) -> Vec<Entry> {
-    let exponent = Key::find("law.plm.unloading_exponent").map(|key| Entry::of(key, plm.exponent.into()));
-    exponent.into_iter().chain([coefficients(plm)]).collect()
+/// The law of a scene without an impact.
+fn of_law(law: &LawChoice) -> Vec<Entry> {
+    let scene = Scene::of_law(law.clone());
+    let numbers = KEYS.iter().filter(|key| key.path.starts_with("law."));
+    numbers.filter_map(|key| Some(Entry::of(key, (key.get)(&scene)?))).chain(words_of_law(law)).collect()
 }
 
 fn coefficients(plm: &Plm) -> Entry {
@@ -146,7 +147,8 @@ const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poi
 pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
     let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"]].concat());
     if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
-        entries.extend(of_plm(&scene.plm));
+        entries.push(Entry::word("law", scene.law.name()));
+        entries.extend(of_law(&scene.law));
     }
     entries.push(Entry::count("output.samples", scene.samples));
     entries
@@ -158,8 +160,8 @@ pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry>
     let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", "half_space.yield_strength"];
     let mut entries = given(scenario, &[SPHERE, half_space].concat());
     for law in &comparison.laws {
-        if let LawChoice::Plm(plm) = law {
-            entries.extend(of_plm(plm));
+        if let LawChoice::Plm(_) = law {
+            entries.extend(of_law(law));
         }
     }
     entries

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
+use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot;
 use crate::report::indentation::{self, Provenance};
@@ -29,19 +30,16 @@ pub struct Run {
 /// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticContact>), Error> {
     let scene = scenario.indentation()?;
-    let contact =
-        |half_space| StaticContact::try_new(scene.indenter, half_space, &scene.plm.coefficients, scene.plm.exponent);
+    let contact = |half_space| StaticContact::try_new(scene.indenter, half_space, scene.law.get());
     let contacts = scene.specimens.iter().map(|specimen| contact(&specimen.half_space)).collect::<Result<Vec<_>, _>>();
-    let contacts = contacts.map_err(|range| refused(scenario, None, range.into()))?;
+    let contacts = contacts.map_err(|reason| refused(scenario, None, reason))?;
     for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
         let name = specimen.name.as_deref();
         let middle = contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
         // neither may a corner of the uncertainties go where nothing holds
         let name = name.map(|name| format!("{name} at an end of its uncertainty"));
         let refuse = |reason| refused(scenario, name.as_deref(), reason);
-        specimen
-            .spans(scene.indenter, &scene.plm.coefficients, scene.plm.exponent, &scene.targets, &middle)
-            .map_err(refuse)?;
+        specimen.spans(scene.indenter, scene.law.get(), &scene.targets, &middle).map_err(refuse)?;
     }
     Ok((scene, contacts))
 }
@@ -61,13 +59,12 @@ pub fn compute(
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
         let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
-        let spans = specimen
-            .spans(scene.indenter, &scene.plm.coefficients, scene.plm.exponent, &scene.targets, &indentation)
-            .map_err(refuse)?;
+        let spans = specimen.spans(scene.indenter, scene.law.get(), &scene.targets, &indentation).map_err(refuse)?;
         let named =
             |doubt| specimen.name.as_ref().map_or_else(|| format!("{doubt}"), |name| format!("{name}, {doubt}"));
         warnings.extend(indentation.doubts.iter().map(named));
-        tested.push(Tested { specimen: specimen.clone(), pair: *contact.pair(), indentation, spans });
+        let (pair, can_yield) = (*contact.pair(), contact.can_yield());
+        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation, spans });
     }
     Ok((scene, tested, warnings))
 }
@@ -94,8 +91,8 @@ pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
 fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
     let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
     match reason {
-        IndentationError::Range(range) => {
-            Error::Indentation { scenario: scenario.document.name().to_owned(), reason: format!("{on}{range}") }
+        reason @ (IndentationError::Range(_) | IndentationError::Law(_)) => {
+            Error::Indentation { scenario: scenario.document.name().to_owned(), reason: format!("{on}{reason}") }
         }
         step => scenario.document.refuse("indentation.steps", format!("{on}{step}")).into(),
     }
@@ -103,13 +100,16 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
 
 fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Result<Provenance, Error> {
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let coefficients = can_yield.then_some(&scene.plm.coefficients.provenance);
+    let coefficients = match &scene.law {
+        LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
+        _ => None,
+    };
     Ok(Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scenario_file: scenario.document.name().to_owned(),
         scenario_sha256: scenario.sha256()?,
         command: command.to_owned(),
-        law: if can_yield { "plm" } else { "hertz" }.to_owned(),
+        law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
     })

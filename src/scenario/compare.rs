@@ -9,6 +9,8 @@ use crate::units::{Dimension, human};
 
 /// Fitted to a wanted restitution, so that there is nothing to compare.
 const LEFT_OUT: &str = "walton_braun";
+/// Why the peak is that of no other law.
+const OTHER_LAW: &str = "only [law.plm] has an effect here; name other laws in compare.laws";
 
 impl Scenario {
     /// The comparison that the scenario asks for.
@@ -34,10 +36,7 @@ impl Scenario {
         let bodies =
             Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
-        if self.law_name().is_some_and(|law| law != "plm") {
-            return Err(refuse("law", "only [law.plm] has an effect here; name other laws in compare.laws"));
-        }
-        let plm = self.plm()?;
+        let LawChoice::Plm(plm) = self.whole_law()? else { return Err(refuse("law", OTHER_LAW)) };
         let ratio = given("peak_indentation_ratio");
         let x = ratio.or_else(|| given("peak_indentation").map(|length| length / point.indentation)).ok_or_else(|| {
             refuse(

@@ -4,7 +4,7 @@ use super::entries::STEPS_EXAMPLE;
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
-use crate::law::Plm;
+use crate::law::LawChoice;
 use crate::units::{Dimension, human};
 
 /// Rows of a trace that are held until they are written: some hundred megabytes.
@@ -17,8 +17,8 @@ pub struct IndentationScene {
     pub indenter: Indenter,
     /// What it is pressed into; at least one.
     pub specimens: Vec<Specimen>,
-    /// The law.
-    pub plm: Plm,
+    /// The law, with its parameters.
+    pub law: LawChoice,
     /// Where the steps end; at least one.
     pub targets: Vec<Target>,
     /// Evenly spaced rows of the trace in each step.
@@ -40,10 +40,6 @@ impl Scenario {
         if !self.entries.has("indentation") {
             return Err(self.document.missing("", "indentation"));
         }
-        if self.law_name().is_some_and(|law| law != "plm") {
-            let message = "an indentation is computed under the PLM: leave this law out";
-            return Err(self.document.refuse("law", message.to_owned()));
-        }
         let specimens = self.specimens()?;
         let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
         let targets = self.targets()?;
@@ -60,7 +56,7 @@ impl Scenario {
                 yield_strength: self.entries.number("sphere.yield_strength"),
             },
             specimens,
-            plm: self.plm()?,
+            law: self.whole_law()?,
             targets,
             samples,
             warnings: self.unused(is_elastic).into_iter().chain(self.idle_keys(Kind::Indentation)).collect(),

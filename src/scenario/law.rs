@@ -8,6 +8,7 @@ use crate::law::Combined;
 use crate::law::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
+use crate::scene::{KEYS, Scene};
 
 impl Scenario {
     /// The name of the law that the scenario has a table of.
@@ -50,13 +51,15 @@ impl Scenario {
         Ok(choice)
     }
 
-    /// The PLM of `[law.plm]`, with all its parameters.
-    pub(super) fn plm(&self) -> Result<Plm, ScenarioError> {
-        let mut plm = Plm { coefficients: self.coefficients()?, ..Plm::default() };
-        if let Some(exponent) = self.entries.number("law.plm.unloading_exponent") {
-            plm.exponent = exponent.into();
+    /// The same with the numbers among its parameters.
+    pub(super) fn whole_law(&self) -> Result<LawChoice, ScenarioError> {
+        let mut scene = Scene::of_law(self.law()?);
+        for key in KEYS.iter().filter(|key| key.path.starts_with("law.")) {
+            if let Some(value) = self.entries.number(key.path) {
+                (key.set)(&mut scene, value);
+            }
         }
-        Ok(plm)
+        Ok(scene.law)
     }
 
     fn half(&self, name: &str) -> Result<LawChoice, ScenarioError> {

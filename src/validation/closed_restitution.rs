@@ -24,7 +24,7 @@ fn contact(law: &dyn ContactLaw) -> Result<Contact, ValidationError> {
         yield_strength: Some(STRENGTH),
         density: None,
     };
-    Ok(Contact::with_law(sphere, half_space, law)?)
+    Ok(Contact::try_new(sphere, half_space, law)?)
 }
 
 pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {

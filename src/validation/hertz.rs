@@ -6,7 +6,7 @@
 use super::ValidationError;
 use super::check::{Check, Tolerance};
 use crate::impact::{Contact, Impact, Method, Solver};
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::{Plm, PlmCoefficients};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{pow, powi};
 
@@ -17,7 +17,7 @@ const PRINTED: &str = "half a unit of the last digit";
 /// (4/5) B(2/5, 1/2).
 const HERTZ_TIME: f64 = 2.943_275_184_324_704_7;
 
-struct Scene {
+struct HertzImpact {
     name: &'static str,
     sphere: Material,
     half_space: Material,
@@ -29,8 +29,8 @@ struct Scene {
     values: &'static [(&'static str, &'static str, f64, f64)],
 }
 
-const SCENES: [Scene; 4] = [
-    Scene {
+const IMPACTS: [HertzImpact; 4] = [
+    HertzImpact {
         name: "aluminium alloy on a rigid plane, 0.2 m/s",
         sphere: RIGID,
         half_space: Material { youngs_modulus: 70e9, poissons_ratio: 0.3 },
@@ -44,7 +44,7 @@ const SCENES: [Scene; 4] = [
             ("contact time", "s", 731.7e-6, 0.05e-6),
         ],
     },
-    Scene {
+    HertzImpact {
         name: "magnesium alloy on a rigid plane, 0.2 m/s",
         sphere: RIGID,
         half_space: Material { youngs_modulus: 40e9, poissons_ratio: 0.35 },
@@ -58,7 +58,7 @@ const SCENES: [Scene; 4] = [
             ("contact time", "s", 767.1e-6, 0.05e-6),
         ],
     },
-    Scene {
+    HertzImpact {
         name: "100 GPa, wall of the same material, 3.9 m/s",
         sphere: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
         half_space: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
@@ -68,7 +68,7 @@ const SCENES: [Scene; 4] = [
         reference: LAMMPS,
         values: &[("largest indentation", "m", 22.6806e-6, 0.000_05e-6)],
     },
-    Scene {
+    HertzImpact {
         name: "100 GPa, rigid wall, 3.9 m/s",
         sphere: RIGID,
         half_space: Material { youngs_modulus: 100e9, poissons_ratio: 0.25 },
@@ -92,34 +92,33 @@ fn value(impact: &Impact, quantity: &str) -> f64 {
 pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
     let mut published = Vec::new();
     let mut exact = Vec::new();
-    for scene in &SCENES {
-        let sphere =
-            Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };
-        let half_space = HalfSpace { material: scene.half_space, yield_strength: None, density: None };
-        let contact = Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+    for case in &IMPACTS {
+        let sphere = Sphere { radius: case.radius, material: case.sphere, density: case.density, yield_strength: None };
+        let half_space = HalfSpace { material: case.half_space, yield_strength: None, density: None };
+        let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let solver = Solver { method: Method::Rk8, ..Solver::default() };
-        let impact = contact.impact(scene.speed, &solver, None)?;
-        for &(quantity, unit, expected, half_a_digit) in scene.values {
+        let impact = contact.impact(case.speed, &solver, None)?;
+        for &(quantity, unit, expected, half_a_digit) in case.values {
             let tolerance = Tolerance { limit: half_a_digit / expected, source: PRINTED };
             let numbers = [expected, value(&impact, quantity)];
             let name = format!("Hertz impact, published: {quantity}");
-            published.push(Check::numbers(&name, scene.name.to_owned(), scene.reference, unit, numbers, tolerance));
+            published.push(Check::numbers(&name, case.name.to_owned(), case.reference, unit, numbers, tolerance));
         }
         let plane_strain = |material: Material| material.youngs_modulus / (1.0 - powi(material.poissons_ratio, 2));
-        let e_star = 1.0 / (1.0 / plane_strain(scene.sphere) + 1.0 / plane_strain(scene.half_space));
-        let stiffness = 4.0 / 3.0 * e_star * scene.radius.sqrt();
-        let mass = 4.0 / 3.0 * std::f64::consts::PI * powi(scene.radius, 3) * scene.density;
-        let depth = pow(1.25 * mass * powi(scene.speed, 2) / stiffness, 0.4);
+        let e_star = 1.0 / (1.0 / plane_strain(case.sphere) + 1.0 / plane_strain(case.half_space));
+        let stiffness = 4.0 / 3.0 * e_star * case.radius.sqrt();
+        let mass = 4.0 / 3.0 * std::f64::consts::PI * powi(case.radius, 3) * case.density;
+        let depth = pow(1.25 * mass * powi(case.speed, 2) / stiffness, 0.4);
         for (quantity, unit, expected, got) in [
             ("largest indentation", "m", depth, impact.peak_indentation),
             ("largest force", "N", stiffness * pow(depth, 1.5), impact.peak_force),
-            ("contact time", "s", HERTZ_TIME * depth / scene.speed, impact.contact_time),
+            ("contact time", "s", HERTZ_TIME * depth / case.speed, impact.contact_time),
             ("restitution", "", 1.0, impact.restitution),
         ] {
             let tolerance = Tolerance { limit: 1e-9, source: "10 x the solver's tolerance" };
             let name = format!("Hertz impact, exact: {quantity}");
             let reference = "closed form of Hertz's impact";
-            exact.push(Check::numbers(&name, scene.name.to_owned(), reference, unit, [expected, got], tolerance));
+            exact.push(Check::numbers(&name, case.name.to_owned(), reference, unit, [expected, got], tolerance));
         }
     }
     published.extend(exact);

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use super::ValidationError;
 use super::check::{Check, Tolerance};
 use crate::impact::{Contact, Impact, Solver};
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::reference::rows;
 
@@ -58,7 +58,7 @@ impl Row {
             "pressure-shape" => UnloadingExponent::PressureShape,
             _ => UnloadingExponent::Paper,
         };
-        Ok(Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), exponent)?)
+        Ok(Contact::try_new(sphere, half_space, &Plm { exponent, ..Plm::default() })?)
     }
 
     fn compared(&self, impact: &Impact) -> [(&'static str, &'static str, f64, f64); 8] {

@@ -4,9 +4,9 @@
 pub mod command;
 pub mod picture;
 
-use plm_impact::impact::{Contact, Impact, Method, Outcome, ScaledForces, Solver, closed_form};
+use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
-use plm_impact::law::{Law, PlmCoefficients, UnloadingExponent};
+use plm_impact::law::{Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
 use proptest::strategy::Strategy;
@@ -108,10 +108,10 @@ impl Scene {
         self.try_contact().unwrap()
     }
 
-    pub fn try_contact(&self) -> Result<Contact, plm_impact::material::OutOfFloatRange> {
+    pub fn try_contact(&self) -> Result<Contact, ImpactError> {
         let sphere = Sphere { radius: self.radius, material: self.sphere, density: self.density, yield_strength: None };
         let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength, density: None };
-        Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), self.exponent)
+        Contact::try_new(sphere, half_space, &Plm { exponent: self.exponent, ..Plm::default() })
     }
 
     pub fn yield_speed(&self) -> f64 {

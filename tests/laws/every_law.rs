@@ -226,12 +226,12 @@ fn half_a_law_is_refused_and_not_taken_for_hertz() {
     let unloading = Box::new(LawChoice::from_name("plm").unwrap());
     let combined = Combined { loading, unloading };
     for (law, name) in [(&Brake as &dyn ContactLaw, "brake"), (&combined, "combined")] {
-        let error = Contact::with_law(sphere, half_space, law).unwrap_err();
+        let error = Contact::try_new(sphere, half_space, law).unwrap_err();
         assert_eq!(error, ImpactError::Law(OutsideLaw::Incomplete { name }));
         assert!(error.to_string().contains(name), "{error}");
         // nothing of a law is asked for where nothing yields
         let elastic = HalfSpace { yield_strength: None, ..half_space };
-        assert_eq!(Contact::with_law(sphere, elastic, law).unwrap().closed_form(3.0).unwrap().restitution, 1.0);
+        assert_eq!(Contact::try_new(sphere, elastic, law).unwrap().closed_form(3.0).unwrap().restitution, 1.0);
     }
 }
 

@@ -8,6 +8,7 @@ mod common;
 mod crossed;
 mod every_law;
 mod shallow_dents;
+mod slow;
 mod tabulated;
 mod with_forces;
 
@@ -71,5 +72,5 @@ fn whole_laws() -> Vec<(String, LawChoice)> {
 
 fn contact(scene: &Scene, law: &LawChoice) -> Contact {
     let (sphere, half_space) = parts(scene);
-    Contact::with_law(sphere, half_space, law.get()).unwrap()
+    Contact::try_new(sphere, half_space, law.get()).unwrap()
 }

@@ -49,7 +49,7 @@ fn a_dent_however_shallow_is_landed_on() {
     let (sphere, half_space) = parts(&Scene::case_3());
     for halves in 0..34 {
         let r = 0.5 * 10f64.powf(-0.5 * f64::from(halves));
-        let contact = Contact::with_law(sphere, half_space, &Dented(r)).unwrap();
+        let contact = Contact::try_new(sphere, half_space, &Dented(r)).unwrap();
         let root = r.sqrt();
         let square = (0.4 * (1.0 - r * r * root) - r * root * (1.0 - r)) / (0.4 * (1.0 - r * root));
         for times in [2.0, 2.37, 7.5, 16.0] {

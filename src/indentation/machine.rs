@@ -1,39 +1,10 @@
-//! The way of a slow contact through its law: dimensionless, step after step, nothing but closed forms.
+//! A contact in a testing machine: dimensionless, stroke after stroke, nothing but closed forms.
 
 use crate::law::unloading::GRAZING;
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{Branch, Law, Peak, Unloading};
 
 /// Steps that move by less than this share of their indentation do not move: rounding of a target that is held.
 const STILL: f64 = 1e-12;
-
-/// Where on the law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Branch {
-    /// Loading without a dent so far.
-    Elastic,
-    /// Loading, dent growing.
-    Plastic,
-    /// Back from the largest state.
-    Unloading,
-    /// Up the unloading branch again.
-    Reloading,
-    /// Above the dent, without contact.
-    Separated,
-}
-
-impl Branch {
-    /// `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::Plastic => "plastic",
-            Self::Unloading => "unloading",
-            Self::Reloading => "reloading",
-            Self::Separated => "separated",
-        }
-    }
-}
 
 /// A state of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,14 +23,14 @@ pub(super) struct Point {
 
 /// A contact that is indented slowly: where it is, and what it remembers.
 #[derive(Debug, Clone)]
-pub(super) struct Course<'a> {
+pub(super) struct Machine<'a> {
     law: &'a Law,
     indentation: f64,
     /// The branch from the largest state so far.
     memory: Option<Unloading>,
 }
 
-impl<'a> Course<'a> {
+impl<'a> Machine<'a> {
     /// At first touch.
     pub fn new(law: &'a Law) -> Self {
         Self { law, indentation: 0.0, memory: None }
@@ -74,7 +45,7 @@ impl<'a> Course<'a> {
     }
 
     /// Goes to `indentation` ≥ 0; `None` if the contact is there already.
-    pub fn go_to(&mut self, indentation: f64) -> Option<Move<'a>> {
+    pub fn go_to(&mut self, indentation: f64) -> Option<Stroke<'a>> {
         let from = self.indentation;
         if (indentation - from).abs() <= STILL * from.max(indentation) {
             return None;
@@ -85,13 +56,13 @@ impl<'a> Course<'a> {
         }
         self.indentation = indentation;
         // there is a memory now, as the first step goes in
-        self.memory.map(|after| Move { law: self.law, from, to: indentation, before, after })
+        self.memory.map(|after| Stroke { law: self.law, from, to: indentation, before, after })
     }
 }
 
-/// One step on the way: in or out, never both.
+/// One stroke of the machine: in or out, never both.
 #[derive(Debug, Clone)]
-pub(super) struct Move<'a> {
+pub(super) struct Stroke<'a> {
     law: &'a Law,
     from: f64,
     to: f64,
@@ -99,10 +70,15 @@ pub(super) struct Move<'a> {
     after: Unloading,
 }
 
-impl Move<'_> {
+impl Stroke<'_> {
     /// The branch from the largest state, the step included.
     pub fn memory(&self) -> &Unloading {
         &self.after
+    }
+
+    /// Whether the step goes deeper than all before it.
+    pub fn is_new_peak(&self) -> bool {
+        self.to > self.deepest_before()
     }
 
     /// The largest x before the step.
@@ -159,12 +135,12 @@ impl Move<'_> {
     /// The part of it on the loading curve.
     fn loading_work(&self) -> f64 {
         let deepest = self.deepest_before();
-        if self.to > deepest { self.law.loading.work(self.to) - self.law.loading.work(deepest) } else { 0.0 }
+        if self.is_new_peak() { self.law.loading.work(self.to) - self.law.loading.work(deepest) } else { 0.0 }
     }
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        if self.to <= self.deepest_before() {
+        if !self.is_new_peak() {
             return 0.0;
         }
         let stored = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
