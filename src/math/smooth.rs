@@ -7,10 +7,10 @@
 use std::convert::Infallible;
 
 use crate::math::functions::{exp, ln, pow};
+use crate::math::quadrature;
 use crate::math::root::{bracketed, fallen_from};
 
 mod number;
-mod quadrature;
 
 pub use number::{Jet, Number};
 
@@ -158,7 +158,7 @@ impl Smooth {
                 let force = |y: f64| 2.0 * y * (self.formula.value)(&self.parameters, y);
                 let (from, to) = (from.max(0.0).sqrt(), to.max(0.0).sqrt());
                 let middle = 0.5 * (from + to);
-                quadrature::integrate(from, middle, force) + quadrature::integrate(middle, to, force)
+                quadrature::panel(from, middle, force) + quadrature::panel(middle, to, force)
             }
         }
     }
