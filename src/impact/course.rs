@@ -32,7 +32,7 @@ enum Phase {
     Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep> },
 }
 
-/// An impact on its way, leg by leg: whoever integrates it carries `at` along `path` and says where that has landed.
+/// An impact, leg by leg. The integrator carries `at` along `path` and reports how that leg ended.
 #[derive(Debug, Clone)]
 pub struct Course<'a> {
     law: &'a Law,
@@ -41,7 +41,8 @@ pub struct Course<'a> {
     pull: f64,
     drag: Drag,
     sizes: Sizes,
-    /// Whether the trace still waits for first yield, which has no leg of its own: a trace changes no step.
+    /// Whether a trace is recorded and has not come to first yield. First yield ends no leg, because a trace must not change
+    /// the steps.
     awaits_yield: bool,
     phase: Phase,
     path: Path,
@@ -123,7 +124,8 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Tells the recorder of first yield, if the leg since `begun` has passed it: the first part of that leg, run once more.
+    /// Tells the recorder of first yield, if the leg since `begun` has passed it. The state there comes from a second run of
+    /// the first part of that leg.
     fn mark_yield<I: Integrator>(
         &mut self,
         begun: &State,
@@ -138,7 +140,7 @@ impl<'a> Course<'a> {
         self.awaits_yield = false;
         let mut at = *begun;
         integrator.traverse(&Path { leg: Leg::Outward(distance), ..self.path }, &mut at, None)?;
-        // where the peak is at first yield but for rounding, that run may turn just before it
+        // where the peak is at first yield to rounding, the second run may turn just before first yield
         let time = at.time.min(self.at.time);
         recorder.mark(Event::Yield, State { time, distance, ..at });
         Ok(())
@@ -190,7 +192,8 @@ impl<'a> Course<'a> {
         Along::Loading { law: self.law, index: piece, drag: self.drag }
     }
 
-    /// The first state: at first touch, or after so little of a fall from rest that the force is nothing beside the weight.
+    /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
+    /// still negligible beside the weight.
     fn start(&self) -> State {
         if self.q != 0.0 {
             return self.at;
@@ -266,7 +269,7 @@ impl<'a> Course<'a> {
             return Some(self.outcome(unloading, loading_time, Fate::Captured));
         }
         self.at.speed = 0.0;
-        // a sphere that had no speed has none to leave with
+        // a sphere that came without speed does not leave
         let is_captured = self.q == 0.0 || self.forces.is_conservative() && self.forces.captures(&unloading, self.q);
         let (mut creep, mut rest, mut back_to) = (None, None, self.back_to(&unloading, is_captured));
         if self.may_creep() {

@@ -61,9 +61,10 @@ impl<'a> Remembering<'a> {
         (force, drag.at(force, || unloading.slope_after(recovered.max(0.0)) / ACCELERATION) * speed)
     }
 
-    /// Where the sphere left the contact in the step of this length from `before` to `end`, where nothing pushes it any
-    /// more: back along its free flight, at the dent; or under viscous damping above the dent, where the total force
-    /// vanishes. Damping that is stronger than the force by a coarse step alone leaves it at the end of the step.
+    /// The state in which the sphere left the contact, within the step of this length from `before` to `end`. At `end` nothing
+    /// pushes the sphere any more, so its free flight is followed backwards: to the depth of the dent or, under viscous
+    /// damping, to where the total force vanishes. If there is no such place, because the damping is larger than the force
+    /// only through a coarse step, the sphere leaves at the end of the step.
     fn left_at(&mut self, before: &State, end: &State, step: f64, gravity: f64, residual: f64) -> State {
         let flown_back = |since: f64| State {
             time: end.time - since,
@@ -93,8 +94,9 @@ impl<'a> Remembering<'a> {
     }
 }
 
-/// Marches in steps of `step`; the force of damping is that of the speed half a step before. The peak is the deepest step,
-/// the end the first step on the way out without a pushing force, or, for a captured sphere, with a speed inwards again.
+/// Marches in steps of `step`. The force of damping is taken at the speed half a step before. The peak is the deepest step.
+/// The run ends with the first step on the way out in which no force pushes; or, for a captured sphere, with the first step
+/// in which the sphere moves inwards again.
 ///
 /// # Errors
 /// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.

@@ -99,7 +99,7 @@ fn loading_integral(law: &Law, peak: &Peak) -> f64 {
                 power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, exponent)
             }
             Shape::Straight { slope, .. } => straight_integral(slope, piece.force_at(end), piece.force, entry, exit),
-            // as any shape can be
+            // no closed form here
             Shape::Power { .. } | Shape::LatePower { .. } | Shape::Smooth(_) => {
                 integral_by_quadrature(piece, end, speed_at)
             }
@@ -180,7 +180,7 @@ pub fn radiation_factor(poissons_ratio: f64) -> f64 {
         let q = offset - 2.0 * a * a;
         a * a / (q * q + 4.0 * k_squared * a * (rest + a * a).sqrt())
     });
-    // a = √(1 − γ²) sin φ takes the root at k = 1 away; in four parts, as leaky waves have poles not far from the middle
+    // a = √(1 − γ²) sin φ removes the root at k = 1. Four parts, because leaky waves have poles not far from the middle
     let shear_at = |phi: f64| {
         let (a, b) = (rest.sqrt() * sin(phi), rest.sqrt() * cos(phi));
         let k_squared = gamma_squared + a * a;

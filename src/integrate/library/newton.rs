@@ -1,5 +1,5 @@
-//! Motions with pull and drag, with the time as independent variable, landed by Newton's method on the time of the event: the
-//! event's derivative along the time is known from the state.
+//! Motions with pull and drag. The independent variable is the time, and the time of an event is found by Newton's method:
+//! the derivative of the event along the time is known from the state.
 
 use std::cell::{Cell, RefCell};
 
@@ -21,7 +21,7 @@ fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
 }
 
 /// The loosest tolerance of a leg that may end in a creep. The error of the speed is measured against the largest speed of the
-/// impact, beside which that of a creep is small: at looser tolerances its steps may even come to a halt before its end.
+/// impact, and a creep is much slower than that: at looser tolerances the steps may stop before the creep has ended.
 const LOOSEST_CREEP: f64 = 1e-5;
 
 /// The tolerance of a leg.
@@ -66,10 +66,10 @@ impl Equations<'_> {
                 let of = |d: f64, u: f64| {
                     let (force, drag) = self.path.forces(d * sizes.distance, u * sizes.speed);
                     let force = force + drag;
-                    // below zero the law goes on as an odd function, its drag as an even one
+                    // for d < 0 the formulas give a force of the other sign but the same drag: no contact there
                     if d > 0.0 { force } else { force.min(0.0) }
                 };
-                // along the motion, by a difference that leaves Newton's method its speed
+                // derivative along the motion by a central difference: accurate enough for Newton's method to stay fast
                 let by = 1e-6;
                 let next = of(d + by * u, u + by * acceleration);
                 let last = of(d - by * u, u - by * acceleration);
@@ -95,20 +95,20 @@ impl Equations<'_> {
         if matches!(self.path.leg, Leg::Back(_)) { -1.0 } else { 1.0 }
     }
 
-    /// Whether at rest in this place the sphere would be pushed on, so that it cannot have turned there.
+    /// Whether a sphere at rest in this place would be pushed further along the leg. Then it cannot have turned there.
     fn is_pushed_on(&self, d: f64) -> bool {
-        // next to its place of rest a turn is as good as rest
+        // right beside its place of rest, a turn is accepted: the creep ends there anyway
         let distance = d * self.path.sizes.distance;
         let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
         self.sign() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
     }
 
-    /// Whether a speed of the wrong sign is an error of the speed only, as in a creep that is slower than this error: not even
-    /// without drag does the sphere come from `last` to where it could turn.
+    /// Whether a speed of the wrong sign comes only from the error of the speed, as in a creep slower than that error. So it
+    /// is if the sphere, even without drag, cannot get from `last` to a place where it could turn.
     fn cannot_turn(&self, last: Node, node: Node) -> bool {
         let sign = self.sign();
         let time = node[0] - last[0];
-        // on the way out only the pull speeds it up, on the way back only the law, the less the farther it has come
+        // on the way out only the pull speeds the sphere up; on the way back only the law does, and its force falls
         let sizes = &self.path.sizes;
         let push = if sign > 0.0 { self.path.pull } else { self.path.restoring.at(last[1] * sizes.distance) };
         let push = push * sizes.distance / (sizes.speed * sizes.speed);
@@ -193,7 +193,7 @@ impl Driver {
             if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
                 first = Some((event, at));
             }
-            // still on its way, it has not turned before
+            // at this event the sphere still moves along the leg, so it has not turned before
             if event != Crossing::Turning && (at[2] > 0.0) != is_back {
                 break;
             }
@@ -210,7 +210,7 @@ impl Driver {
         node: Node,
         limit: f64,
     ) -> Result<Option<Node>, IntegrationError> {
-        /// Longer than any step that was thrown away.
+        /// Longer than any step of the library, so also than the one that passed the event.
         const FAR: f64 = 1.0;
         let (mut low, mut high) = (0.0, FAR.min(limit));
         let (mut tau, mut at) = (0.0, node);
@@ -221,7 +221,7 @@ impl Driver {
             if value > 0.0 && slope < 0.0 {
                 low = tau;
             } else if value > 0.0 && tau > 0.0 {
-                // the function rises, so the event is earlier, if it is met at all
+                // the function rises: the event lies earlier, or is not met at all; after three rises the search ends
                 high = tau;
                 turns += 1;
                 if turns > 3 {
@@ -240,7 +240,7 @@ impl Driver {
             tau = next;
             at = self.after(path, node, tau)?;
         }
-        // the bracket has closed on it, or it was met from before
+        // found if the bracket has closed, if Newton's method has converged, or if the function is zero but for rounding
         let size = if event == Crossing::LiftOff { equations.event(event, node).0 } else { 1.0 };
         let is_there = is_passed || is_met || equations.event(event, at).0.abs() <= 1e-9 * size;
         Ok(is_there.then_some(at))
@@ -274,9 +274,10 @@ pub(super) fn run(
     path: &Path,
     start: Node,
 ) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
-    /// Longer than any leg but one of an overdamped sphere that creeps.
+    /// Longer than any leg, except that of an overdamped sphere that creeps.
     const LONG: f64 = 1e6;
-    /// Steps that pass an event and are found not to, and how far they are followed.
+    /// A long step may seem to pass an event that shorter steps do not meet. The motion is then followed for a `STRETCH`
+    /// and goes on from there, this many times at most.
     const MOST_ATTEMPTS: u64 = 10_000;
     const STRETCH: f64 = 0.25;
     let nodes = RefCell::new(vec![start]);
