@@ -1,15 +1,19 @@
 //! The scene of an impact in plain numbers, and the registry of the keys that a scenario gives them by.
 
+pub mod key;
 pub mod keys;
+pub mod other_keys;
 pub mod quantity;
 pub mod reference;
 pub mod results;
 pub mod schema;
+pub mod words;
 
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
-pub use keys::{KEYS, Key};
+pub use key::Key;
+pub use keys::KEYS;
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
 pub const DEFAULT_SAMPLES: usize = 400;

@@ -9,7 +9,8 @@ use super::axes::{self, AxisEntry, RandomKeys};
 use super::values::{Fault, Value, described, read};
 use crate::law::LawChoice;
 use crate::plan::random::Distribution;
-use crate::scene::keys::{Form, forms};
+use crate::scene::key::Form;
+use crate::scene::keys::forms;
 use crate::units::nearest::did_you_mean;
 
 /// What a scenario gives: values by their place in the file, with the number of the item in a list of tables

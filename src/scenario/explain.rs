@@ -5,7 +5,8 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::scene::keys::{Form, forms};
+use crate::scene::key::Form;
+use crate::scene::keys::forms;
 
 /// Where the value of a dotted key is; the last part may be a key in quotes with dots of its own, and `[2]` stands for an
 /// item of a list.

@@ -5,8 +5,9 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use crate::scene::keys::{Form, Words};
+use crate::scene::key::Form;
 use crate::scene::quantity::Quantity;
+use crate::scene::words::Words;
 use crate::units::nearest::did_you_mean;
 
 /// A value that was read.

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::keys::{Form, KEYS, OTHER_KEYS};
+use super::key::Form;
+use super::keys::KEYS;
+use super::other_keys::OTHER_KEYS;
 use super::quantity::Quantity;
 use crate::law::LawChoice;
 

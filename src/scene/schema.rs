@@ -2,8 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use super::keys::{Form, KEYS, METHODS, OTHER_KEYS, Words};
+use super::key::Form;
+use super::keys::KEYS;
+use super::other_keys::OTHER_KEYS;
 use super::quantity::{Bound, Quantity};
+use super::words::{METHODS, Words};
 use crate::law::LawChoice;
 
 /// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys

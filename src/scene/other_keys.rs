@@ -1,0 +1,91 @@
+//! The registry of the keys that are read, but do not vary: words, counts, lists, and the numbers of scenes without an
+//! impact.
+//!
+//! An entry gives, in this order: what the key means; its path; how its value is written; and the default in words (`=`).
+
+use super::key::{Form, OtherKey};
+use super::quantity::{
+    DEPTH_RATIO, ENERGY, FORCE, IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, SAMPLES, SHOT_SPEED,
+    SPEED, STEPS, STRENGTH,
+};
+use super::words::{COLUMNS, HARDNESSES, JUMPS, LOADINGS, METHODS, OWN_UNLOADINGS, SPOTS, UNLOADINGS};
+
+/// A list of keys from their entries.
+macro_rules! keys {
+    ($($(#[doc = $about:literal])+ $path:literal: $form:ident $(($($what:expr),+))? $(= $default:literal)?;)+) => {
+        &[$(OtherKey {
+            path: $path,
+            form: Form::$form$(($($what),+))?,
+            about: concat!($($about),+).trim_ascii_start(),
+            default: concat!($($default)?),
+        }),+]
+    };
+}
+
+/// The keys that do not vary, in the order of the file.
+pub const OTHER_KEYS: &[OtherKey] = keys! {
+    /// File of coefficients of the loading curve, relative to the scenario.
+    "law.plm.coefficients": Text("my.toml") = "built in";
+    /// Form of the geometric hardness: of 2005, or the later one.
+    "law.jackson_green.hardness": Word(&HARDNESSES) = "\"exponential\"";
+    /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
+    "law.jackson_green.jumps": Word(&JUMPS) = "\"printed\"";
+    /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
+    "law.kogut_etsion.jumps": Word(&JUMPS) = "\"printed\"";
+    /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
+    "law.kogut_komvopoulos.jumps": Word(&JUMPS) = "\"printed\"";
+    /// Law that says how the contact loads.
+    "law.combined.loading": Word(&LOADINGS);
+    /// Law that says how the contact unloads.
+    "law.combined.unloading": Word(&UNLOADINGS);
+    /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for, else rk8.
+    "solver.method": Word(&METHODS) = "rk8; auto for tables and repeated impacts";
+    /// Steps of verlet over the contact time.
+    "solver.steps_per_contact": Count(&STEPS) = "50";
+    /// Rows of a trace, evenly spaced in time; every event gets a row besides.
+    "output.samples": Count(&SAMPLES) = "400";
+    /// Results that a table has besides the restitution.
+    "output.columns": WordList(&COLUMNS) = "all";
+    /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
+    "sweep": Axes;
+    /// Random cases: samples, seed, and keys with distributions.
+    "monte_carlo": Variables;
+    /// Where repeated impacts hit: the dent is what the sphere meets next, or every impact is on new surface.
+    "repeat.spot": Word(&SPOTS);
+    /// Most impacts there may be.
+    "repeat.impacts": Count(&IMPACTS);
+    /// Bouncing ends before an impact that would be slower than this.
+    "repeat.until.speed": Number(&SPEED, None);
+    /// Speed of every shot, in place of [impact] and impacts.
+    "repeat.speeds": Numbers(&SHOT_SPEED);
+    /// Peak indentation over that at first yield.
+    "compare.peak_indentation_ratio": Number(&DEPTH_RATIO, None);
+    /// Peak indentation, in place of the ratio.
+    "compare.peak_indentation": Number(&LENGTH, None);
+    /// Force at the peak, where it was measured.
+    "compare.peak_force": Number(&FORCE, None) = "of the PLM";
+    /// Contact radius at the peak, where it was measured.
+    "compare.peak_contact_radius": Number(&LENGTH, None) = "of the PLM";
+    /// The sphere's own indentation at the peak, where it was measured.
+    "compare.peak_sphere_indentation": Number(&LENGTH, None) = "of the PLM";
+    /// Work of loading up to the peak.
+    "compare.spent_work": Number(&ENERGY, None) = "of the PLM";
+    /// Laws to compare, in the order of table and picture.
+    "compare.laws": WordList(&OWN_UNLOADINGS) = "all but walton_braun";
+    /// Load that the step goes to.
+    "indentation.steps[].load": Number(&LOAD, None);
+    /// Indentation that the step goes to, in place of the load.
+    "indentation.steps[].indentation": Number(&INDENTATION, None);
+    /// Name of the material in tables and pictures.
+    "indentation.half_space[].name": Text("Ti-10Nb");
+    /// Young's modulus of this half-space.
+    "indentation.half_space[].youngs_modulus": Number(&MODULUS, None);
+    /// Half of the width of the interval that the modulus lies in.
+    "indentation.half_space[].youngs_modulus_uncertainty": Number(&MODULUS, None) = "none";
+    /// Poisson's ratio of this half-space.
+    "indentation.half_space[].poissons_ratio": Number(&POISSONS_RATIO, None);
+    /// Yield strength of this half-space; without it, it stays elastic.
+    "indentation.half_space[].yield_strength": Number(&STRENGTH, None);
+    /// Half of the width of the interval that the strength lies in.
+    "indentation.half_space[].yield_strength_uncertainty": Number(&STRENGTH, None) = "none";
+};
