@@ -83,6 +83,7 @@ pub mod math;
 pub mod output;
 pub mod plan;
 pub mod plot;
+pub mod provenance;
 pub mod reference;
 pub mod repeat;
 pub mod report;

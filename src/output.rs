@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::provenance::{FORMAT, PROGRAM};
 pub use lock::{Lock, LockError};
 pub use manifest::MANIFEST;
 use manifest::{Manifest, Record, relative};
@@ -124,8 +125,8 @@ impl OutputDirectory {
             Origin::File(file, hash) => (relative(file, &self.path), Some(hash.to_owned())),
             Origin::Command(name) => (name.to_owned(), None),
         };
-        let written_by = concat!("plm-impact ", env!("CARGO_PKG_VERSION")).to_owned();
-        let own = Manifest { written_by, made_from, scenario_sha256, files: Vec::new() };
+        let written_by = PROGRAM.to_owned();
+        let own = Manifest { format_version: FORMAT, written_by, made_from, scenario_sha256, files: Vec::new() };
         match self.manifest()? {
             Some(there) => {
                 let is_empty = !there.files.iter().any(|record| self.path.join(&record.name).exists());

@@ -7,7 +7,7 @@ mod source;
 use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
 use crate::scene::Scene;
-use crate::scene::results::{RESULT_COLUMNS, ResultColumn};
+use crate::scene::results::{ResultColumn, columns};
 use axis::{Axis, Setting};
 use random::Variable;
 pub use source::Source;
@@ -68,7 +68,7 @@ impl Plan {
     #[must_use]
     pub fn results(&self) -> Vec<ResultColumn> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
-        let all = RESULT_COLUMNS.iter().copied();
+        let all = columns().into_iter();
         all.filter(|column| column.missing(&self.scene).is_none() && is_wanted(column.name)).collect()
     }
 

@@ -8,18 +8,17 @@ pub mod laws;
 pub mod overview;
 pub mod plan;
 pub mod repeat;
-pub mod repeat_summary;
 pub mod resolved;
+pub mod rows;
 pub mod summary;
 pub mod sweep;
 pub mod table;
-pub mod trace;
 
 use thiserror::Error;
 
-pub use summary::{Provenance, summary};
+pub use rows::trace;
+pub use summary::summary;
 pub use table::table;
-pub use trace::trace;
 
 /// Why a report could not be made.
 #[derive(Debug, Error)]

@@ -1,94 +1,77 @@
-//! One scene from a scenario to its output files.
+//! From a scenario to what is written and said about it: one way for every kind of scene.
 
 pub mod compare;
+pub mod impact;
 pub mod indentation;
 pub mod repeat;
 pub mod table;
 
 use crate::error::Error;
-use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::law::LawChoice;
 use crate::output::OutputFile;
-use crate::plot;
-use crate::report::inputs::Inputs;
-use crate::report::resolved::of_scene;
-use crate::report::{self, Provenance};
-use crate::scenario::Scenario;
-use crate::scene::Scene;
+use crate::provenance::{LawOf, Provenance};
+use crate::scenario::{Kind, Scenario};
 
-/// A scenario that was run.
+/// What came of a scenario.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Run {
-    /// The scene.
-    pub scene: Scene,
-    /// What came of it, with the warnings of scene and impact.
-    pub impact: Impact,
-    /// For the terminal.
-    pub table: String,
-    /// For the output directory.
+pub struct Outcome {
+    /// Where scene, model or run are doubtful.
+    pub warnings: Vec<String>,
+    /// What the terminal shows.
+    pub text: String,
+    /// What goes into the output directory; empty for a check.
     pub files: Vec<OutputFile>,
 }
 
-/// The scene of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
-/// to be one.
+impl Outcome {
+    /// What a check says: nothing is written.
+    fn checked(warnings: Vec<String>, text: String) -> Self {
+        Self { warnings, text, files: Vec::new() }
+    }
+}
+
+/// How scenarios of one kind are done.
+#[derive(Debug, Clone, Copy)]
+pub struct Way {
+    /// Finds out what there is to be said before anything is written.
+    pub check: fn(&Scenario) -> Result<Outcome, Error>,
+    /// Does it.
+    pub run: Run,
+}
+
+/// How a run of one kind is done.
+#[derive(Debug, Clone, Copy)]
+pub enum Run {
+    /// At once: all files together.
+    Once {
+        /// What the scenario is, for messages: "one impact".
+        what: &'static str,
+        /// Runs a scenario; the second argument is the command line, for the provenance.
+        run: fn(&Scenario, &str) -> Result<Outcome, Error>,
+    },
+    /// Row after row, by [`crate::sweep::Job`].
+    Table,
+}
+
+/// How scenarios of this kind are done.
+#[must_use]
+pub fn way(kind: Kind) -> Way {
+    let once = |check, what, run| Way { check, run: Run::Once { what, run } };
+    match kind {
+        Kind::Impact => once(impact::check, "one impact", impact::run),
+        Kind::Sweep | Kind::MonteCarlo => Way { check: table::check, run: Run::Table },
+        Kind::Repeat => once(repeat::check, "impacts one after the other", repeat::run),
+        Kind::Compare => once(compare::check, "a comparison of laws", compare::run),
+        Kind::Indentation => once(indentation::check, "an indentation", indentation::run),
+    }
+}
+
+/// What there is to be said of a scenario before it is run; nothing is written.
 ///
 /// # Errors
 /// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
-pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
-    let (scene, contact) = prepare(scenario)?;
-    let impact = contact.impact(scene.speed, &scene.solver, samples);
-    let mut impact = impact.map_err(|reason| Error::impact(scenario, reason))?;
-    impact.warnings.extend(&scene.warnings);
-    Ok((scene, contact, impact))
-}
-
-/// The scene of a scenario and its contact, neither of which leaves double precision, for a run with a trace.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
-pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    let (scene, contact) = held(scenario)?;
-    can_be_traced(scenario, &scene)?;
-    Ok((scene, contact))
-}
-
-/// Whether the method gives a trace, which a run writes.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
-pub fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
-    if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
-        return Err(Error::impact(scenario, ImpactError::NoClosedForm));
-    }
-    Ok(())
-}
-
-/// Scene and contact, which double precision holds.
-fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    scenario.refuse_columns("one impact")?;
-    let scene = scenario.resolve()?;
-    let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    // what the closed form cannot hold no integration can
-    contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
-    Ok((scene, contact))
-}
-
-/// Runs a scenario; `command` is the command line, for the provenance.
-///
-/// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up, a picture that cannot be drawn.
-pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
-    let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
-    let provenance = provenance(scenario, &scene, impact.method, command)?;
-    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
-    let files = vec![
-        file("summary.json", report::summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?.into_bytes()),
-        file("trace.csv", report::trace(&impact)?),
-        file("force_indentation.png", plot::force_indentation(&impact)?),
-        file("history.png", plot::history(&impact)?),
-    ];
-    let table = report::table(&contact, &impact);
-    Ok(Run { scene, impact, table, files })
+pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    (way(scenario.kind()?).check)(scenario)
 }
 
 /// Whether warnings keep a scenario from being done: with `is_strict`, one is enough.
@@ -102,22 +85,22 @@ pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(),
     Ok(())
 }
 
-fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str) -> Result<Provenance, Error> {
-    let can_yield = scene.half_space.yield_strength.is_some();
-    let coefficients = match &scene.law {
+fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
+    OutputFile { name: name.to_owned(), bytes: bytes.into() }
+}
+
+/// Where results of a scenario under one law come from; elastic bodies are under that of Hertz.
+fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, command: &str) -> Result<Provenance, Error> {
+    let coefficients = match law {
         LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
         _ => None,
     };
-    Ok(Provenance {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        scenario_file: scenario.document.name().to_owned(),
-        scenario_sha256: scenario.sha256()?,
-        command: command.to_owned(),
-        method: method.name().to_owned(),
-        tolerance: scene.solver.tolerance,
-        law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
-        law_source: (can_yield && coefficients.is_none()).then(|| scene.law.source()),
+    let law = LawOf {
+        law: if can_yield { law.name() } else { "hertz".to_owned() },
+        law_source: (can_yield && coefficients.is_none()).then(|| law.source()),
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
-    })
+    };
+    let scenario_file = Some(scenario.document.name().to_owned());
+    Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256()?, command) })
 }

@@ -5,8 +5,8 @@ mod common;
 
 use common::STEEL;
 use plm_impact::impact::{Essentials, Method, Solver};
-use plm_impact::run::run;
-use plm_impact::scenario::{Scenario, ScenarioError};
+use plm_impact::run::{Outcome, Run, impact, way};
+use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use serde_json::Value;
 
@@ -20,9 +20,15 @@ fn scenario(more: &str, overrides: &[&str]) -> Scenario {
     Scenario::from_text("drop.toml", &(drop() + more), &overrides).unwrap()
 }
 
+/// One impact, run.
+fn run(scenario: &Scenario) -> Outcome {
+    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
+    run(scenario, "test").unwrap()
+}
+
 /// `summary.json` and the header of `trace.csv`.
 fn output(scenario: &Scenario) -> (Value, String) {
-    let run = run(scenario, "test").unwrap();
+    let run = run(scenario);
     let bytes = |name: &str| run.files.iter().find(|file| file.name == name).unwrap().bytes.clone();
     let trace = String::from_utf8(bytes("trace.csv")).unwrap();
     (serde_json::from_slice(&bytes("summary.json")).unwrap(), trace.lines().next().unwrap().to_owned())
@@ -53,7 +59,7 @@ fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     let put_in = energy("kinetic_in_J") + energy("gravity_work_J");
     let gone = energy("recovered_J") + energy("plastic_J") + energy("damping_J") + energy("stored_at_separation_J");
     // the law's own force at separation holds elastic energy: (2/5) F (δ − δ_r) on the branch of exponent 3/2
-    let impact = run(&scenario("[damping]\nviscous = 0.1\n", &[]), "test").unwrap().impact;
+    let (_, _, impact) = impact::compute(&scenario("[damping]\nviscous = 0.1\n", &[]), Some(400)).unwrap();
     let last = impact.trace.last().unwrap();
     let held = 0.4 * last.elastic_force.unwrap() * (last.indentation - impact.residual_indentation);
     assert!(held > 0.0 && (energy("stored_at_separation_J") / held - 1.0).abs() < 1e-9, "{held}");
@@ -72,9 +78,9 @@ fn a_captured_sphere_has_no_contact_time_and_one_at_rest_no_restitution() {
 
 /// What the table of an impact says of its accuracy, and its warnings.
 fn accuracy_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
-    let run = run(scenario, "test").unwrap();
-    let line = run.table.lines().find(|line| line.starts_with("accuracy")).unwrap().to_owned();
-    (line, run.impact.warnings.iter().map(ToString::to_string).collect())
+    let run = run(scenario);
+    let line = run.text.lines().find(|line| line.starts_with("accuracy")).unwrap().to_owned();
+    (line, run.warnings)
 }
 
 #[test]

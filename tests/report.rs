@@ -5,9 +5,10 @@
 use plm_impact::impact::{Contact, Event, Impact, Solver};
 use plm_impact::law::Plm;
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use plm_impact::provenance::{FORMAT, LawOf, MethodOf, Provenance};
+use plm_impact::report;
 use plm_impact::report::inputs::Inputs;
 use plm_impact::report::resolved::of_scene;
-use plm_impact::report::{self, Provenance};
 use plm_impact::scenario::Scenario;
 use plm_impact::scene::Scene;
 use serde_json::Value;
@@ -36,16 +37,15 @@ fn inputs(contact: &Contact, speed: f64) -> Inputs {
 
 fn provenance() -> Provenance {
     Provenance {
-        version: "0.1.0".into(),
-        scenario_file: "scenarios/steel.toml".into(),
-        scenario_sha256: "00ff".into(),
-        command: "plm-impact run scenarios/steel.toml".into(),
-        method: "dop853".into(),
-        tolerance: 1e-10,
-        law_source: None,
-        law: "plm".into(),
-        coefficients: Some("built-in".into()),
-        coefficients_source: Some("finite elements".into()),
+        scenario_file: Some("scenarios/steel.toml".into()),
+        method: Some(MethodOf { method: "dop853", tolerance: 1e-10 }),
+        law: Some(LawOf {
+            law: "plm".into(),
+            law_source: None,
+            coefficients: Some("built-in".into()),
+            coefficients_source: Some("finite elements".into()),
+        }),
+        ..Provenance::new("00ff".into(), "plm-impact run scenarios/steel.toml")
     }
 }
 
@@ -108,6 +108,7 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
     assert_eq!(summary["warnings"], Value::Array(vec![]));
     assert_eq!(summary["provenance"]["scenario_sha256"], "00ff");
     assert_eq!(summary["provenance"]["method"], "dop853");
+    assert_eq!(summary["provenance"]["format_version"], FORMAT);
 }
 
 #[test]

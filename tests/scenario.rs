@@ -7,6 +7,7 @@ mod common;
 use common::STEEL;
 use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
+use plm_impact::run::{Run, way};
 use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 use plm_impact::scene::{KEYS, Key, Scene};
 
@@ -323,22 +324,23 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
         let scenario = Scenario::load(&path, &[]).unwrap();
         assert!(scenario.document.text().starts_with("# "), "{}", path.display());
         names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
-        match scenario.kind().unwrap() {
-            Kind::Indentation => {
-                let run = plm_impact::run::indentation::run(&scenario, "test").unwrap();
-                assert!(run.warnings.is_empty(), "{}", path.display());
+        match way(scenario.kind().unwrap()).run {
+            Run::Once { run, .. } => {
+                let outcome = run(&scenario, "test").unwrap();
+                assert!(outcome.warnings.is_empty(), "{}", path.display());
+                let summary = outcome.files.iter().find(|file| file.name == "summary.json").unwrap();
+                let summary: serde_json::Value = serde_json::from_slice(&summary.bytes).unwrap();
+                if let Some(restitution) = summary["restitution"].as_f64() {
+                    assert!(restitution > 0.0 && restitution <= 1.0 + scenario.resolve().unwrap().solver.tolerance);
+                }
+                if let Some(laws) = summary["laws"].as_array() {
+                    assert!(laws.len() > 8, "{}", path.display());
+                }
             }
-            Kind::Repeat => {
-                let run = plm_impact::run::repeat::run_repeat(&scenario, "test").unwrap();
-                assert!(run.warnings.is_empty(), "{}", path.display());
-            }
-            Kind::Compare => {
-                assert!(scenario.comparison().unwrap().compared().len() > 8, "{}", path.display());
-            }
-            Kind::Impact | Kind::Sweep | Kind::MonteCarlo => {
-                let (scene, contact) = plm_impact::run::prepare(&scenario).unwrap();
+            Run::Table => {
+                let scene = scenario.plan().unwrap().unwrap().scene;
                 assert!(scene.warnings.is_empty(), "{}", path.display());
-                let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
+                let impact = scene.contact().unwrap().impact(scene.speed, &scene.solver, None).unwrap();
                 assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
             }
         }

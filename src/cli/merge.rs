@@ -6,6 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::{self, OutputDirectory};
+use plm_impact::provenance::Provenance;
 use plm_impact::report;
 use plm_impact::run::table;
 use plm_impact::scenario::plan_of;
@@ -35,12 +36,9 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let merged = merged.map_err(Error::from)?;
     let warnings = table::warnings(&merged.plan);
     super::run::warn(&warnings);
-    let provenance = report::sweep::Provenance {
-        version: &merged.sidecar.version,
-        scenario_sha256: &merged.sidecar.scenario_sha256,
-        command: &super::run::command_line(),
-    };
-    let files = table::files(&merged.plan, &merged.tally, &warnings, provenance)?;
+    // the shards are of this version, or they would not have been merged
+    let provenance = Provenance::new(merged.sidecar.scenario_sha256.clone(), &super::run::command_line());
+    let files = table::files(&merged.plan, &merged.tally, &warnings, &provenance)?;
     directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
         super::terminal::print(&report::sweep::lines(&merged.tally)).context("standard output")?;

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scene::reference::{MARKS, keys, renewed};
+use plm_impact::scene::reference;
 
-/// Print the tables of all keys of a scenario, or write them into a page between its marks
+/// Print the tables of all keys and results, or write them into a page between its marks
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// Markdown page to write them into, such as scenarios/README.md
@@ -17,12 +17,12 @@ pub struct Arguments {
 
 pub fn reference(arguments: &Arguments) -> anyhow::Result<()> {
     let Some(page) = &arguments.page else {
-        return super::terminal::print(&keys()).context("standard output");
+        return super::terminal::print(&reference::page()).context("standard output");
     };
     let name = page.display();
     let text = std::fs::read_to_string(page).with_context(|| format!("{name}: cannot be read"))?;
-    let renewed = renewed(&text).ok_or_else(|| {
-        Error::Option(format!("{name}: has no marks to write between; put in \"{}\" and \"{}\"", MARKS[0], MARKS[1]))
+    let renewed = reference::renewed(&text).map_err(|[begin, end]| {
+        Error::Option(format!("{name}: has no marks to write between; put in \"{begin}\" and \"{end}\""))
     })?;
     std::fs::write(page, renewed).with_context(|| format!("{name}: cannot be written"))
 }

@@ -1,17 +1,13 @@
 //! `plm-impact run`
 
-use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::{Origin, OutputDirectory, OutputFile};
-use plm_impact::report::compare;
-use plm_impact::run::heed;
-use plm_impact::run::repeat::run_repeat;
-use plm_impact::run::table;
-use plm_impact::scenario::{Kind, Scenario};
+use plm_impact::output::{Origin, OutputDirectory};
+use plm_impact::run::{Outcome, Run, heed, table, way};
+use plm_impact::scenario::Scenario;
 
 use super::scenario::ScenarioArguments;
 
@@ -38,17 +34,14 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
-    match scenario.kind().map_err(Error::from)? {
-        Kind::Impact => impact(arguments, &scenario),
-        Kind::Sweep | Kind::MonteCarlo => sweep(arguments, &scenario),
-        Kind::Repeat => repeat(arguments, &scenario),
-        Kind::Compare => comparison(arguments, &scenario),
-        Kind::Indentation => indentation(arguments, &scenario),
+    match way(scenario.kind().map_err(Error::from)?).run {
+        Run::Once { what, run } => once(arguments, &scenario, what, run),
+        Run::Table => sweep(arguments, &scenario),
     }
 }
 
 fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    let Some(plan) = scenario.plan().map_err(Error::from)? else { return Ok(()) };
+    let plan = table::plan(scenario)?;
     let warnings = table::warnings(&plan);
     warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
@@ -58,53 +51,25 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
         // each shard is looked after by itself
         OutputDirectory::shared(&arguments.directory()).map_err(Error::from)?
     };
-    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, &command_line(), arguments.quiet)
-}
-
-fn impact(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for("one impact")?;
-    let directory = arguments.prepare(scenario)?;
-    let run = plm_impact::run::run(scenario, &command_line())?;
-    finish(arguments, scenario, &directory, &run.impact.warnings, &run.table, &run.files)
-}
-
-fn repeat(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for("impacts one after the other")?;
-    let directory = arguments.prepare(scenario)?;
-    let run = run_repeat(scenario, &command_line())?;
-    finish(arguments, scenario, &directory, &run.warnings, &run.table, &run.files)
-}
-
-fn indentation(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for("an indentation")?;
-    let directory = arguments.prepare(scenario)?;
-    let run = plm_impact::run::indentation::run(scenario, &command_line())?;
-    finish(arguments, scenario, &directory, &run.warnings, &run.table, &run.files)
-}
-
-fn comparison(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for("a comparison of laws")?;
-    let comparison = scenario.comparison().map_err(Error::from)?;
-    let directory = arguments.prepare(scenario)?;
-    let files = plm_impact::run::compare::files(&comparison, scenario, &command_line())?;
-    finish(arguments, scenario, &directory, &comparison.warnings, &compare::table(&comparison), &files)
+    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, arguments.quiet)
 }
 
 /// Warnings and where the files are to standard error, the files to the directory, the table to standard output.
-fn finish(
+fn once(
     arguments: &Arguments,
     scenario: &Scenario,
-    directory: &OutputDirectory,
-    warnings: &[impl Display],
-    table: &str,
-    files: &[OutputFile],
+    what: &str,
+    run: fn(&Scenario, &str) -> Result<Outcome, Error>,
 ) -> anyhow::Result<()> {
-    warn(warnings);
+    arguments.sweep.refuse_for(what)?;
+    let directory = arguments.prepare(scenario)?;
+    let Outcome { warnings, text, files } = run(scenario, &command_line())?;
+    warn(&warnings);
     heed(scenario, warnings.len(), arguments.strict)?;
     let out = directory.path().to_owned();
-    directory.write(files).map_err(Error::from)?;
+    directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
-        super::terminal::print(table).context("standard output")?;
+        super::terminal::print(&text).context("standard output")?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         super::terminal::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
     }
@@ -122,7 +87,7 @@ pub fn say_what_is_replaced(directory: &OutputDirectory) {
 }
 
 /// Warnings to standard error.
-pub fn warn(warnings: &[impl Display]) {
+pub fn warn(warnings: &[String]) {
     for warning in warnings {
         super::terminal::note(format_args!("warning: {warning}"));
     }

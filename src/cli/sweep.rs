@@ -9,6 +9,7 @@ use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
 use plm_impact::plan::Plan;
 use plm_impact::plot::sweep::PICTURES;
+use plm_impact::provenance::Provenance;
 use plm_impact::report;
 use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
@@ -86,7 +87,6 @@ pub fn run(
     plan: &Plan,
     warnings: &[String],
     directory: &OutputDirectory,
-    command: &str,
     is_quiet: bool,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
@@ -115,12 +115,8 @@ pub fn run(
     let written = written?.map_err(|error| interrupt.explain(error))?;
     let mut names = vec![written.table.display().to_string()];
     if shard.is_none() {
-        let provenance = report::sweep::Provenance {
-            version: env!("CARGO_PKG_VERSION"),
-            scenario_sha256: &source.sha256(),
-            command,
-        };
-        let files = table::files(plan, &written.tally, warnings, provenance)?;
+        let provenance = Provenance::new(source.sha256(), &super::run::command_line());
+        let files = table::files(plan, &written.tally, warnings, &provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
         directory.write(&files).map_err(Error::from)?;
         written.close().map_err(Error::from)?;

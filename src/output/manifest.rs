@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::new_file;
+use crate::provenance::first_format;
 
 /// Its name in the folder.
 pub const MANIFEST: &str = ".plm-impact.json";
@@ -58,6 +59,9 @@ impl Record {
 /// What a folder of results is of.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Manifest {
+    /// Version of the form of the outputs.
+    #[serde(default = "first_format")]
+    pub format_version: u64,
     /// Program and version.
     pub written_by: String,
     /// The scenario file or the shards, as seen from the folder; or the command.

@@ -1,4 +1,4 @@
-//! `comparison.csv`, `summary.json` and the table of a `[compare]` scene.
+//! What is written about a comparison of unloading laws: `summary.json`, `comparison.csv` and the table on the terminal.
 
 use std::fmt::Write as _;
 
@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use super::ReportError;
 use super::inputs::Inputs;
+use super::rows::written;
+use super::summary::pretty;
 use crate::compare::{Comparison, Origin};
-use crate::report::resolved::of_comparison;
-use crate::scenario::Scenario;
+use crate::provenance::Provenance;
 use crate::units::rounded::{number, quantity};
 
 /// One law in the table; deviations are relative to the finite elements of the same peak.
@@ -38,12 +39,11 @@ pub struct Row {
 #[derive(Serialize)]
 struct Summary<'a> {
     peak: Peak,
-    laws: Vec<Row>,
-    warnings: Vec<String>,
-    inputs: Inputs,
-    version: &'static str,
-    scenario_sha256: String,
-    command: &'a str,
+    laws: &'a [Row],
+    warnings: &'a [String],
+    inputs: &'a Inputs,
+    #[serde(flatten)]
+    provenance: &'a Provenance,
 }
 
 #[derive(Serialize)]
@@ -164,43 +164,36 @@ pub fn table(comparison: &Comparison) -> String {
 /// `comparison.csv`.
 ///
 /// # Errors
-/// [`ReportError::Csv`].
-pub fn csv(comparison: &Comparison) -> Result<Vec<u8>, ReportError> {
+/// [`ReportError::Csv`], which a buffer in memory does not give.
+pub fn csv(rows: &[Row]) -> Result<Vec<u8>, ReportError> {
     let mut csv = csv::Writer::from_writer(Vec::new());
-    for row in rows(comparison) {
+    for row in rows {
         csv.serialize(row)?;
     }
-    csv.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
+    written(csv)
 }
 
-/// `summary.json`; `sha256` is the hash of the scenario.
+/// `summary.json`.
 ///
 /// # Errors
-/// [`ReportError::Json`].
+/// [`ReportError::Json`], which numbers and text do not give.
 pub fn summary(
     comparison: &Comparison,
-    scenario: &Scenario,
-    sha256: String,
-    command: &str,
+    laws: &[Row],
+    warnings: &[String],
+    inputs: &Inputs,
+    provenance: &Provenance,
 ) -> Result<String, ReportError> {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let pair = &comparison.bodies.pair;
-    let summary = Summary {
-        peak: Peak {
-            origin: if comparison.origin == Origin::Plm { "plm" } else { "given" },
-            indentation_m: peak.indentation * point.indentation,
-            indentation_over_yield: peak.indentation,
-            force: peak.force * point.force,
-            contact_radius_m: peak.radius * point.contact_radius,
-            sphere_indentation_m: peak.elastic_approach.map(|e| pair.sphere_compliance * e * point.indentation),
-            spent_work: comparison.peak.spent * point.force * point.indentation,
-        },
-        laws: rows(comparison),
-        warnings: comparison.warnings.iter().map(ToString::to_string).collect(),
-        inputs: Inputs(of_comparison(scenario, comparison)),
-        version: env!("CARGO_PKG_VERSION"),
-        scenario_sha256: sha256,
-        command,
+    let peak = Peak {
+        origin: if comparison.origin == Origin::Plm { "plm" } else { "given" },
+        indentation_m: peak.indentation * point.indentation,
+        indentation_over_yield: peak.indentation,
+        force: peak.force * point.force,
+        contact_radius_m: peak.radius * point.contact_radius,
+        sphere_indentation_m: peak.elastic_approach.map(|e| pair.sphere_compliance * e * point.indentation),
+        spent_work: peak.spent * point.force * point.indentation,
     };
-    Ok(serde_json::to_string_pretty(&summary)? + "\n")
+    pretty(&Summary { peak, laws, warnings, inputs, provenance })
 }

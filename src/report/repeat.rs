@@ -2,136 +2,63 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
-
 use super::ReportError;
-use super::trace::event_name;
+use super::rows::csv;
 use crate::repeat::flight::Flight;
-use crate::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
+use crate::repeat::{Drive, End, Place, Repeat, Sequence};
+use crate::scene::results::impact::event_name;
+use crate::scene::results::series::{self as results, TraceRow, end_text};
 use crate::units::rounded::{number, quantity};
 
-/// Why the series ended, for a person.
-#[must_use]
-pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
-    let until = match repeat.drive {
-        Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
-        _ => String::new(),
-    };
-    match sequence.end {
-        End::Shots => "all shots are fired".to_owned(),
-        End::Impacts => "as many impacts as were asked for".to_owned(),
-        End::Until => format!("the next impact would be slower than {until}"),
-        End::Captured => "captured: the sphere does not leave the half-space".to_owned(),
-        End::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
-    }
-}
-
-type Column = (&'static str, fn(&Hit) -> Option<f64>);
-
-/// `impacts.csv`: one row per impact. `time_s` is there for a bouncing sphere, `plastic_J` for a half-space that can
-/// yield, `damping_J` with damping, `stored_at_separation_J` with viscous damping; the contact of a captured sphere has no time.
+/// `impacts.csv`: one row per impact.
 ///
 /// # Errors
 /// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
-    let first = sequence.hits.first();
-    let (is_timed, can_yield) =
-        (first.is_some_and(|hit| hit.time.is_some()), first.is_some_and(|hit| hit.plastic.is_some()));
-    let columns: [Column; 15] = [
-        ("time_s", |hit| hit.time),
-        ("impact_speed_m_per_s", |hit| Some(hit.speed)),
-        ("restitution", |hit| Some(hit.restitution)),
-        ("rebound_speed_m_per_s", |hit| Some(hit.rebound_speed)),
-        ("peak_force_N", |hit| Some(hit.peak_force)),
-        ("peak_indentation_m", |hit| Some(hit.peak_indentation)),
-        ("residual_indentation_m", |hit| Some(hit.residual_indentation)),
-        ("dent_growth_m", |hit| Some(hit.dent_growth)),
-        ("contact_time_s", |hit| Some(hit.contact_time).filter(|time| time.is_finite())),
-        ("kinetic_in_J", |hit| Some(hit.kinetic_in)),
-        ("recovered_J", |hit| Some(hit.recovered)),
-        ("plastic_J", |hit| hit.plastic),
-        ("damping_J", |hit| hit.damping),
-        ("stored_at_separation_J", |hit| hit.stored_at_separation),
-        ("energy_drift", |hit| Some(hit.drift)),
-    ];
-    let is_written = |name: &str| match name {
-        "time_s" => is_timed,
-        "residual_indentation_m" | "dent_growth_m" | "plastic_J" => can_yield,
-        "damping_J" => first.is_some_and(|hit| hit.damping.is_some()),
-        "stored_at_separation_J" => sequence.hits.iter().any(|hit| hit.stored_at_separation.is_some()),
-        _ => true,
-    };
-    let columns: Vec<Column> = columns.into_iter().filter(|(name, _)| is_written(name)).collect();
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(std::iter::once("impact").chain(columns.iter().map(|(name, _)| *name)))?;
-    for (i, hit) in sequence.hits.iter().enumerate() {
-        let values: Vec<Option<f64>> = columns.iter().map(|(_, value)| value(hit)).collect();
-        writer.serialize((i + 1, values))?;
-    }
-    writer.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
+    csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
 }
 
-#[derive(Serialize)]
-struct Row {
-    impact: usize,
-    time_s: f64,
-    height_m: f64,
-    speed_m_per_s: f64,
-    #[serde(rename = "force_N")]
-    force: f64,
-    branch: &'static str,
-    event: &'static str,
-}
-
-const COLUMNS: [&str; 7] = ["impact", "time_s", "height_m", "speed_m_per_s", "force_N", "branch", "event"];
-
-/// `trace.csv`: height of the sphere's lowest point over the original surface (−δ in contact), speed towards it and
-/// force, for the impacts that were traced and the flights between them. `impact` is 0 during the fall before the first.
-/// Time is that of the series for a bouncing sphere, and counts from each first touch for shots.
+/// `trace.csv`: the impacts that were traced, and the flights between them.
 ///
 /// # Errors
 /// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, ReportError> {
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(COLUMNS)?;
-    let fly = |impact: usize, flight: &Flight, writer: &mut csv::Writer<Vec<u8>>| -> Result<(), ReportError> {
-        // touch and separation are rows of the contacts; only a release is none
-        let first = usize::from(impact > 0);
-        for i in first..=samples {
-            #[allow(clippy::cast_precision_loss)]
-            let time = flight.duration * i as f64 / (samples + 1) as f64;
-            writer.serialize(Row {
-                impact,
-                time_s: flight.begin + time,
-                height_m: flight.height_at(time),
-                speed_m_per_s: flight.speed_at(time),
-                force: 0.0,
-                branch: "flight",
-                event: if i == 0 { "release" } else { "" },
-            })?;
-        }
-        Ok(())
-    };
+    let mut rows = Vec::new();
     if let Some(fall) = &sequence.fall {
-        fly(0, fall, &mut writer)?;
+        fly(0, fall, samples, &mut rows);
     }
     for (i, (hit, impact)) in sequence.hits.iter().zip(&sequence.traced).enumerate() {
-        for row in &impact.trace {
-            writer.serialize(Row {
-                impact: i + 1,
-                time_s: hit.time.unwrap_or(0.0) + row.time,
-                height_m: -row.indentation,
-                speed_m_per_s: row.speed,
-                force: row.force,
-                branch: row.branch.name(),
-                event: event_name(row.event),
-            })?;
-        }
+        rows.extend(impact.trace.iter().map(|row| TraceRow {
+            impact: i + 1,
+            time: hit.time.unwrap_or(0.0) + row.time,
+            height: -row.indentation,
+            speed: row.speed,
+            force: row.force,
+            branch: row.branch.name(),
+            event: event_name(row.event),
+        }));
         if let Some(flight) = &hit.flight {
-            fly(i + 1, flight, &mut writer)?;
+            fly(i + 1, flight, samples, &mut rows);
         }
     }
-    writer.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
+    csv(&results::trace(), rows.into_iter())
+}
+
+/// Rows of a flight. Its first touch and its separation are rows of the contacts; only the release of the sphere is not.
+#[allow(clippy::cast_precision_loss)]
+fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>) {
+    rows.extend((usize::from(impact > 0)..=samples).map(|i| {
+        let time = flight.duration * i as f64 / (samples + 1) as f64;
+        TraceRow {
+            impact,
+            time: flight.begin + time,
+            height: flight.height_at(time),
+            speed: flight.speed_at(time),
+            force: 0.0,
+            branch: "flight",
+            event: if i == 0 { "release" } else { "" },
+        }
+    }));
 }
 
 /// Impacts at the beginning and at the end of a long series that the terminal shows.

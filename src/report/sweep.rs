@@ -8,11 +8,12 @@ use super::ReportError;
 use super::inputs::Inputs;
 use crate::plan::random;
 use crate::plan::{Cases, Plan};
+use crate::provenance::Provenance;
 use crate::sweep::sidecar::Tally;
 use crate::sweep::statistics::Distribution;
 
 #[derive(Serialize)]
-struct Summary<'a> {
+struct Results<'a> {
     rows: u64,
     failures: u64,
     /// Rows that the law has no answer for; left out where there are none.
@@ -26,9 +27,6 @@ struct Summary<'a> {
     seed: Option<u64>,
     /// Of the scene, and of rows in the table the worst of each kind.
     warnings: &'a [String],
-    /// What is the same in all rows, with the names of columns.
-    inputs: Inputs,
-    provenance: Provenance<'a>,
 }
 
 /// A random key, as it was drawn.
@@ -44,28 +42,22 @@ struct Random {
     kept: f64,
 }
 
-/// Where a table comes from: enough to repeat it.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub struct Provenance<'a> {
-    /// Version of the program.
-    pub version: &'a str,
-    /// SHA-256 of the scenario's text and overrides.
-    pub scenario_sha256: &'a str,
-    /// The command line.
-    pub command: &'a str,
-}
-
 /// `summary.json`.
 ///
 /// # Errors
 /// [`ReportError::Json`].
-pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: Provenance) -> Result<String, ReportError> {
+pub fn summary(
+    plan: &Plan,
+    tally: &Tally,
+    warnings: &[String],
+    provenance: &Provenance,
+) -> Result<String, ReportError> {
     let (random, seed) = match &plan.cases {
         Cases::MonteCarlo { seed, variables, .. } => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
         Cases::Grid(_) => (None, None),
     };
     let restitution = tally.statistics.distribution();
-    let summary = Summary {
+    let results = Results {
         rows: tally.rows,
         failures: tally.failures,
         outside_law: tally.outside_law,
@@ -73,10 +65,8 @@ pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: Prov
         random,
         seed,
         warnings,
-        inputs: Inputs::of_plan(plan),
-        provenance,
     };
-    Ok(serde_json::to_string_pretty(&summary)? + "\n")
+    super::summary::of(results, &Inputs::of_plan(plan), provenance)
 }
 
 fn random_key(variable: &random::Variable) -> Random {

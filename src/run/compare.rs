@@ -1,22 +1,35 @@
-//! The output files of a comparison.
+//! A comparison of unloading laws.
 
+use super::{Outcome, file};
 use crate::compare::Comparison;
 use crate::error::Error;
-use crate::output::OutputFile;
-use crate::plot::compare::picture;
-use crate::report::compare::{csv, summary};
+use crate::plot;
+use crate::provenance::Provenance;
+use crate::report::inputs::Inputs;
+use crate::report::overview::of_comparison;
+use crate::report::{compare as report, resolved};
 use crate::scenario::Scenario;
 
-/// All files of a comparison.
-///
-/// # Errors
-/// [`Error`] of reports and pictures.
-pub fn files(comparison: &Comparison, scenario: &Scenario, command: &str) -> Result<Vec<OutputFile>, Error> {
-    let summary = summary(comparison, scenario, scenario.sha256()?, command)?;
-    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
-    Ok(vec![
-        file("summary.json", summary.into_bytes()),
-        file("comparison.csv", csv(comparison)?),
-        file("unloading.png", picture(comparison)?),
-    ])
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let comparison = scenario.comparison()?;
+    let text = report::state(&comparison) + "\n" + &of_comparison(scenario, &comparison);
+    Ok(Outcome::checked(texts(&comparison), text))
+}
+
+pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+    let comparison = scenario.comparison()?;
+    let inputs = Inputs(resolved::of_comparison(scenario, &comparison));
+    let provenance = Provenance::new(scenario.sha256()?, command);
+    let warnings = texts(&comparison);
+    let rows = report::rows(&comparison);
+    let files = vec![
+        file("summary.json", report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
+        file("comparison.csv", report::csv(&rows)?),
+        file("unloading.png", plot::compare::picture(&comparison)?),
+    ];
+    Ok(Outcome { warnings, text: report::table(&comparison), files })
+}
+
+fn texts(comparison: &Comparison) -> Vec<String> {
+    comparison.warnings.iter().map(ToString::to_string).collect()
 }

@@ -1,28 +1,14 @@
-//! One indentation scenario to its output files.
+//! Slow indentations.
 
+use super::{Outcome, file};
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
-use crate::law::LawChoice;
-use crate::output::OutputFile;
 use crate::plot;
-use crate::report::indentation::{self, Provenance};
 use crate::report::inputs::Inputs;
 use crate::report::resolved::of_indentation;
+use crate::report::{indentation as report, overview};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-
-/// An indentation that was run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Run {
-    /// What came of every half-space.
-    pub tested: Vec<Tested>,
-    /// Where scene or model are doubtful.
-    pub warnings: Vec<String>,
-    /// For the terminal.
-    pub table: String,
-    /// For the output directory.
-    pub files: Vec<OutputFile>,
-}
 
 /// The scene of a scenario, with its contacts in the order of its half-spaces.
 ///
@@ -69,22 +55,23 @@ pub fn compute(
     Ok((scene, tested, warnings))
 }
 
-/// Runs an indentation; `command` is the command line, for the provenance.
-///
-/// # Errors
-/// As [`compute`], and a picture that cannot be drawn.
-pub fn run(scenario: &Scenario, command: &str) -> Result<Run, Error> {
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let (scene, tested, warnings) = compute(scenario, None)?;
+    Ok(Outcome::checked(warnings, overview::of_indentation(scenario, &scene, &tested)))
+}
+
+pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
     let inputs = Inputs(of_indentation(scenario, &scene));
-    let provenance = provenance(scenario, &scene, command)?;
-    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
+    let provenance = super::provenance(scenario, &scene.law, can_yield, command)?;
     let files = vec![
-        file("summary.json", indentation::summary(&tested, &warnings, &inputs, &provenance)?.into_bytes()),
-        file("trace.csv", indentation::trace(&tested)?),
+        file("summary.json", report::summary(&tested, &warnings, &inputs, &provenance)?),
+        file("trace.csv", report::trace(&tested)?),
         file("force_indentation.png", plot::indentation(&tested)?),
     ];
-    let table = indentation::table(&tested);
-    Ok(Run { tested, warnings, table, files })
+    let text = report::table(&tested);
+    Ok(Outcome { warnings, text, files })
 }
 
 /// No result for this scenario; a bad step is pointed at.
@@ -96,21 +83,4 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
         }
         step => scenario.document.refuse("indentation.steps", format!("{on}{step}")).into(),
     }
-}
-
-fn provenance(scenario: &Scenario, scene: &IndentationScene, command: &str) -> Result<Provenance, Error> {
-    let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let coefficients = match &scene.law {
-        LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
-        _ => None,
-    };
-    Ok(Provenance {
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        scenario_file: scenario.document.name().to_owned(),
-        scenario_sha256: scenario.sha256()?,
-        command: command.to_owned(),
-        law: if can_yield { scene.law.name() } else { "hertz".to_owned() },
-        coefficients: coefficients.map(|table| table.name.clone()),
-        coefficients_source: coefficients.map(|table| table.source.clone()),
-    })
 }

@@ -1,42 +1,26 @@
-//! Repeated impacts from a scenario to their output files.
+//! Impacts one after the other.
 
-use super::{can_be_traced, held, provenance};
+use super::impact::{can_be_traced, held, provenance};
+use super::{Outcome, file};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
-use crate::output::OutputFile;
 use crate::plot;
 use crate::repeat::{Repeat, Sequence};
+use crate::report::inputs::Inputs;
+use crate::report::overview::overview;
 use crate::report::resolved::of_scene;
-use crate::report::{self, inputs::Inputs};
+use crate::report::{repeat as report, summary};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
+use crate::scene::results::series::Series;
 
-/// A scenario with `[repeat]` that was run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RepeatRun {
-    /// What came of it.
-    pub sequence: Sequence,
-    /// Doubts about scene and impacts, for a person.
-    pub warnings: Vec<String>,
-    /// For the terminal.
-    pub table: String,
-    /// For the output directory.
-    pub files: Vec<OutputFile>,
-}
-
-/// A series without what is written about it.
-#[derive(Debug, Clone)]
-pub struct Computed {
-    /// The scene.
-    pub scene: Scene,
-    /// Its contact.
-    pub contact: Contact,
-    /// What was to be run.
-    pub repeat: Repeat,
-    /// What came of it.
-    pub sequence: Sequence,
-    /// Doubts about scene and impacts, for a person.
-    pub warnings: Vec<String>,
+/// A series that was run.
+struct Computed {
+    scene: Scene,
+    contact: Contact,
+    repeat: Repeat,
+    sequence: Sequence,
+    warnings: Vec<String>,
 }
 
 /// What is to be run: scene, contact, series.
@@ -53,11 +37,7 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), E
     Ok((scene, contact, repeat))
 }
 
-/// Scene, contact, series and what came of it, with all warnings, for a person.
-///
-/// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
-pub fn compute(scenario: &Scenario) -> Result<Computed, Error> {
+fn compute(scenario: &Scenario) -> Result<Computed, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &scene)?;
     let sequence =
@@ -67,26 +47,25 @@ pub fn compute(scenario: &Scenario) -> Result<Computed, Error> {
     Ok(Computed { scene, contact, repeat, sequence, warnings })
 }
 
-/// Runs a scenario with `[repeat]`; `command` is the command line, for the provenance.
-///
-/// # Errors
-/// As [`compute`], and a picture that cannot be drawn.
-pub fn run_repeat(scenario: &Scenario, command: &str) -> Result<RepeatRun, Error> {
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let Computed { scene, contact, repeat, warnings, .. } = compute(scenario)?;
+    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&scene, &contact)))
+}
+
+pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario)?;
-    let inputs = Inputs(of_scene(&scene));
     let provenance = provenance(scenario, &scene, sequence.method, command)?;
-    let summary = report::repeat_summary::summary(&contact, &repeat, &sequence, &warnings, &inputs, &provenance)?;
-    let file = |name: &str, bytes| OutputFile { name: name.to_owned(), bytes };
+    let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
-        file("summary.json", summary.into_bytes()),
-        file("impacts.csv", report::repeat::impacts(&sequence)?),
-        file("trace.csv", report::repeat::trace(&sequence, scene.samples)?),
+        file("summary.json", summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),
+        file("impacts.csv", report::impacts(&sequence)?),
+        file("trace.csv", report::trace(&sequence, scene.samples)?),
         file("force_indentation.png", plot::repeat::loops(&repeat, &sequence)?),
         file("impacts.png", plot::repeat::impacts(&repeat, &sequence)?),
     ];
     if let Some(picture) = plot::repeat::height(&repeat, &sequence) {
         files.push(file("height.png", picture?));
     }
-    let table = report::repeat::table(&repeat, &sequence);
-    Ok(RepeatRun { sequence, warnings, table, files })
+    let text = report::table(&repeat, &sequence);
+    Ok(Outcome { warnings, text, files })
 }

@@ -1,15 +1,35 @@
 //! What stands beside a table, be it written at once or merged from shards.
 
+use super::{Outcome, file};
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;
 use crate::plot::sweep::pictures;
-use crate::report::sweep::{Provenance, summary};
+use crate::provenance::Provenance;
+use crate::report::overview::overview;
+use crate::report::plan::plan_lines;
+use crate::report::sweep::summary;
+use crate::scenario::Scenario;
 use crate::sweep::caution::cautions;
 use crate::sweep::sidecar::Tally;
 
 /// The name of a table's summary.
 pub const SUMMARY: &str = "summary.json";
+
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let plan = plan(scenario)?;
+    let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
+    Ok(Outcome::checked(warnings(&plan), plan_lines(&plan) + &overview(&plan.scene, &contact)))
+}
+
+/// The plan of a scenario that is a table.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
+    let none = || Error::Option("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
+    scenario.plan()?.ok_or_else(none)
+}
 
 /// What is doubtful in a table of this plan.
 #[must_use]
@@ -26,12 +46,9 @@ pub fn files(
     plan: &Plan,
     tally: &Tally,
     warnings: &[String],
-    provenance: Provenance,
+    provenance: &Provenance,
 ) -> Result<Vec<OutputFile>, Error> {
     let summary = summary(plan, tally, warnings, provenance)?;
-    let mut files = vec![OutputFile { name: SUMMARY.to_owned(), bytes: summary.into_bytes() }];
-    for (name, bytes) in pictures(plan, tally)? {
-        files.push(OutputFile { name: name.to_owned(), bytes });
-    }
-    Ok(files)
+    let pictures = pictures(plan, tally)?.into_iter().map(|(name, bytes)| file(name, bytes));
+    Ok(std::iter::once(file(SUMMARY, summary)).chain(pictures).collect())
 }

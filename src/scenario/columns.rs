@@ -2,7 +2,7 @@
 
 use super::{Scenario, ScenarioError};
 use crate::plan::Plan;
-use crate::scene::results::RESULT_COLUMNS;
+use crate::scene::results::columns;
 
 /// A table always has it: what the case came to, and what a resumed run reads back.
 const RESTITUTION: &str = "restitution";
@@ -15,7 +15,7 @@ impl Scenario {
         };
         let refuse = |message: String| Err(self.document.refuse("output.columns", message));
         let mut chosen = vec![RESTITUTION];
-        for column in RESULT_COLUMNS.iter().filter(|column| names.iter().any(|name| name == column.name)) {
+        for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
             let name = column.name;
             if let Some(reason) = column.missing(&plan.scene) {
                 return refuse(format!("\"{name}\" is not there: {reason}"));

@@ -6,6 +6,7 @@ use super::key::Form;
 use super::keys::KEYS;
 use super::other_keys::OTHER_KEYS;
 use super::quantity::Quantity;
+use super::results::{Reported, impact, indentation, series};
 use crate::law::LawChoice;
 
 /// All keys as Markdown, a table for every table of a scenario.
@@ -94,14 +95,52 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The marks between which a page holds what is written here.
-pub const MARKS: [&str; 2] = ["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"];
+/// The parts of a page that are written here, each with its marks and its text.
+const PARTS: [([&str; 2], fn() -> String); 2] = [
+    (["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"], keys),
+    (["<!-- results: written by `plm-impact reference` -->", "<!-- end of results -->"], results),
+];
 
-/// A page with the text between the marks made anew; `None` for a page without them.
+/// Keys and results as Markdown.
 #[must_use]
-pub fn renewed(page: &str) -> Option<String> {
-    let [begin, end] = MARKS;
-    let (before, rest) = page.split_once(begin)?;
-    let (_, after) = rest.split_once(end)?;
-    Some(format!("{before}{begin}\n\n{}{end}{after}", keys()))
+pub fn page() -> String {
+    PARTS.iter().map(|(_, text)| text()).collect()
+}
+
+/// A page with the text between the marks written anew.
+///
+/// # Errors
+/// The marks that the page lacks.
+pub fn renewed(page: &str) -> Result<String, [&'static str; 2]> {
+    let write = |page: String, ([begin, end], text): &([&'static str; 2], fn() -> String)| {
+        let (before, rest) = page.split_once(begin)?;
+        let (_, after) = rest.split_once(end)?;
+        Some(format!("{before}{begin}\n\n{}{end}{after}", text()))
+    };
+    PARTS.iter().try_fold(page.to_owned(), |page, part| write(page, part).ok_or(part.0))
+}
+
+/// All results as Markdown, a table for every file, or part of one, that has them.
+#[must_use]
+pub fn results() -> String {
+    let mut text = String::new();
+    of_file(&mut text, "One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::results());
+    of_file(&mut text, "One impact: `trace.csv`", &impact::trace());
+    of_file(&mut text, "Repeated impacts: `summary.json`", &series::results());
+    of_file(&mut text, "Repeated impacts: `impacts.csv`", &series::impacts());
+    of_file(&mut text, "Repeated impacts: `trace.csv`", &series::trace());
+    of_file(&mut text, "Indentation: every half-space in `summary.json`", &indentation::half_space());
+    of_file(&mut text, "Indentation: every step of a half-space", &indentation::step());
+    of_file(&mut text, "Indentation: `trace.csv`", &indentation::trace());
+    text
+}
+
+fn of_file<T>(text: &mut String, title: &str, results: &[Reported<T>]) {
+    let _ = writeln!(text, "### {title}\n\n| name | meaning | when it is there |\n|---|---|---|");
+    for Reported { name, about, condition, column, .. } in results {
+        let mark = if column.is_some() { " \u{25a6}" } else { "" };
+        let condition = if condition.is_empty() { "always" } else { condition };
+        let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
+    }
+    text.push('\n');
 }

@@ -1,12 +1,48 @@
-//! The registry of results: what a table says of an impact, column by column.
+//! The registry of results: every number and word that the program reports, once. Summaries, the columns of tables and
+//! traces, and the reference page come from here.
+//!
+//! An entry of a list gives, in this order: what the result means; its name, with the unit at its end and a dot behind the
+//! name of a group in JSON; under which condition it is there (`if`); for a result of an impact that is a column of tables
+//! too, what the column needs and how a row gives it (`[..]`); and its value. A value without a condition is always there,
+//! as `null` (in CSV an empty field) where it is not finite or `None`.
+
+pub mod impact;
+pub mod indentation;
+pub mod series;
+mod value;
 
 use super::Scene;
 use crate::impact::Essentials;
+pub use value::{Fields, Value};
 
-/// What a scene has to name for a result to exist.
+/// A result of what `T` holds.
+#[derive(Debug, Clone, Copy)]
+pub struct Reported<T> {
+    /// Its name, with the unit.
+    pub name: &'static str,
+    /// What it is, in one sentence.
+    pub about: &'static str,
+    /// Under which condition it is there; empty: always.
+    pub condition: &'static str,
+    /// Its value; `None` where it is left out.
+    pub value: fn(&T) -> Option<Value>,
+    /// The column of a table with this result.
+    pub column: Option<Column>,
+}
+
+/// How a table gets a result.
+#[derive(Debug, Clone, Copy)]
+pub struct Column {
+    /// What the scene must have.
+    pub needs: Needs,
+    /// The value of a row; `None` is an empty field.
+    pub value: fn(&Essentials) -> Option<f64>,
+}
+
+/// What a scene must have for a column to be there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
-    /// Every impact has the result.
+    /// Nothing: the column is in every table.
     Nothing,
     /// The yield strength of the half-space: without it nothing is plastic.
     Strength,
@@ -14,14 +50,14 @@ pub enum Needs {
     Density,
 }
 
-/// A column of results.
+/// A column of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct ResultColumn {
-    /// Its name, which ends in the unit.
+    /// Its name, with the unit.
     pub name: &'static str,
-    /// What it needs of the scene.
+    /// What the scene must have.
     pub needs: Needs,
-    /// Its value; `None` is an empty field.
+    /// The value of a row; `None` is an empty field.
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
@@ -41,20 +77,59 @@ impl ResultColumn {
     }
 }
 
-const fn column(name: &'static str, needs: Needs, value: fn(&Essentials) -> Option<f64>) -> ResultColumn {
-    ResultColumn { name, needs, value }
+/// The columns of results that a table may have, in their order: those of elastic waves come last.
+#[must_use]
+pub fn columns() -> Vec<ResultColumn> {
+    let all = impact::results();
+    let named = |result: &Reported<_>| {
+        let Column { needs, value } = result.column?;
+        Some(ResultColumn { name: result.name, needs, value })
+    };
+    let mut columns: Vec<ResultColumn> = all.iter().filter_map(named).collect();
+    columns.sort_by_key(|column| column.needs == Needs::Density);
+    columns
 }
 
-/// The columns between the swept values and the status.
-pub const RESULT_COLUMNS: &[ResultColumn] = &[
-    column("restitution", Needs::Nothing, |row| row.has_speed().then_some(row.restitution)),
-    column("contact_time_s", Needs::Nothing, |row| row.contact_time.is_finite().then_some(row.contact_time)),
-    column("peak_force_N", Needs::Nothing, |row| Some(row.peak_force)),
-    column("peak_indentation_m", Needs::Nothing, |row| Some(row.peak_indentation)),
-    column("residual_indentation_m", Needs::Strength, |row| Some(row.residual_indentation)),
-    column("dent_radius_m", Needs::Strength, |row| row.has_dent().then_some(row.peak_contact_radius)),
-    column("recovered_fraction", Needs::Nothing, |row| row.has_speed().then(|| row.recovered_fraction())),
-    column("plastic_fraction", Needs::Strength, |row| row.has_speed().then_some(row.plastic_fraction)),
-    column("wave_loss_fraction", Needs::Density, |row| row.wave_loss_fraction),
-    column("restitution_with_waves", Needs::Density, Essentials::restitution_with_waves),
-];
+/// The values of all results that are there, by name.
+#[must_use]
+pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
+    Fields(results.iter().filter_map(|result| Some((result.name, (result.value)(of)?))).collect())
+}
+
+const YIELDS: &str = "the half-space has a yield strength";
+const WAVES: &str = "the half-space has a density; not under gravity or damping, nor where the force of the law jumps";
+const FORCES: &str = "there is gravity or damping";
+const GRAVITY: &str = "there is gravity";
+const DAMPING: &str = "there is damping";
+const VISCOUS: &str = "there is viscous damping";
+const TABLES: &str = "in tables only";
+const VERLET: &str = "the method is verlet";
+const BOUNCES: &str = "the sphere bounces under gravity";
+const CAPTURED: &str = "the sphere stays in its dent";
+const NAMED: &str = "the half-space has a name";
+const GIVEN: &str = "the step is given by it";
+const UNCERTAIN: &str = "an uncertainty is given";
+
+/// A list of results from its entries.
+macro_rules! results {
+    (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
+        $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
+        vec![$($crate::scene::results::Reported::<$type> {
+            name: $name,
+            about: concat!($($about),+).trim_ascii_start(),
+            condition: results!(@condition $($condition)?),
+            #[allow(unused_variables)] // a result of tables alone has no value here
+            value: |$of| results!(@value $value $(, $condition)?),
+            column: results!(@column $($needs, $column)?),
+        }),+]
+    };
+    (@condition) => { "" };
+    (@condition $condition:ident) => { $crate::scene::results::$condition };
+    (@value $value:expr) => { Some($value.into()) };
+    (@value $value:expr, $condition:ident) => { $value.map(Into::into) };
+    (@column) => { None };
+    (@column $needs:ident, $value:expr) => {
+        Some($crate::scene::results::Column { needs: $crate::scene::results::Needs::$needs, value: $value })
+    };
+}
+use results;

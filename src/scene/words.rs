@@ -1,6 +1,6 @@
 //! The words that keys take in place of numbers.
 
-use super::results::RESULT_COLUMNS;
+use super::results::columns;
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::repeat::Place;
@@ -44,7 +44,7 @@ pub static HARDNESSES: Words =
 pub static COLUMNS: Words = Words {
     one: "result",
     several: "results",
-    known: || RESULT_COLUMNS.iter().map(|column| column.name.to_owned()).collect(),
+    known: || columns().iter().map(|column| column.name.to_owned()).collect(),
 };
 
 fn words(known: &[&str]) -> Vec<String> {

@@ -16,13 +16,7 @@ use super::statistics::Statistics;
 use super::table::{Format, TextTable};
 use crate::output::{PART, replace, with_suffix};
 use crate::plan::{Plan, Source};
-
-/// Version of the program, which makes the rows and what is written beside them.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
-
-/// Version of the numbers in tables. Raise it when any number of a table changes, be it in its last digit, or when rows are
-/// dealt out to shards in another way: rows of different versions are not put into one table.
-pub const NUMBERS: u64 = 2;
+use crate::provenance::{FORMAT, NUMBERS, VERSION};
 
 /// How this machine computes powers: the CRC-32 of some of them. The C library has one variant of its power for processors
 /// with fused multiply-add and one for others; of these powers some differ in their last digit.
@@ -48,6 +42,8 @@ pub const OTHER_MACHINE: &str =
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sidecar {
+    /// [`FORMAT`] of the program.
+    pub format_version: u64,
     /// [`VERSION`] of the program.
     pub version: String,
     /// [`NUMBERS`] of the program.
@@ -76,6 +72,9 @@ struct Stamp {
     /// Older versions had none.
     #[serde(default)]
     numbers: u64,
+    /// Older versions had none.
+    #[serde(default)]
+    format_version: u64,
 }
 
 impl Sidecar {
@@ -83,6 +82,7 @@ impl Sidecar {
     #[must_use]
     pub fn new(plan: &Plan, scenario: &Source, format: Format, shard: Shard) -> Self {
         Self {
+            format_version: FORMAT,
             version: VERSION.to_owned(),
             numbers: NUMBERS,
             scenario_sha256: scenario.sha256(),
@@ -117,11 +117,13 @@ impl Sidecar {
             SweepError::Damaged { path: path.clone(), problem }
         };
         let stamp: Stamp = serde_json::from_slice(&text).map_err(|error| damaged(&error))?;
-        if (stamp.version.as_str(), stamp.numbers) != (VERSION, NUMBERS) {
+        let Stamp { version, numbers, format_version } = stamp;
+        if (version.as_str(), numbers, format_version) != (VERSION, NUMBERS, FORMAT) {
+            let version = version.escape_debug();
+            let form = |of: u64| if format_version == FORMAT { String::new() } else { format!(", format {of}") };
+            let (theirs, ours) = (form(format_version), form(FORMAT));
             let versions = format!(
-                "its version is {} (table numbers {}), and this program's {VERSION} (table numbers {NUMBERS})",
-                stamp.version.escape_debug(),
-                stamp.numbers
+                "its version is {version} (table numbers {numbers}{theirs}), and this program's {VERSION} (table numbers {NUMBERS}{ours})"
             );
             return Err(SweepError::Version { sidecar: path, versions });
         }

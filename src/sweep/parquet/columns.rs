@@ -10,6 +10,7 @@ use parquet::schema::types::{SchemaDescriptor, Type, TypePtr};
 use super::BATCH;
 use crate::plan::axis::{Setting, Values};
 use crate::plan::{Cases, Plan};
+use crate::provenance::PROGRAM;
 use crate::scene::results::ResultColumn;
 
 /// Where the values of a column come from.
@@ -68,7 +69,7 @@ pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, Parquet
 /// computed together, so that all of it happens in the cache.
 pub(super) fn properties(columns: &[Column], schema: &SchemaDescriptor) -> WriterPropertiesPtr {
     let mut builder = WriterProperties::builder()
-        .set_created_by(format!("plm-impact {}", env!("CARGO_PKG_VERSION")))
+        .set_created_by(PROGRAM.to_owned())
         .set_write_batch_size(BATCH)
         .set_data_page_row_count_limit(BATCH)
         .set_dictionary_enabled(false)

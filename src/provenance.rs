@@ -1,0 +1,84 @@
+//! Where a result comes from: enough to repeat it. Every file that says so takes it from here.
+
+use serde::Serialize;
+
+/// Version of the program.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Program and version, as files name what wrote them.
+pub const PROGRAM: &str = concat!("plm-impact ", env!("CARGO_PKG_VERSION"));
+
+/// Version of the form of all outputs. Raise it when a key or a column is renamed, removed or put elsewhere, or changes its
+/// unit or meaning; a new key beside the others needs no new version.
+pub const FORMAT: u64 = 1;
+
+/// Version of the numbers in tables. Raise it when any number of a table changes, be it in its last digit, or when rows are
+/// dealt out to shards in another way: rows of different versions are not put into one table.
+pub const NUMBERS: u64 = 2;
+
+/// [`FORMAT`] of files that do not name it: they are of the first.
+#[must_use]
+pub fn first_format() -> u64 {
+    1
+}
+
+/// Where a result comes from.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Provenance {
+    /// Version of the form of the output: [`FORMAT`].
+    pub format_version: u64,
+    /// Version of the program.
+    pub version: &'static str,
+    /// The scenario as the command line names it; `None` for tables, which may be merged from shards.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scenario_file: Option<String>,
+    /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
+    pub scenario_sha256: String,
+    /// The command line.
+    pub command: String,
+    /// How the motion was computed; `None` where there is none, or where it varies.
+    #[serde(flatten)]
+    pub method: Option<MethodOf>,
+    /// Which law it is under; `None` where laws are compared or vary.
+    #[serde(flatten)]
+    pub law: Option<LawOf>,
+}
+
+/// How a motion was computed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MethodOf {
+    /// The integration method, as a scenario spells it.
+    pub method: &'static str,
+    /// Relative tolerance on the dimensionless state.
+    pub tolerance: f64,
+}
+
+/// A law and its sources.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LawOf {
+    /// The law, as a scenario spells it.
+    pub law: String,
+    /// Where it was published; `None` for the PLM, whose coefficients say it, and for an elastic contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law_source: Option<String>,
+    /// Name of its table of coefficients; `None` for a law without one.
+    pub coefficients: Option<String>,
+    /// What those coefficients were determined from.
+    pub coefficients_source: Option<String>,
+}
+
+impl Provenance {
+    /// That of results of this program, from the scenario with this hash.
+    #[must_use]
+    pub fn new(scenario_sha256: String, command: &str) -> Self {
+        Self {
+            format_version: FORMAT,
+            version: VERSION,
+            scenario_file: None,
+            scenario_sha256,
+            command: command.to_owned(),
+            method: None,
+            law: None,
+        }
+    }
+}

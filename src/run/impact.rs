@@ -1,0 +1,88 @@
+//! One impact.
+
+use super::{Outcome, file};
+use crate::error::Error;
+use crate::impact::{Contact, Impact, ImpactError, Method};
+use crate::plot;
+use crate::provenance::{MethodOf, Provenance};
+use crate::report::inputs::Inputs;
+use crate::report::overview::overview;
+use crate::report::resolved::of_scene;
+use crate::report::{summary, table, trace};
+use crate::scenario::Scenario;
+use crate::scene::Scene;
+
+/// The scene of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
+/// to be one.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
+pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
+    let (scene, contact) = prepare(scenario)?;
+    let impact = contact.impact(scene.speed, &scene.solver, samples);
+    let mut impact = impact.map_err(|reason| Error::impact(scenario, reason))?;
+    impact.warnings.extend(&scene.warnings);
+    Ok((scene, contact, impact))
+}
+
+/// The scene of a scenario and its contact. Scenes whose numbers leave double precision, and methods without a trace, are
+/// refused.
+///
+/// # Errors
+/// [`Error`] with exit code 2.
+pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    let (scene, contact) = held(scenario)?;
+    can_be_traced(scenario, &scene)?;
+    Ok((scene, contact))
+}
+
+/// Whether the method gives a trace, which a run writes.
+pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
+    if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
+        return Err(Error::impact(scenario, ImpactError::NoClosedForm));
+    }
+    Ok(())
+}
+
+/// The scene and its contact, if double precision holds an impact of them.
+pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    scenario.refuse_columns("one impact")?;
+    let scene = scenario.resolve()?;
+    let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
+    // what the closed form cannot hold no integration can
+    contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
+    Ok((scene, contact))
+}
+
+/// Where the results of a scene come from that was computed by this method.
+pub(super) fn provenance(
+    scenario: &Scenario,
+    scene: &Scene,
+    method: Method,
+    command: &str,
+) -> Result<Provenance, Error> {
+    let method = Some(MethodOf { method: method.name(), tolerance: scene.solver.tolerance });
+    let can_yield = scene.half_space.yield_strength.is_some();
+    Ok(Provenance { method, ..super::provenance(scenario, &scene.law, can_yield, command)? })
+}
+
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let (scene, contact, impact) = compute(scenario, None)?;
+    Ok(Outcome::checked(texts(&impact), overview(&scene, &contact)))
+}
+
+pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+    let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
+    let provenance = provenance(scenario, &scene, impact.method, command)?;
+    let files = vec![
+        file("summary.json", summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
+        file("trace.csv", trace(&impact)?),
+        file("force_indentation.png", plot::force_indentation(&impact)?),
+        file("history.png", plot::history(&impact)?),
+    ];
+    Ok(Outcome { warnings: texts(&impact), text: table(&contact, &impact), files })
+}
+
+fn texts(impact: &Impact) -> Vec<String> {
+    impact.warnings.iter().map(ToString::to_string).collect()
+}

@@ -1,0 +1,149 @@
+//! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
+
+use super::{Fields, Reported, fields, results};
+use crate::indentation::{Span, Spans, Step, Target, Tested};
+
+/// The results of one half-space, in the order of `summary.json`.
+#[must_use]
+pub fn half_space() -> Vec<Reported<Tested>> {
+    results! { |of: Tested|
+        /// Name of the half-space.
+        "name" if NAMED: of.specimen.name.clone();
+        /// Young's modulus.
+        "youngs_modulus_Pa": of.specimen.half_space.material.youngs_modulus;
+        /// Half of the width of the interval that the modulus lies in.
+        "youngs_modulus_uncertainty_Pa" if UNCERTAIN: of.specimen.modulus_uncertainty;
+        /// Poisson's ratio.
+        "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
+        /// Yield strength.
+        "yield_strength_Pa" if YIELDS: of.specimen.half_space.yield_strength;
+        /// Half of the width of the interval that the strength lies in.
+        "yield_strength_uncertainty_Pa" if UNCERTAIN: of.specimen.strength_uncertainty;
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa": of.pair.effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance": of.pair.sphere_compliance;
+        /// Indentation at first yield.
+        "yield_indentation_m" if YIELDS: of.pair.yield_point.map(|point| point.indentation);
+        /// Force at first yield.
+        "yield_force_N" if YIELDS: of.pair.yield_point.map(|point| point.force);
+        /// Work of all steps.
+        "work_J": of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
+        /// Energy spent on the dent in all steps.
+        "plastic_work_J" if YIELDS: of.can_yield.then(|| {
+            of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
+        });
+        /// The steps, one after the other.
+        "steps": steps(of);
+    }
+}
+
+fn steps(of: &Tested) -> Vec<Fields> {
+    let results = step();
+    let spans = |i: usize| of.spans.as_ref().and_then(|spans| spans.get(i).copied());
+    let can_yield = of.can_yield;
+    let steps = of.indentation.steps.iter().enumerate();
+    steps.map(|(i, step)| fields(&results, &Stepped { number: i + 1, step, can_yield, spans: spans(i) })).collect()
+}
+
+/// One step of an indentation.
+#[derive(Debug, Clone, Copy)]
+pub struct Stepped<'a> {
+    /// Its number, from 1.
+    pub number: usize,
+    /// What came of it.
+    pub step: &'a Step,
+    /// Whether the half-space can yield.
+    pub can_yield: bool,
+    /// What the uncertainties make of it.
+    pub spans: Option<Spans>,
+}
+
+impl Stepped<'_> {
+    fn span(&self, span: fn(&Spans) -> Span) -> Option<[f64; 2]> {
+        self.spans.as_ref().map(span).map(|Span { low, high }| [low, high])
+    }
+}
+
+/// The results of one step.
+#[must_use]
+pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
+    results! { |of: Stepped<'a>|
+        /// Number of the step, from 1.
+        "step": of.number;
+        /// Load that the step goes to.
+        "target_load_N" if GIVEN: match of.step.target {
+            Target::Load(load) => Some(load),
+            Target::Indentation(_) => None,
+        };
+        /// Indentation that the step goes to.
+        "target_indentation_m" if GIVEN: match of.step.target {
+            Target::Load(_) => None,
+            Target::Indentation(indentation) => Some(indentation),
+        };
+        /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": of.step.branch.name();
+        /// Indentation at its end.
+        "indentation_m": of.step.indentation;
+        /// The sphere's own share of the indentation.
+        "sphere_indentation_m": of.step.sphere_indentation;
+        /// Force at its end.
+        "force_N": of.step.force;
+        /// Work done in the step; negative on unloading.
+        "work_J": of.step.work;
+        /// Elastic energy in the contact at its end.
+        "stored_energy_J": of.step.stored_energy;
+        /// Energy spent on the dent in the step.
+        "plastic_work_J" if YIELDS: of.can_yield.then_some(of.step.plastic_work);
+        /// Largest force so far.
+        "peak_force_N": of.step.memory.force;
+        /// Largest indentation so far.
+        "peak_indentation_m": of.step.memory.indentation;
+        /// Contact radius at that indentation.
+        "peak_contact_radius_m": of.step.memory.contact_radius;
+        /// Largest force over the contact area there.
+        "peak_mean_pressure_Pa": of.step.memory.mean_pressure;
+        /// Depth of the dent.
+        "residual_indentation_m" if YIELDS: of.can_yield.then_some(of.step.memory.residual_indentation);
+        /// Slope of the unloading branch at its top.
+        "unloading_stiffness_N_per_m": of.step.memory.unloading_stiffness;
+        /// Exponent of the force on unloading.
+        "unloading_exponent": of.step.memory.unloading_exponent;
+        /// Lowest and highest indentation at the end of the step, over the corners of the uncertain inputs; so below.
+        "uncertainty.indentation_m" if UNCERTAIN: of.span(|spans| spans.indentation);
+        /// Lowest and highest force.
+        "uncertainty.force_N" if UNCERTAIN: of.span(|spans| spans.force);
+        /// Lowest and highest depth of the dent.
+        "uncertainty.residual_indentation_m" if UNCERTAIN: of.span(|spans| spans.residual_indentation);
+        /// Lowest and highest slope of the unloading branch at its top.
+        "uncertainty.unloading_stiffness_N_per_m" if UNCERTAIN: of.span(|spans| spans.unloading_stiffness);
+        /// Lowest and highest contact radius.
+        "uncertainty.peak_contact_radius_m" if UNCERTAIN: of.span(|spans| spans.contact_radius);
+        /// Lowest and highest energy spent on the dent in the step.
+        "uncertainty.plastic_work_J" if UNCERTAIN: of.span(|spans| spans.plastic_work);
+    }
+}
+
+/// A row of the trace, with the name of the half-space.
+pub type Traced<'a> = (Option<&'a str>, &'a crate::indentation::TraceRow);
+
+/// The columns of `trace.csv`.
+#[must_use]
+pub fn trace<'a>() -> Vec<Reported<Traced<'a>>> {
+    results! { |row: Traced<'a>|
+        /// Name of the half-space.
+        "half_space" if NAMED: row.0.map(str::to_owned);
+        /// Number of the step, from 1.
+        "step": row.1.step;
+        /// Indentation.
+        "indentation_m": row.1.indentation;
+        /// The sphere's own share of the indentation.
+        "sphere_indentation_m": row.1.sphere_indentation;
+        /// The half-space's share of the indentation.
+        "half_space_indentation_m": row.1.half_space_indentation;
+        /// Force.
+        "force_N": row.1.force;
+        /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": row.1.branch.name();
+    }
+}

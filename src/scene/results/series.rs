@@ -1,0 +1,225 @@
+//! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
+
+use super::{Reported, results};
+use crate::impact::Contact;
+use crate::math::power::max_or_nan;
+use crate::repeat::{Drive, End, Hit, Repeat, Sequence};
+use crate::units::rounded::quantity;
+
+/// A series of impacts.
+#[derive(Debug, Clone, Copy)]
+pub struct Series<'a> {
+    /// The contact.
+    pub contact: &'a Contact,
+    /// What was to be run.
+    pub repeat: &'a Repeat,
+    /// What came of it.
+    pub sequence: &'a Sequence,
+    /// Doubts about scene and impacts, for a person.
+    pub warnings: &'a [String],
+}
+
+/// What drives a bouncing sphere.
+struct Bouncing {
+    gravity: f64,
+    drop_height: Option<f64>,
+    most: u64,
+    until: Option<f64>,
+}
+
+impl Series<'_> {
+    fn plastic<V>(&self, value: V) -> Option<V> {
+        self.contact.pair().yield_point.map(|_| value)
+    }
+
+    fn bouncing<V>(&self, value: impl FnOnce(Bouncing) -> V) -> Option<V> {
+        match self.repeat.drive {
+            Drive::Bouncing { gravity, drop_height, most, until, .. } => {
+                Some(value(Bouncing { gravity, drop_height, most, until }))
+            }
+            Drive::Shots(_) => None,
+        }
+    }
+
+    /// A value of the first impact; 0 for none.
+    fn first(&self, value: fn(&Hit) -> f64) -> f64 {
+        self.sequence.hits.first().map_or(0.0, value)
+    }
+
+    /// A value of the last impact; 0 for none.
+    fn last(&self, value: fn(&Hit) -> f64) -> f64 {
+        self.sequence.hits.last().map_or(0.0, value)
+    }
+
+    fn largest(&self, value: fn(&Hit) -> f64) -> f64 {
+        self.sequence.hits.iter().map(value).fold(0.0, max_or_nan)
+    }
+}
+
+/// How the time is estimated that bouncing goes on after the end of the series.
+const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
+                         for all bounces to come and contact times left out (a lower bound where e rises as the speed \
+                         falls); null if e is 1 or more, or the sphere stays in its dent";
+
+/// The results of a series, in the order of `summary.json`.
+#[must_use]
+pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
+    results! { |of: Series<'a>|
+        /// Number of impacts.
+        "impacts": of.sequence.hits.len();
+        /// Where they hit: `same` or `fresh`.
+        "spot": of.repeat.place.name();
+        /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
+        "ended_by": of.sequence.end.name();
+        /// The same as a sentence.
+        "end": end_text(of.repeat, of.sequence);
+        /// Restitution of the last impact.
+        "final_restitution": of.last(|hit| hit.restitution);
+        /// Rebound speed of the last impact.
+        "final_rebound_speed_m_per_s": of.last(|hit| hit.rebound_speed);
+        /// Largest contact force of all impacts.
+        "largest_peak_force_N": of.largest(|hit| hit.peak_force);
+        /// Largest indentation of all impacts, from the original surface.
+        "largest_peak_indentation_m": of.largest(|hit| hit.peak_indentation);
+        /// Depth of the deepest dent.
+        "deepest_residual_indentation_m" if YIELDS: of.plastic(of.sequence.deepest_dent());
+        /// Gravity.
+        "gravity_m_per_s2" if BOUNCES: of.bouncing(|by| by.gravity);
+        /// Height of the first fall; `null` where the first speed is given.
+        "drop_height_m" if BOUNCES: of.bouncing(|by| by.drop_height);
+        /// Most impacts there may be.
+        "most_impacts" if BOUNCES: of.bouncing(|by| by.most);
+        /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
+        "until_speed_m_per_s" if BOUNCES: of.bouncing(|by| by.until);
+        /// Time of the last separation.
+        "last_separation_time_s" if BOUNCES:
+            of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
+        /// Estimate of the time that bouncing would go on; `null`: for ever, or not at all.
+        "remaining_time_s" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
+        /// How that time is estimated.
+        "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
+        /// Highest rebound over the original surface.
+        "highest_rebound_m" if BOUNCES: of.bouncing(|_| {
+            let flights = of.sequence.hits.iter().filter_map(|hit| hit.flight);
+            flights.map(|flight| flight.top()).reduce(max_or_nan)
+        });
+        /// Indentation at which a captured sphere comes to rest.
+        "static_indentation_m" if CAPTURED:
+            of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.static_indentation)).flatten();
+        /// Kinetic energy at the first touch.
+        "energy.first_kinetic_in_J": of.first(|hit| hit.kinetic_in);
+        /// Kinetic energy after the last impact.
+        "energy.last_recovered_J": of.last(|hit| hit.recovered);
+        /// Energy spent on dents.
+        "energy.plastic_J" if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.plastic).sum::<f64>());
+        /// Largest error of the energy balance of any impact.
+        "energy.drift": of.sequence.drift();
+        /// Impacts that the trace has: the first ones of a long series.
+        "traced_impacts": of.sequence.traced.len();
+        /// Where the scene, the model or the run is doubtful.
+        "warnings": of.warnings.to_vec();
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa": of.contact.pair().effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance": of.contact.pair().sphere_compliance;
+        /// Mass of the sphere.
+        "sphere_mass_kg": of.contact.mass();
+        /// Impact speed above which the half-space yields.
+        "yield_speed_m_per_s" if YIELDS: of.contact.yield_speed();
+    }
+}
+
+/// Why the series ended, for a person.
+#[must_use]
+pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
+    let until = match repeat.drive {
+        Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
+        _ => String::new(),
+    };
+    match sequence.end {
+        End::Shots => "all shots are fired".to_owned(),
+        End::Impacts => "as many impacts as were asked for".to_owned(),
+        End::Until => format!("the next impact would be slower than {until}"),
+        End::Captured => "captured: the sphere does not leave the half-space".to_owned(),
+        End::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
+    }
+}
+
+/// The columns of `impacts.csv`, behind the number of the impact.
+#[must_use]
+pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
+    results! { |row: (usize, Hit)|
+        /// Number of the impact, from 1.
+        "impact": row.0;
+        /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
+        "time_s" if BOUNCES: row.1.time;
+        /// Speed at first touch.
+        "impact_speed_m_per_s": row.1.speed;
+        /// Rebound speed over impact speed; 0 if captured.
+        "restitution": row.1.restitution;
+        /// Speed at separation.
+        "rebound_speed_m_per_s": row.1.rebound_speed;
+        /// Largest contact force.
+        "peak_force_N": row.1.peak_force;
+        /// Largest indentation, from the original surface.
+        "peak_indentation_m": row.1.peak_indentation;
+        /// Depth of the dent afterwards.
+        "residual_indentation_m" if YIELDS: row.1.plastic.map(|_| row.1.residual_indentation);
+        /// How much deeper this impact made the dent.
+        "dent_growth_m" if YIELDS: row.1.plastic.map(|_| row.1.dent_growth);
+        /// Time from first touch to separation; empty if captured.
+        "contact_time_s": row.1.contact_time;
+        /// Kinetic energy at first touch.
+        "kinetic_in_J": row.1.kinetic_in;
+        /// Kinetic energy at separation.
+        "recovered_J": row.1.recovered;
+        /// Energy spent on the dent.
+        "plastic_J" if YIELDS: row.1.plastic;
+        /// Energy taken by damping.
+        "damping_J" if DAMPING: row.1.damping;
+        /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
+        "stored_at_separation_J" if VISCOUS: row.1.stored_at_separation;
+        /// Error of the energy balance.
+        "energy_drift": row.1.drift;
+    }
+}
+
+/// A row of the trace of a series.
+#[derive(Debug, Clone, Copy)]
+pub struct TraceRow {
+    /// Number of the impact, from 1; 0 before the first.
+    pub impact: usize,
+    /// Time \[s\].
+    pub time: f64,
+    /// Height of the lowest point of the sphere \[m\].
+    pub height: f64,
+    /// Speed towards the half-space \[m/s\].
+    pub speed: f64,
+    /// Force \[N\].
+    pub force: f64,
+    /// Branch of the law, or `flight`.
+    pub branch: &'static str,
+    /// The event, or empty.
+    pub event: &'static str,
+}
+
+/// The columns of the `trace.csv` of a series.
+#[must_use]
+pub fn trace() -> Vec<Reported<TraceRow>> {
+    results! { |row: TraceRow|
+        /// Number of the impact that the row is of or comes after; 0 during the fall before the first.
+        "impact": row.impact;
+        /// Time of the series for a bouncing sphere; for shots, time since each first touch.
+        "time_s": row.time;
+        /// Height of the lowest point of the sphere over the original surface; negative in contact.
+        "height_m": row.height;
+        /// Speed towards the half-space.
+        "speed_m_per_s": row.speed;
+        /// Force on the sphere.
+        "force_N": row.force;
+        /// Branch of the law, or `flight`.
+        "branch": row.branch;
+        /// The event, if the row is one, as in the trace of one impact; `release` where a fall begins.
+        "event": row.event;
+    }
+}
