@@ -95,16 +95,23 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The parts of a page that are written here, each with its marks and its text.
-const PARTS: [([&str; 2], fn() -> String); 2] = [
-    (["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"], keys),
-    (["<!-- results: written by `plm-impact reference` -->", "<!-- end of results -->"], results),
+/// A part of a page that is written here.
+struct Part {
+    /// What stands before it and behind it.
+    marks: [&'static str; 2],
+    /// Its text.
+    text: fn() -> String,
+}
+
+const PARTS: [Part; 2] = [
+    Part { marks: ["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"], text: keys },
+    Part { marks: ["<!-- results: written by `plm-impact reference` -->", "<!-- end of results -->"], text: results },
 ];
 
 /// Keys and results as Markdown.
 #[must_use]
 pub fn page() -> String {
-    PARTS.iter().map(|(_, text)| text()).collect()
+    PARTS.iter().map(|part| (part.text)()).collect()
 }
 
 /// A page with the text between the marks written anew.
@@ -112,12 +119,12 @@ pub fn page() -> String {
 /// # Errors
 /// The marks that the page lacks.
 pub fn renewed(page: &str) -> Result<String, [&'static str; 2]> {
-    let write = |page: String, ([begin, end], text): &([&'static str; 2], fn() -> String)| {
+    let write = |page: String, Part { marks: [begin, end], text }: &Part| {
         let (before, rest) = page.split_once(begin)?;
         let (_, after) = rest.split_once(end)?;
         Some(format!("{before}{begin}\n\n{}{end}{after}", text()))
     };
-    PARTS.iter().try_fold(page.to_owned(), |page, part| write(page, part).ok_or(part.0))
+    PARTS.iter().try_fold(page.to_owned(), |page, part| write(page, part).ok_or(part.marks))
 }
 
 /// All results as Markdown, a table for every file, or part of one, that has them.
