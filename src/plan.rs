@@ -7,7 +7,7 @@ mod source;
 use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
 use crate::scene::Scene;
-use crate::scene::results::{ResultColumn, columns};
+use crate::scene::results::{Column, columns};
 use axis::{Axis, Setting};
 use random::Variable;
 pub use source::Source;
@@ -66,7 +66,7 @@ impl Plan {
 
     /// The results that the table has.
     #[must_use]
-    pub fn results(&self) -> Vec<ResultColumn> {
+    pub fn results(&self) -> Vec<Column> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = columns().into_iter();
         all.filter(|column| column.missing(&self.scene).is_none() && is_wanted(column.name)).collect()

@@ -8,6 +8,7 @@ use super::ReportError;
 use super::inputs::Inputs;
 use super::rows::written;
 use super::summary::pretty;
+use super::table::aligned;
 use crate::compare::{Comparison, Origin};
 use crate::provenance::Provenance;
 use crate::units::rounded::{number, quantity};
@@ -152,13 +153,7 @@ pub fn table(comparison: &Comparison) -> String {
             remark,
         ]
     }));
-    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..8).map(width).collect();
-    lines.iter().fold(state(comparison), |mut text, line| {
-        let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
-        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
-        text
-    })
+    state(comparison) + &aligned(&lines)
 }
 
 /// `comparison.csv`.

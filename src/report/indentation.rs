@@ -1,14 +1,29 @@
 //! What is written about an indentation: `summary.json`, `trace.csv` and the table on the terminal.
 
 use super::ReportError;
+use serde::Serialize;
+
 use super::inputs::Inputs;
 use super::rows::csv;
 use super::table::aligned;
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 use crate::provenance::Provenance;
-use crate::scene::results::indentation::{self as results, half_space};
+use crate::scene::results::indentation::{self as results, half_space, steps};
 use crate::scene::results::{Fields, fields};
 use crate::units::rounded::{number, quantity};
+
+#[derive(Serialize)]
+struct Results<'a> {
+    half_spaces: Vec<HalfSpace>,
+    warnings: &'a [String],
+}
+
+#[derive(Serialize)]
+struct HalfSpace {
+    #[serde(flatten)]
+    results: Fields,
+    steps: Vec<Fields>,
+}
 
 /// `summary.json`.
 ///
@@ -20,10 +35,10 @@ pub fn summary(
     inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
-    let results = half_space();
-    let half_spaces: Vec<Fields> = tested.iter().map(|one| fields(&results, one)).collect();
-    let all = Fields(vec![("half_spaces", half_spaces.into()), ("warnings", warnings.to_vec().into())]);
-    super::summary::of(all, inputs, provenance)
+    let list = half_space();
+    let half_space = |one| HalfSpace { results: fields(&list, one), steps: steps(one) };
+    let half_spaces = tested.iter().map(half_space).collect();
+    super::summary::of(Results { half_spaces, warnings }, inputs, provenance)
 }
 
 /// `trace.csv`.

@@ -1,9 +1,8 @@
 //! What was understood of a scenario, for a person: every value in SI and in a unit that fits, and what follows from them
 //! before anything is run.
 
-use std::fmt::Write as _;
-
 use super::resolved::{self, Entry};
+use super::table::aligned;
 use crate::compare::Comparison;
 use crate::impact::Contact;
 use crate::indentation::{Target, Tested};
@@ -14,11 +13,14 @@ use crate::scenario::indentation::IndentationScene;
 use crate::scene::Scene;
 use crate::units::{Dimension, describe, human, number};
 
+/// A name and a value.
+type Row = [String; 2];
+
 /// A few aligned lines.
 #[must_use]
 pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = given(scene);
-    rows.push((String::new(), String::new()));
+    rows.push([String::new(), String::new()]);
     rows.extend(derived(contact));
     aligned(&rows)
 }
@@ -27,7 +29,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 #[must_use]
 pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
     let mut rows = rows(&resolved::of_indentation(scenario, scene));
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (what, value) = match *target {
             Target::Load(load) => ("load", describe(load, Dimension::Force)),
@@ -48,7 +50,7 @@ pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene, tested: &[T
         if let Some(strength) = half_space.yield_strength {
             row("yield_strength", pressure(strength, specimen.strength_uncertainty));
         }
-        for (name, value) in paired(pair) {
+        for [name, value] in paired(pair) {
             row(&name, value);
         }
     }
@@ -60,20 +62,20 @@ pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene, tested: &[T
 pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> String {
     let mut rows = rows(&resolved::of_comparison(scenario, comparison));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
-    rows.push(("laws".to_owned(), names.join(", ")));
-    rows.push((String::new(), String::new()));
+    rows.push(["laws".to_owned(), names.join(", ")]);
+    rows.push([String::new(), String::new()]);
     rows.extend(paired(&comparison.bodies.pair));
     aligned(&rows)
 }
 
-fn rows(entries: &[Entry]) -> Vec<(String, String)> {
-    entries.iter().map(|entry| (entry.key.to_owned(), entry.text())).collect()
+fn rows(entries: &[Entry]) -> Vec<Row> {
+    entries.iter().map(|entry| [entry.key.to_owned(), entry.text()]).collect()
 }
 
 /// What follows from the pair alone.
-fn paired(pair: &Pair) -> Vec<(String, String)> {
+fn paired(pair: &Pair) -> Vec<Row> {
     let mut rows = Vec::new();
-    let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
     row("share of the sphere kappa", number(pair.sphere_compliance));
     match pair.yield_point {
@@ -88,19 +90,11 @@ fn paired(pair: &Pair) -> Vec<(String, String)> {
 
 const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
 
-fn aligned(rows: &[(String, String)]) -> String {
-    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    rows.iter().fold(String::new(), |mut text, (name, value)| {
-        let _ = writeln!(text, "{}", format!("{name:<width$}  {value}").trim_end());
-        text
-    })
-}
-
-fn given(scene: &Scene) -> Vec<(String, String)> {
+fn given(scene: &Scene) -> Vec<Row> {
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
     let mut rows = Vec::new();
     for entry in resolved::of_scene(scene) {
-        let mut row = |name: &str, value: String| rows.push((name.to_owned(), value));
+        let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
         match entry.key {
             // its own keys name it
             "law" if is_plm => {}
@@ -116,14 +110,14 @@ fn given(scene: &Scene) -> Vec<(String, String)> {
     rows
 }
 
-fn derived(contact: &Contact) -> Vec<(String, String)> {
+fn derived(contact: &Contact) -> Vec<Row> {
     let pair = contact.pair();
-    let mut rows = vec![("sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass))];
+    let mut rows = vec![["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]];
     rows.extend(paired(pair));
     if let Some(point) = pair.yield_point {
         let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
-        rows.push(("yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)));
-        rows.push(("yield speed v_Y".to_owned(), speed));
+        rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
+        rows.push(["yield speed v_Y".to_owned(), speed]);
     }
     rows
 }

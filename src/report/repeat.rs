@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::ReportError;
 use super::rows::csv;
+use super::table::aligned_right;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Drive, End, Place, Repeat, Sequence};
 use crate::scene::results::impact::event_name;
@@ -139,16 +140,7 @@ fn rows(sequence: &Sequence) -> String {
         cells.push(if hit.is_captured { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
         lines.push(cells);
     }
-    let columns = lines[0].len();
-    let widths: Vec<usize> = (0..columns)
-        .map(|c| lines.iter().filter_map(|line| line.get(c)).map(|cell| cell.chars().count()).max().unwrap_or(0))
-        .collect();
-    let mut text = String::new();
-    for line in &lines {
-        let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
-        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
-    }
-    text
+    aligned_right(&lines)
 }
 
 /// Speeds of a list that are shown one by one.

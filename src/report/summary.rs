@@ -9,7 +9,7 @@ use crate::provenance::Provenance;
 use crate::repeat::Drive;
 use crate::scene::results::impact::Single;
 use crate::scene::results::series::Series;
-use crate::scene::results::{Fields, Value, fields, impact, series};
+use crate::scene::results::{Fields, fields, impact, series};
 
 /// Results with what they come from.
 #[derive(Serialize)]
@@ -61,7 +61,7 @@ const LISTED: usize = 1000;
 /// As [`pretty`].
 pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, ReportError> {
     let lists = match &of.repeat.drive {
-        Drive::Shots(speeds) if speeds.len() <= LISTED => vec![("shot_speeds_m_per_s", Value::Numbers(speeds.clone()))],
+        Drive::Shots(speeds) if speeds.len() <= LISTED => vec![("shot_speeds_m_per_s", speeds.clone().into())],
         _ => Vec::new(),
     };
     pretty(&Summary { results: fields(&series::results(), of), inputs, lists: Fields(lists), provenance })

@@ -1,5 +1,7 @@
 //! The short table a person reads on the terminal.
 
+use std::fmt::Write as _;
+
 use crate::impact::{Contact, Impact, UnderForces};
 use crate::math::power::max_or_nan;
 use crate::units::rounded::{number, percent, quantity};
@@ -128,24 +130,26 @@ fn of_forces(impact: &Impact, under: &UnderForces) -> String {
     parts.join(", ")
 }
 
-/// Lines of cells, each column as wide as its widest cell.
+/// Lines of cells, each column as wide as its widest cell; on the left of it.
 pub(super) fn aligned<R: AsRef<[String]>>(rows: &[R]) -> String {
+    lines(rows, |cell, width| format!("{cell:<width$}"))
+}
+
+/// The same, on the right of it.
+pub(super) fn aligned_right<R: AsRef<[String]>>(rows: &[R]) -> String {
+    lines(rows, |cell, width| format!("{cell:>width$}"))
+}
+
+fn lines<R: AsRef<[String]>>(rows: &[R], pad: fn(&str, usize) -> String) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows {
-        for (i, cell) in row.as_ref().iter().enumerate() {
-            let width = cell.chars().count();
-            match widths.get_mut(i) {
-                Some(widest) => *widest = width.max(*widest),
-                None => widths.push(width),
-            }
-        }
+        let cells = row.as_ref();
+        widths.resize(widths.len().max(cells.len()), 0);
+        widths.iter_mut().zip(cells).for_each(|(widest, cell)| *widest = cell.chars().count().max(*widest));
     }
-    let mut text = String::new();
-    for row in rows {
-        let cells: Vec<String> =
-            row.as_ref().iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
-        text.push_str(cells.join("  ").trim_end());
-        text.push('\n');
-    }
-    text
+    rows.iter().fold(String::new(), |mut text, row| {
+        let cells: Vec<String> = row.as_ref().iter().zip(&widths).map(|(cell, width)| pad(cell, *width)).collect();
+        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
+        text
+    })
 }

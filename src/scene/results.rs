@@ -9,11 +9,12 @@
 pub mod impact;
 pub mod indentation;
 pub mod series;
-mod value;
 
 use super::Scene;
+use serde::ser::{Serialize, SerializeMap as _, Serializer};
+use serde_json::Value;
+
 use crate::impact::Essentials;
-pub use value::{Fields, Value};
 
 /// A result of what `T` holds.
 #[derive(Debug, Clone, Copy)]
@@ -30,15 +31,6 @@ pub struct Reported<T> {
     pub column: Option<Column>,
 }
 
-/// How a table gets a result.
-#[derive(Debug, Clone, Copy)]
-pub struct Column {
-    /// What the scene must have.
-    pub needs: Needs,
-    /// The value of a row; `None` is an empty field.
-    pub value: fn(&Essentials) -> Option<f64>,
-}
-
 /// What a scene must have for a column to be there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
@@ -52,7 +44,7 @@ pub enum Needs {
 
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
-pub struct ResultColumn {
+pub struct Column {
     /// Its name, with the unit.
     pub name: &'static str,
     /// What the scene must have.
@@ -61,7 +53,7 @@ pub struct ResultColumn {
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
-impl ResultColumn {
+impl Column {
     /// Why impacts of this scene do not have it; `None` where they do.
     #[must_use]
     pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
@@ -79,15 +71,35 @@ impl ResultColumn {
 
 /// The columns of results that a table may have, in their order: those of elastic waves come last.
 #[must_use]
-pub fn columns() -> Vec<ResultColumn> {
-    let all = impact::results();
-    let named = |result: &Reported<_>| {
-        let Column { needs, value } = result.column?;
-        Some(ResultColumn { name: result.name, needs, value })
-    };
-    let mut columns: Vec<ResultColumn> = all.iter().filter_map(named).collect();
+pub fn columns() -> Vec<Column> {
+    let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
     columns.sort_by_key(|column| column.needs == Needs::Density);
     columns
+}
+
+/// Values by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fields(pub Vec<(&'static str, Value)>);
+
+impl Serialize for Fields {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        let mut rest = self.0.as_slice();
+        while let Some((name, value)) = rest.first() {
+            let group = |name: &'static str| name.split_once('.').map(|(group, _)| group);
+            let Some(own) = group(name) else {
+                map.serialize_entry(name, value)?;
+                rest = &rest[1..];
+                continue;
+            };
+            let length = rest.iter().take_while(|(name, _)| group(name) == Some(own)).count();
+            let (inner, behind) = rest.split_at(length);
+            let inner = inner.iter().map(|(name, value)| (&name[own.len() + 1..], value.clone()));
+            map.serialize_entry(own, &Self(inner.collect()))?;
+            rest = behind;
+        }
+        map.end()
+    }
 }
 
 /// The values of all results that are there, by name.
@@ -120,7 +132,7 @@ macro_rules! results {
             condition: results!(@condition $($condition)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
             value: |$of| results!(@value $value $(, $condition)?),
-            column: results!(@column $($needs, $column)?),
+            column: results!(@column $($name, $needs, $column)?),
         }),+]
     };
     (@condition) => { "" };
@@ -128,8 +140,9 @@ macro_rules! results {
     (@value $value:expr) => { Some($value.into()) };
     (@value $value:expr, $condition:ident) => { $value.map(Into::into) };
     (@column) => { None };
-    (@column $needs:ident, $value:expr) => {
-        Some($crate::scene::results::Column { needs: $crate::scene::results::Needs::$needs, value: $value })
-    };
+    (@column $name:literal, $needs:ident, $value:expr) => {{
+        use $crate::scene::results::{Column, Needs};
+        Some(Column { name: $name, needs: Needs::$needs, value: $value })
+    }};
 }
 use results;

@@ -8,7 +8,7 @@ use super::count::Count;
 use super::evaluator::{Failure, Rows};
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::{Cases, Plan};
-use crate::scene::results::ResultColumn;
+use crate::scene::results::Column;
 
 /// What a table is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -47,7 +47,7 @@ pub struct TextTable {
     names: Vec<String>,
     /// What stands before every field.
     before: Vec<Vec<u8>>,
-    results: Vec<ResultColumn>,
+    results: Vec<Column>,
     /// Place of e among the columns.
     restitution: usize,
     /// Of every axis of a grid: how its values are written.

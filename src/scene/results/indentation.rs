@@ -33,12 +33,12 @@ pub fn half_space() -> Vec<Reported<Tested>> {
         "plastic_work_J" if YIELDS: of.can_yield.then(|| {
             of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
         });
-        /// The steps, one after the other.
-        "steps": steps(of);
     }
 }
 
-fn steps(of: &Tested) -> Vec<Fields> {
+/// The results of every step of one half-space.
+#[must_use]
+pub fn steps(of: &Tested) -> Vec<Fields> {
     let results = step();
     let spans = |i: usize| of.spans.as_ref().and_then(|spans| spans.get(i).copied());
     let can_yield = of.can_yield;

@@ -11,7 +11,7 @@ use super::BATCH;
 use crate::plan::axis::{Setting, Values};
 use crate::plan::{Cases, Plan};
 use crate::provenance::PROGRAM;
-use crate::scene::results::ResultColumn;
+use crate::scene::results::Column as ResultColumn;
 
 /// Where the values of a column come from.
 pub(super) enum Column {
