@@ -35,7 +35,12 @@
 //! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!
-//! # Example
+//! # How it is used
+//!
+//! A user of the library needs six things: the contact of two bodies, its impacts, the laws, the trace of an impact, tables
+//! of many impacts, and numbers with units. Everything below is in SI units.
+//!
+//! **A contact and its impacts.** [`material`] has the bodies, [`impact`] the contact. An impact is integrated, or exact:
 //!
 //! ```
 //! use plm_impact::impact::{Contact, Solver};
@@ -47,49 +52,128 @@
 //! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //!
-//! // integrated, with a trace of 200 rows
-//! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
+//! let impact = contact.impact(3.0, &Solver::default(), None)?;
 //! assert!((impact.restitution - 0.492_463_617).abs() < 1e-8);
-//! assert!(impact.trace.len() >= 200);
 //!
-//! // or exact, without stepping
+//! // without stepping
 //! let exact = contact.closed_form(3.0)?;
 //! assert!((impact.contact_time / exact.contact_time - 1.0).abs() < 1e-9);
 //! # Ok::<(), plm_impact::impact::ImpactError>(())
 //! ```
 //!
+//! **Laws.** [`law::LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`:
+//!
+//! ```
+//! # use plm_impact::impact::Contact;
+//! # use plm_impact::material::{HalfSpace, Material, Sphere};
+//! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+//! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
+//! # let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+//! use plm_impact::law::LawChoice;
+//!
+//! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
+//! let contact = Contact::with_law(sphere, half_space, thornton.get())?;
+//! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
+//! assert!(slow.restitution > fast.restitution);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **A trace** is the impact against time: so many rows evenly spaced, and one more for every event.
+//!
+//! ```
+//! # use plm_impact::impact::{Contact, Solver};
+//! # use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+//! # use plm_impact::material::{HalfSpace, Material, Sphere};
+//! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+//! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
+//! # let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+//! # let contact =
+//! #     Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+//! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
+//! assert!(impact.trace.len() >= 200);
+//! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);
+//! assert_eq!(largest, impact.peak_force);
+//! # Ok::<(), plm_impact::impact::ImpactError>(())
+//! ```
+//!
+//! **A table** of many impacts: a [`scenario`] says what varies, and [`sweep`] computes the rows.
+//!
+//! ```
+//! use plm_impact::scenario::Scenario;
+//! use plm_impact::sweep::evaluator::{Evaluator, Rows};
+//!
+//! let text = r#"
+//!     sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
+//!     half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
+//!     [sweep]
+//!     "impact.speed" = { logspace = ["0.1 m/s", "10 m/s"], points = 5 }
+//! "#;
+//! let plan = Scenario::from_text("steel", text, &[])?.plan()?.ok_or("nothing varies")?;
+//! let mut rows = Rows::default();
+//! Evaluator::new(&plan).rows(0..5, &mut rows);
+//! let restitutions: Vec<f64> = rows.results.iter().flatten().map(|row| row.restitution).collect();
+//! assert!(restitutions.len() == 5 && restitutions.is_sorted_by(|slow, fast| slow > fast));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Numbers with units** are read as in scenarios:
+//!
+//! ```
+//! use plm_impact::units::{Dimension, parse};
+//!
+//! assert_eq!(parse("5 mm", Dimension::Length)?, 5e-3);
+//! assert!(parse("5 mm", Dimension::Pressure).is_err());
+//! # Ok::<(), plm_impact::units::UnitError>(())
+//! ```
+//!
+//! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, [`compare`] the unloading laws from one
+//! peak, and [`fit`] determines coefficients of the PLM. The other modules are what the command is made of. They are public
+//! for the command and for the tests, are left out here, and may change at any time.
+//!
 //! # Modules
 //!
-//! Arrows point one way: the command → [`run`], [`mod@bench`] → [`report`] → [`plot`] → [`scenario`], [`sweep`] → [`plan`] →
-//! [`scene`] → [`repeat`] → [`impact`] → [`integrate`], [`law`] → [`material`]. [`scenario`] reads a file, [`scene`] and
-//! [`plan`] say what is to be computed, [`sweep`] computes tables. [`indentation`] and [`compare`] are the law without motion, and stand
-//! beside [`impact`]; [`validation`] and [`fit`] compare with finite elements, whose tables are in [`mod@reference`], and fit
-//! to them. [`integrate`] knows no contact mechanics, [`law`] no time; only [`impact`] sees both. SI units at every border;
-//! inside an impact everything is dimensionless.
+//! Arrows point one way: the command → `run` → `report`, `plot`, [`scenario`], [`sweep`] → `plan`, `scene` → [`repeat`]
+//! → [`impact`] → `integrate`, [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
+//! beside [`impact`]; `validation` and [`fit`] compare with finite elements, whose tables are in `reference`, and fit to
+//! them. `integrate` knows no contact mechanics, [`law`] no time; only [`impact`] sees both. Inside an impact everything is
+//! dimensionless.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]
 
+#[doc(hidden)]
 pub mod bench;
 pub mod compare;
+#[doc(hidden)]
 pub mod error;
 pub mod fit;
 pub mod impact;
 pub mod indentation;
+#[doc(hidden)]
 pub mod integrate;
 pub mod law;
 pub mod material;
+#[doc(hidden)]
 pub mod math;
+#[doc(hidden)]
 pub mod output;
+#[doc(hidden)]
 pub mod plan;
+#[doc(hidden)]
 pub mod plot;
+#[doc(hidden)]
 pub mod provenance;
+#[doc(hidden)]
 pub mod reference;
 pub mod repeat;
+#[doc(hidden)]
 pub mod report;
+#[doc(hidden)]
 pub mod run;
 pub mod scenario;
+#[doc(hidden)]
 pub mod scene;
 pub mod sweep;
 pub mod units;
+#[doc(hidden)]
 pub mod validation;
