@@ -72,7 +72,7 @@
 //! use plm_impact::law::LawChoice;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
-//! let contact = Contact::with_law(sphere, half_space, thornton.get())?;
+//! let contact = Contact::try_new(sphere, half_space, thornton.get())?;
 //! let (slow, fast) = (contact.closed_form(0.1)?, contact.closed_form(10.0)?);
 //! assert!(slow.restitution > fast.restitution);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -82,13 +82,12 @@
 //!
 //! ```
 //! # use plm_impact::impact::{Contact, Solver};
-//! # use plm_impact::law::{PlmCoefficients, UnloadingExponent};
+//! # use plm_impact::law::Plm;
 //! # use plm_impact::material::{HalfSpace, Material, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
-//! # let contact =
-//! #     Contact::try_new(sphere, half_space, PlmCoefficients::built_in(), UnloadingExponent::Paper)?;
+//! # let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
 //! assert!(impact.trace.len() >= 200);
 //! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);

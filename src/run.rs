@@ -3,32 +3,13 @@
 pub mod compare;
 pub mod impact;
 pub mod indentation;
+mod outcome;
 pub mod repeat;
 pub mod table;
 
 use crate::error::Error;
-use crate::law::LawChoice;
-use crate::output::OutputFile;
-use crate::provenance::{LawOf, Provenance};
 use crate::scenario::{Kind, Scenario};
-
-/// What came of a scenario.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
-    /// Where scene, model or run are doubtful.
-    pub warnings: Vec<String>,
-    /// What the terminal shows.
-    pub text: String,
-    /// What goes into the output directory; empty for a check.
-    pub files: Vec<OutputFile>,
-}
-
-impl Outcome {
-    /// What a check says: nothing is written.
-    fn checked(warnings: Vec<String>, text: String) -> Self {
-        Self { warnings, text, files: Vec::new() }
-    }
-}
+pub use outcome::Outcome;
 
 /// How scenarios of one kind are done.
 #[derive(Debug, Clone, Copy)]
@@ -83,24 +64,4 @@ pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(),
         return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count: warnings });
     }
     Ok(())
-}
-
-fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
-    OutputFile { name: name.to_owned(), bytes: bytes.into() }
-}
-
-/// Where results of a scenario under one law come from; elastic bodies are under that of Hertz.
-fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, command: &str) -> Result<Provenance, Error> {
-    let coefficients = match law {
-        LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
-        _ => None,
-    };
-    let law = LawOf {
-        law: if can_yield { law.name() } else { "hertz".to_owned() },
-        law_source: (can_yield && coefficients.is_none()).then(|| law.source()),
-        coefficients: coefficients.map(|table| table.name.clone()),
-        coefficients_source: coefficients.map(|table| table.source.clone()),
-    };
-    let scenario_file = Some(scenario.document.name().to_owned());
-    Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256()?, command) })
 }

@@ -51,7 +51,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
         // each shard is looked after by itself
         OutputDirectory::shared(&arguments.directory()).map_err(Error::from)?
     };
-    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, arguments.quiet)
+    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, &command_line(), arguments.quiet)
 }
 
 /// Warnings and where the files are to standard error, the files to the directory, the table to standard output.

@@ -87,6 +87,7 @@ pub fn run(
     plan: &Plan,
     warnings: &[String],
     directory: &OutputDirectory,
+    command: &str,
     is_quiet: bool,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
@@ -115,7 +116,7 @@ pub fn run(
     let written = written?.map_err(|error| interrupt.explain(error))?;
     let mut names = vec![written.table.display().to_string()];
     if shard.is_none() {
-        let provenance = Provenance::new(source.sha256(), &super::run::command_line());
+        let provenance = Provenance::new(source.sha256(), command);
         let files = table::files(plan, &written.tally, warnings, &provenance)?;
         names.extend(files.iter().map(|file| file.name.clone()));
         directory.write(&files).map_err(Error::from)?;

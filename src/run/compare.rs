@@ -1,6 +1,6 @@
 //! A comparison of unloading laws.
 
-use super::{Outcome, file};
+use super::outcome::{Outcome, file};
 use crate::compare::Comparison;
 use crate::error::Error;
 use crate::plot;

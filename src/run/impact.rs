@@ -1,6 +1,6 @@
 //! One impact.
 
-use super::{Outcome, file};
+use super::outcome::{self, Outcome, file};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
@@ -63,7 +63,7 @@ pub(super) fn provenance(
 ) -> Result<Provenance, Error> {
     let method = Some(MethodOf { method: method.name(), tolerance: scene.solver.tolerance });
     let can_yield = scene.half_space.yield_strength.is_some();
-    Ok(Provenance { method, ..super::provenance(scenario, &scene.law, can_yield, command)? })
+    Ok(Provenance { method, ..outcome::provenance(scenario, &scene.law, can_yield, command)? })
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {

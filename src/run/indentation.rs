@@ -1,6 +1,6 @@
 //! Slow indentations.
 
-use super::{Outcome, file};
+use super::outcome::{self, Outcome, file};
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::plot;
@@ -64,7 +64,7 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
     let inputs = Inputs(of_indentation(scenario, &scene));
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let provenance = super::provenance(scenario, &scene.law, can_yield, command)?;
+    let provenance = outcome::provenance(scenario, &scene.law, can_yield, command)?;
     let files = vec![
         file("summary.json", report::summary(&tested, &warnings, &inputs, &provenance)?),
         file("trace.csv", report::trace(&tested)?),

@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, held, provenance};
-use super::{Outcome, file};
+use super::outcome::{Outcome, file};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
 use crate::plot;

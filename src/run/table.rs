@@ -1,6 +1,6 @@
 //! What stands beside a table, be it written at once or merged from shards.
 
-use super::{Outcome, file};
+use super::outcome::{Outcome, file};
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;

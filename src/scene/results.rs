@@ -6,68 +6,12 @@
 //! too, what the column needs and how a row gives it (`[..]`); and its value. A value without a condition is always there,
 //! as `null` (in CSV an empty field) where it is not finite or `None`.
 
+mod entry;
 pub mod impact;
 pub mod indentation;
 pub mod series;
 
-use super::Scene;
-use serde::ser::{Serialize, SerializeMap as _, Serializer};
-use serde_json::Value;
-
-use crate::impact::Essentials;
-
-/// A result of what `T` holds.
-#[derive(Debug, Clone, Copy)]
-pub struct Reported<T> {
-    /// Its name, with the unit.
-    pub name: &'static str,
-    /// What it is, in one sentence.
-    pub about: &'static str,
-    /// Under which condition it is there; empty: always.
-    pub condition: &'static str,
-    /// Its value; `None` where it is left out.
-    pub value: fn(&T) -> Option<Value>,
-    /// The column of a table with this result.
-    pub column: Option<Column>,
-}
-
-/// What a scene must have for a column to be there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Needs {
-    /// Nothing: the column is in every table.
-    Nothing,
-    /// The yield strength of the half-space: without it nothing is plastic.
-    Strength,
-    /// The density of the half-space: without it nothing is known of elastic waves.
-    Density,
-}
-
-/// A column of a table.
-#[derive(Debug, Clone, Copy)]
-pub struct Column {
-    /// Its name, with the unit.
-    pub name: &'static str,
-    /// What the scene must have.
-    pub needs: Needs,
-    /// The value of a row; `None` is an empty field.
-    pub value: fn(&Essentials) -> Option<f64>,
-}
-
-impl Column {
-    /// Why impacts of this scene do not have it; `None` where they do.
-    #[must_use]
-    pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
-        match self.needs {
-            Needs::Strength if scene.half_space.yield_strength.is_none() => {
-                Some("without half_space.yield_strength there is no dent")
-            }
-            Needs::Density if scene.half_space.density.is_none() => {
-                Some("without half_space.density nothing is known of elastic waves")
-            }
-            _ => None,
-        }
-    }
-}
+pub use entry::{Column, Fields, Needs, Reported, fields};
 
 /// The columns of results that a table may have, in their order: those of elastic waves come last.
 #[must_use]
@@ -76,73 +20,3 @@ pub fn columns() -> Vec<Column> {
     columns.sort_by_key(|column| column.needs == Needs::Density);
     columns
 }
-
-/// Values by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fields(pub Vec<(&'static str, Value)>);
-
-impl Serialize for Fields {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        let mut rest = self.0.as_slice();
-        while let Some((name, value)) = rest.first() {
-            let group = |name: &'static str| name.split_once('.').map(|(group, _)| group);
-            let Some(own) = group(name) else {
-                map.serialize_entry(name, value)?;
-                rest = &rest[1..];
-                continue;
-            };
-            let length = rest.iter().take_while(|(name, _)| group(name) == Some(own)).count();
-            let (inner, behind) = rest.split_at(length);
-            let inner = inner.iter().map(|(name, value)| (&name[own.len() + 1..], value.clone()));
-            map.serialize_entry(own, &Self(inner.collect()))?;
-            rest = behind;
-        }
-        map.end()
-    }
-}
-
-/// The values of all results that are there, by name.
-#[must_use]
-pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
-    Fields(results.iter().filter_map(|result| Some((result.name, (result.value)(of)?))).collect())
-}
-
-const YIELDS: &str = "the half-space has a yield strength";
-const WAVES: &str = "the half-space has a density; not under gravity or damping, nor where the force of the law jumps";
-const FORCES: &str = "there is gravity or damping";
-const GRAVITY: &str = "there is gravity";
-const DAMPING: &str = "there is damping";
-const VISCOUS: &str = "there is viscous damping";
-const TABLES: &str = "in tables only";
-const VERLET: &str = "the method is verlet";
-const BOUNCES: &str = "the sphere bounces under gravity";
-const CAPTURED: &str = "the sphere stays in its dent";
-const NAMED: &str = "the half-space has a name";
-const GIVEN: &str = "the step is given by it";
-const UNCERTAIN: &str = "an uncertainty is given";
-
-/// A list of results from its entries.
-macro_rules! results {
-    (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
-        $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
-        vec![$($crate::scene::results::Reported::<$type> {
-            name: $name,
-            about: concat!($($about),+).trim_ascii_start(),
-            condition: results!(@condition $($condition)?),
-            #[allow(unused_variables)] // a result of tables alone has no value here
-            value: |$of| results!(@value $value $(, $condition)?),
-            column: results!(@column $($name, $needs, $column)?),
-        }),+]
-    };
-    (@condition) => { "" };
-    (@condition $condition:ident) => { $crate::scene::results::$condition };
-    (@value $value:expr) => { Some($value.into()) };
-    (@value $value:expr, $condition:ident) => { $value.map(Into::into) };
-    (@column) => { None };
-    (@column $name:literal, $needs:ident, $value:expr) => {{
-        use $crate::scene::results::{Column, Needs};
-        Some(Column { name: $name, needs: Needs::$needs, value: $value })
-    }};
-}
-use results;

@@ -1,6 +1,6 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
-use super::{Reported, results};
+use super::entry::{Reported, results};
 use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, UnderForces};
 
 /// One impact.

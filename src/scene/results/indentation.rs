@@ -1,6 +1,6 @@
 //! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
 
-use super::{Fields, Reported, fields, results};
+use super::entry::{Fields, Reported, fields, results};
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.

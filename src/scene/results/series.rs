@@ -1,6 +1,6 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
-use super::{Reported, results};
+use super::entry::{Reported, results};
 use crate::impact::Contact;
 use crate::math::power::max_or_nan;
 use crate::repeat::{Drive, End, Hit, Repeat, Sequence};
