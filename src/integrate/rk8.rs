@@ -10,6 +10,17 @@
 //!
 //! **Step size.** An error estimate of order h⁷ held at `tolerance`^(7/8) keeps h proportional to `tolerance`^(1/8), so the
 //! error of the propagated order 8 falls in proportion to the tolerance.
+//!
+//! **Why it is fast.** On every piece the motion without drag is a Nyström problem, y'' = g(y). In s = √δ and
+//! dσ = dt/(2s) Hertz's law becomes s'' = −2k s⁴, a polynomial. So a step of the Nyström pair (see `nystrom.rs`) takes eight
+//! evaluations and one stage sum, where Dormand-Prince 8(5,3) takes twelve and three. No stage divides. Traces use a
+//! polynomial of degree 9 through derivatives that are known, at no extra evaluation.
+//!
+//! **What did not pay.** Hénon's device (switching the independent variable) for the last step: it costs a division in
+//! every stage. A Newton step on the prediction of the landing: the mended miss needs none. 8th roots by square roots or
+//! `powf` in the control of the step: a shift of the exponent's bits does it to 4 %. Carrying the step size across
+//! pieces: a first step from the piece's own frequency is rejected less often. Plain arrays for the batch: without AVX
+//! the compiler's vectors gain little, so the instruction set is chosen at run time.
 
 use super::damped::Damped;
 use super::dense::sample;
