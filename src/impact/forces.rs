@@ -1,4 +1,33 @@
 //! Forces beside the contact law: gravity and damping, only where a scene names them.
+//!
+//! # Motion
+//!
+//! The sphere moves by m δ'' = −F_c + m g, with the contact force F_c: the law's own F without damping, else as
+//! [`Damping`] says. The contact never pulls. Under viscous damping the sphere therefore leaves where F_c vanishes, above
+//! the bottom of its dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at
+//! the knots of a law, and so does the viscous force. With viscous damping the largest force comes a little before
+//! maximum compression.
+//!
+//! # What serves as a reference
+//!
+//! * Gravity alone: peak and rebound follow from the balance of energy. Contact times have closed forms on straight
+//!   pieces, and are quadratures on the others.
+//! * Hunt-Crossley damping alone: the phase curve is known, G(u) = G(v) − W/m with G(u) = u/χ − ln(1 + χ u)/χ². For small
+//!   χ v, e = 1 − (2/3) χ v + (4/9) (χ v)²; the first term is that of Hunt and Crossley (1975).
+//! * Else there is none, and the energy balance is watched: kinetic + stored + plastic + damping − m g δ = ½ m v². The
+//!   largest errors measured, in units of the tolerance: rk8 10, dop853 25, dopri5 79. Three of 150 000 random scenes
+//!   exceeded this, by at most 60 tolerances. All three had a tolerance above 1e-4 and a weight above the force at first
+//!   yield: such a weight takes a slow sphere to hundreds of times its speed, and the error of the first step grows with
+//!   it.
+//!
+//! # Capture
+//!
+//! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time.
+//!
+//! * Without damping this is so where F_m ≤ (n + 1) m g. The trace ends at the static indentation on the way out.
+//! * With damping it is so where the sphere turns back before it has left. The trace ends there; or, for an overdamped
+//!   sphere (ζ from 0.9 on), where it has come within 0.1 % of the static indentation.
+//! * A sphere let go at first touch is always captured: it has brought no speed to leave with. It has no restitution.
 
 use super::scales::ACCELERATION;
 use crate::integrate::Drag;

@@ -3,6 +3,10 @@
 //! No contact gives back more energy than it has taken, and no dent is higher than the surface. Where the formulas of a law
 //! say so all the same, the elastic approach is cut to the largest one that is possible. Where they are off by more than
 //! [`LARGEST_CUT`], the law has no answer there ([`OutsideLaw`]).
+//!
+//! The law has no answer for: `mesarovic_johnson` and `johnson` near yield (case 3 of Xie et al. 2024: below 14 yield
+//! indentations); `stronge` between x = 1.1 and 2.5, where it gives back up to 17 % more energy than was spent; the
+//! residual of Jackson, Chusoipin and Green beyond x = 10⁴, where δ_r > δ_m; and fits beyond a = R or δ = R/2.
 
 use std::fmt;
 use std::sync::Arc;
