@@ -1,15 +1,16 @@
 //! Sweeps: many cases of one scene to one table, on all cores, in shards, resumable.
 //!
 //! A case number alone says what a row holds ([`crate::plan`]), so threads, shards and interruptions change nothing.
-//! Rows are computed and written as text in parallel chunks and appended in order ([`driver`]); memory does not grow with
-//! their number.
+//! Pieces of rows are computed and encoded on all threads and put into the file in order (`ordered`), as text or as Parquet.
+//! Memory does not grow with the number of rows.
 
 pub mod caution;
+mod column;
 pub mod count;
 pub mod driver;
 pub mod evaluator;
+pub mod job;
 pub mod merge;
-#[cfg(feature = "parquet")]
 mod ordered;
 pub mod pace;
 #[cfg(feature = "parquet")]
@@ -28,7 +29,7 @@ use thiserror::Error;
 
 use crate::output::OutputError;
 
-pub use driver::{Job, Progress, Written};
+pub use job::{Job, Progress, Written};
 pub use shard::Shard;
 pub use table::Format;
 

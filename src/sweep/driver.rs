@@ -1,94 +1,20 @@
-//! A sweep from plan to table: chunks of rows on all cores, appended in order while the next ones are computed.
+//! A sweep from plan to table: what an earlier run left is looked at, and the rows behind it are made and appended.
 
 use std::io::Write;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
-use std::time::{Duration, Instant};
-
-use rayon::prelude::*;
+use std::path::Path;
 
 use super::SweepError;
 use super::count::Count;
 use super::evaluator::{Evaluator, Rows};
+use super::job::{Job, Progress, Written};
+use super::ordered::{Made, fill};
 use super::pace::Pace;
 use super::seal::Sealed;
 use super::shard::{Layout, Shard};
 use super::sidecar::{OTHER_MACHINE, Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
 use super::table::{Format, TextTable};
-use crate::output::{Lock, NewFile, OutputDirectory, OutputError, remove, remove_stale, sync_folder};
-use crate::plan::{Plan, Source};
-
-/// Rows a task computes and writes as text, at most: large against the cost of a task, small against memory.
-pub const CHUNK: u64 = 4096;
-/// Rows a thread before the first texts are written.
-const FIRST: u64 = 64;
-/// How long the rows between two writings are to take: what a killed run loses.
-const TURN: Duration = Duration::from_millis(100);
-/// Tasks a thread before their texts are written.
-const CHUNKS_A_THREAD: u64 = 8;
-
-/// A sweep to be run.
-pub struct Job<'a> {
-    /// What is swept.
-    pub plan: &'a Plan,
-    /// Which part of it; `None`: all, with nothing to be merged.
-    pub shard: Option<Shard>,
-    /// What is written.
-    pub format: Format,
-    /// Where.
-    pub directory: &'a OutputDirectory,
-    /// The scenario that the plan is of.
-    pub source: &'a Source,
-    /// Told now and then how far it is.
-    pub progress: &'a (dyn Fn(Progress) + Sync),
-    /// Set to stop within a fraction of a second, unless a single row takes longer.
-    pub is_cancelled: &'a AtomicBool,
-}
-
-/// How far a sweep is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Rows computed, those of an earlier run included.
-    pub rows: u64,
-    /// All rows of this shard.
-    pub total: u64,
-    /// Rows of an earlier run.
-    pub resumed: u64,
-}
-
-/// A finished table, locked until it is dropped.
-#[derive(Debug)]
-pub struct Written {
-    /// The file.
-    pub table: PathBuf,
-    /// Rows, failures, distribution of e.
-    pub tally: Tally,
-    /// Rows that an earlier run had written.
-    pub resumed: u64,
-    is_whole: bool,
-    _lock: Lock,
-}
-
-impl Written {
-    /// Says that all that belongs beside the table is there too. Until then the same command goes on from the table.
-    ///
-    /// # Errors
-    /// [`SweepError::File`].
-    pub fn close(&self) -> Result<(), SweepError> {
-        if self.is_whole {
-            let path = sidecar_path(&self.table);
-            remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
-        }
-        Ok(())
-    }
-}
-
-/// The text of consecutive rows, and how each counts.
-struct Chunk {
-    text: Vec<u8>,
-    counts: Vec<Count>,
-}
+use crate::output::{NewFile, OutputError, remove, remove_stale, sync_folder};
 
 impl Job<'_> {
     /// Runs it, or goes on where an earlier run stopped.
@@ -117,11 +43,10 @@ impl Job<'_> {
         }
         let layout = Layout::new(self.total(), shard);
         let text = TextTable::new(self.plan, self.format);
-        let is_monte_carlo = self.plan.is_monte_carlo();
         let part = part_path(&table);
         let old = Sidecar::read(&table)?;
         let same = old.clone().filter(|old| old.is_of_same(&sidecar));
-        let mut read = Read::default();
+        let mut read = Read::of(self.plan);
         match same {
             None => {
                 self.may_begin(old.as_ref(), &sidecar, &table, &part)?;
@@ -129,7 +54,7 @@ impl Job<'_> {
                 let path = sidecar_path(&table);
                 remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
             }
-            Some(_) if part.exists() => read = read_rows(&part, &text, &layout, is_monte_carlo)?,
+            Some(_) if part.exists() => read = read_rows(&part, &text, &layout, self.plan)?,
             // kept, so that a scheduler may start a shard again and a run that was stopped while pictures were drawn goes on
             Some(old) if self.is_complete(&name, &table) => {
                 if let Some(tally) = self.kept(&table, &text, &layout, old)? {
@@ -193,8 +118,7 @@ impl Job<'_> {
         layout: &Layout,
         sidecar: Sidecar,
     ) -> Result<Option<Tally>, SweepError> {
-        let Read { tally, finished: Some(seal), .. } = (match read_rows(table, text, layout, self.plan.is_monte_carlo())
-        {
+        let Read { tally, finished: Some(seal), .. } = (match read_rows(table, text, layout, self.plan) {
             Err(SweepError::Damaged { .. }) => return Ok(None),
             read => read?,
         }) else {
@@ -222,33 +146,20 @@ impl Job<'_> {
         tally: &mut Tally,
     ) -> Result<(), SweepError> {
         let evaluator = Evaluator::new(self.plan);
-        let total = layout.rows();
-        let resumed = tally.rows;
-        let is_monte_carlo = self.plan.is_monte_carlo();
+        let (total, resumed) = (layout.rows(), tally.rows);
         let report = |rows| (self.progress)(Progress { rows: resumed + rows, total, resumed });
         let pace = Pace::new(self.is_cancelled, &report);
-        let threads = rayon::current_num_threads() as u64;
-        let mut next = tally.rows;
-        let mut ready: Vec<Chunk> = Vec::new();
-        let mut group = threads * FIRST;
-        loop {
-            let begun = Instant::now();
-            let rows = next..total.min(next + group);
-            let (written, computed) = rayon::join(
-                || ready.iter().try_for_each(|chunk| file.write_all(&chunk.text)),
-                || chunks(&evaluator, text, layout, rows, &pace),
-            );
-            written.map_err(SweepError::file("cannot be written (free space, then the same command goes on)", part))?;
-            for count in ready.iter().flat_map(|chunk| &chunk.counts) {
-                tally.push(*count, is_monte_carlo);
-            }
-            if computed.is_empty() {
-                break;
-            }
-            next += computed.iter().map(|chunk| chunk.counts.len() as u64).sum::<u64>();
-            ready = computed;
-            group = next_group(group, begun.elapsed()).clamp(threads, threads * CHUNKS_A_THREAD * CHUNK);
-        }
+        let make = |rows: Range<u64>| {
+            let is_end = rows.end == total;
+            let asked = rows.end - rows.start;
+            let computed = compute(&evaluator, layout, rows, &pace);
+            // numbers take up to 24 characters
+            let mut lines = Vec::with_capacity(computed.cases.len() * 192);
+            text.write(&computed, is_end && computed.cases.len() as u64 == asked, &mut lines);
+            Ok(Made { output: lines, counts: computed.results.iter().map(Count::of).collect() })
+        };
+        let unwritable = SweepError::file("cannot be written (free space, then the same command goes on)", part);
+        fill(tally, total, || pace.piece(), make, |lines: Vec<u8>| file.write_all(&lines).map_err(&unwritable))?;
         if tally.rows < total {
             return Err(SweepError::Interrupted { rows: tally.rows, total, part: part.to_owned() });
         }
@@ -264,7 +175,7 @@ impl Job<'_> {
         }
         let name = table_name(self.shard, self.format);
         if Sidecar::read(table)?.as_ref() == Some(sidecar) && self.is_complete(&name, table) {
-            let tally = super::parquet::count(table, self.plan.is_monte_carlo())?;
+            let tally = super::parquet::count(table, self.plan)?;
             let resumed = tally.rows;
             return Ok((tally, resumed));
         }
@@ -278,44 +189,12 @@ impl Job<'_> {
     }
 
     #[cfg(not(feature = "parquet"))]
-    #[allow(clippy::unused_self)] // has the form of its other half
+    #[allow(clippy::unused_self)] // the signature is that of the function above
     fn run_parquet(&self, _table: &Path, _sidecar: &Sidecar) -> Result<(Tally, u64), SweepError> {
         Err(SweepError::Unsupported(
             "this build writes csv and json; for Parquet build with `cargo build --release --features parquet`",
         ))
     }
-}
-
-/// How many rows the next turn computes, when these took so long.
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts far below 2^53
-fn next_group(group: u64, took: Duration) -> u64 {
-    let factor = TURN.as_secs_f64() / took.as_secs_f64().max(1e-9);
-    (group as f64 * factor.clamp(1.0 / 64.0, 4.0)) as u64
-}
-
-/// The rows of this range as text, in chunks; where they are stopped, those before.
-fn chunks(evaluator: &Evaluator, text: &TextTable, layout: &Layout, rows: Range<u64>, pace: &Pace) -> Vec<Chunk> {
-    let tasks = rayon::current_num_threads() as u64 * CHUNKS_A_THREAD;
-    let length = (rows.end - rows.start).div_ceil(tasks).clamp(1, CHUNK);
-    let starts: Vec<u64> = rows.clone().step_by(usize::try_from(length).unwrap_or(usize::MAX)).collect();
-    let mut chunks: Vec<Chunk> = starts
-        .par_iter()
-        .map(|start| {
-            let computed = compute(evaluator, layout, *start..rows.end.min(start + length), pace);
-            let end = start + computed.cases.len() as u64;
-            // numbers take up to 24 characters
-            let mut lines = Vec::with_capacity(computed.cases.len() * 192);
-            text.write(&computed, end == layout.rows(), &mut lines);
-            let counts = computed.results.iter().map(Count::of).collect();
-            Chunk { text: lines, counts }
-        })
-        .collect();
-    let is_short = |(start, chunk): (&u64, &Chunk)| start + (chunk.counts.len() as u64) < rows.end.min(start + length);
-    if let Some(first) = starts.iter().zip(&chunks).position(is_short) {
-        chunks.truncate(first + 1);
-        chunks.retain(|chunk| !chunk.counts.is_empty());
-    }
-    chunks
 }
 
 /// The rows of this range as numbers; where they are stopped, the first of them.

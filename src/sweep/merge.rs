@@ -216,9 +216,8 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile)
     let unwritable = SweepError::file("cannot be written", &place);
     let mut writer = BufWriter::with_capacity(1 << 20, out);
     writer.write_all(&table.header()).map_err(&unwritable)?;
-    let is_monte_carlo = plan.is_monte_carlo();
     let Layout { total, block, .. } = layout(0);
-    let mut tally = Tally::default();
+    let mut tally = Tally::of(plan);
     while tally.rows < total {
         // a block of each shard in turn
         for reader in &mut readers {
@@ -229,7 +228,7 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile)
                 let body = if is_json { line.strip_suffix(b",").unwrap_or(line) } else { line };
                 let end: &[u8] = if is_json && case + 1 < total { b",\n" } else { b"\n" };
                 writer.write_all(body).and_then(|()| writer.write_all(end)).map_err(&unwritable)?;
-                tally.push(count, is_monte_carlo);
+                tally.push(count);
             }
         }
     }

@@ -1,13 +1,13 @@
-//! How far threads compute before they look up: whether they are to stop, and to say how far they are.
+//! How many rows a thread computes at a time. Between two pieces it looks whether it is to stop, and reports its progress.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// Rows of the first piece, and of the longest one: short enough to be over soon where rows are suddenly slow, long against
-/// what it costs to begin one.
+/// Rows of the first piece: few, because they may be slow.
 const FIRST: u64 = 16;
-const LONGEST: u64 = 1024;
+/// Rows of the longest piece: many against what it costs to begin one. In lock step every piece ends with idle lanes.
+pub const LONGEST: u64 = 4096;
 /// How long a piece is to take, at least and at most.
 const SHORT: Duration = Duration::from_millis(5);
 const LONG: Duration = Duration::from_millis(50);
@@ -29,6 +29,12 @@ impl<'a> Pace<'a> {
         Self { is_cancelled, report, piece: AtomicU64::new(FIRST), done: AtomicU64::new(0) }
     }
 
+    /// How many rows a thread computes next.
+    #[must_use]
+    pub fn piece(&self) -> u64 {
+        self.piece.load(Ordering::Relaxed)
+    }
+
     /// Calls `compute` with piece after piece of the rows, until they are done or it is cancelled; which of both.
     pub fn walk(&self, rows: Range<u64>, mut compute: impl FnMut(Range<u64>)) -> bool {
         let mut next = rows.start;
@@ -36,7 +42,7 @@ impl<'a> Pace<'a> {
             if self.is_cancelled.load(Ordering::Relaxed) {
                 return false;
             }
-            let piece = self.piece.load(Ordering::Relaxed);
+            let piece = self.piece();
             let end = rows.end.min(next + piece);
             let begun = Instant::now();
             compute(next..end);

@@ -15,19 +15,18 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::record::Field;
 use parquet::schema::types::{SchemaDescriptor, Type};
 
-use self::columns::{columns, properties, schema};
-use self::group::{Encoder, Group};
+use self::columns::{BATCH, properties, schema};
+use self::group::{Chunk, Encoder};
 use super::SweepError;
+use super::column::{OK, columns};
 use super::count::Count;
-use super::driver::{Job, Progress};
 use super::evaluator::{Evaluator, Failure};
-use super::ordered::in_order;
+use super::job::{Job, Progress};
+use super::ordered::fill;
 use super::pace::Pace;
 use super::sidecar::Tally;
 use crate::output::NewFile;
-
-/// Rows computed and encoded at a time: few enough to stay in the cache.
-const BATCH: usize = 4096;
+use crate::plan::Plan;
 
 /// Rows of a row group, at most: a few megabytes, so that two groups a thread stay far below the memory of any machine.
 const ROW_GROUP: u64 = 65_536;
@@ -60,46 +59,40 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
         columns: &columns,
         descriptor: &descriptor,
         properties: &properties,
-        is_monte_carlo: job.plan.is_monte_carlo(),
         uniform: Mutex::new(HashMap::new()),
     };
-    let length = row_group(total);
-    let mut tally = Tally::default();
-    in_order(
-        total.div_ceil(length),
-        |index| {
-            let group = encoder.group(index * length..total.min((index + 1) * length)).map_err(failed)?;
-            group.ok_or(SweepError::Dropped)
-        },
-        |group: Group| {
-            append(&mut writer, &group).map_err(failed)?;
-            tally.add(&group.tally);
-            for value in group.restitutions {
-                tally.statistics.push(value);
-            }
-            Ok(())
-        },
+    let mut tally = Tally::of(job.plan);
+    let make = |rows| encoder.group(rows).map_err(|error| Some(failed(error)))?.ok_or(None);
+    fill(
+        &mut tally,
+        total,
+        || row_group(total),
+        make,
+        |group: Vec<Chunk>| append(&mut writer, &group).map_err(failed),
     )?;
+    if tally.rows < total {
+        return Err(SweepError::Dropped);
+    }
     let file = writer.into_inner().map_err(failed)?.into_inner();
     job.directory.put_table(file.map_err(|error| unwritable(error.into_error()))?)?;
     Ok(tally)
 }
 
 /// Counts the rows of a complete table.
-pub(super) fn count(table: &Path, is_monte_carlo: bool) -> Result<Tally, SweepError> {
+pub(super) fn count(table: &Path, plan: &Plan) -> Result<Tally, SweepError> {
     let unreadable = SweepError::file("cannot be read", table);
     let failed = |error: ParquetError| unreadable(io::Error::other(error));
     let reader = SerializedFileReader::new(File::open(table).map_err(&unreadable)?).map_err(failed)?;
     let fields = reader.metadata().file_metadata().schema().get_fields().iter();
     let wanted = fields.filter(|field| ["restitution", "status"].contains(&field.name())).map(Arc::clone).collect();
     let projection = Type::group_type_builder("table").with_fields(wanted).build().map_err(failed)?;
-    let mut tally = Tally::default();
+    let mut tally = Tally::of(plan);
     for row in reader.get_row_iter(Some(projection)).map_err(failed)? {
         let (mut restitution, mut is_ok, mut is_outside) = (None, false, false);
         for (_, field) in row.map_err(failed)?.get_column_iter() {
             match field {
                 Field::Double(value) => restitution = Some(*value),
-                Field::Str(status) => (is_ok, is_outside) = (status == "ok", status == Failure::OutsideLaw.name()),
+                Field::Str(status) => (is_ok, is_outside) = (status == OK, status == Failure::OutsideLaw.name()),
                 _ => {}
             }
         }
@@ -109,14 +102,14 @@ pub(super) fn count(table: &Path, is_monte_carlo: bool) -> Result<Tally, SweepEr
             _ if is_outside => Count::OutsideLaw,
             _ => Count::Failure,
         };
-        tally.push(count, is_monte_carlo);
+        tally.push(count);
     }
     Ok(tally)
 }
 
-fn append(writer: &mut SerializedFileWriter<BufWriter<NewFile>>, group: &Group) -> Result<(), ParquetError> {
+fn append(writer: &mut SerializedFileWriter<BufWriter<NewFile>>, group: &[Chunk]) -> Result<(), ParquetError> {
     let mut row_group = writer.next_row_group()?;
-    for (bytes, close) in &group.columns {
+    for (bytes, close) in group {
         row_group.append_column(bytes, close.clone())?;
     }
     row_group.close().map(|_| ())

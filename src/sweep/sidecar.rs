@@ -177,28 +177,28 @@ pub struct Tally {
     pub failures: u64,
     /// Rows that the law has no answer for.
     pub outside_law: u64,
+    /// Whether values are random; only then e goes into the statistics.
+    is_random: bool,
     /// Of e, for random values.
     pub statistics: Statistics,
 }
 
 impl Tally {
+    /// No rows of this plan yet.
+    #[must_use]
+    pub fn of(plan: &Plan) -> Self {
+        Self { is_random: plan.is_monte_carlo(), ..Self::default() }
+    }
+
     /// Counts a row.
-    pub fn push(&mut self, count: Count, is_monte_carlo: bool) {
+    pub fn push(&mut self, count: Count) {
         self.rows += 1;
         match count {
             Count::Failure => self.failures += 1,
             Count::OutsideLaw => self.outside_law += 1,
-            Count::Restitution(value) if is_monte_carlo => self.statistics.push(value),
+            Count::Restitution(value) if self.is_random => self.statistics.push(value),
             Count::Restitution(_) | Count::AtRest => {}
         }
-    }
-
-    /// Counts the rows of another tally; e is left out.
-    #[cfg(feature = "parquet")]
-    pub(super) fn add(&mut self, other: &Self) {
-        self.rows += other.rows;
-        self.failures += other.failures;
-        self.outside_law += other.outside_law;
     }
 }
 
@@ -213,14 +213,22 @@ pub struct Read {
     pub finished: Option<Seal>,
 }
 
+impl Read {
+    /// No rows of this plan.
+    #[must_use]
+    pub fn of(plan: &Plan) -> Self {
+        Self { tally: Tally::of(plan), ..Self::default() }
+    }
+}
+
 /// Reads the complete rows of a table; a torn last line is left out, and a torn header is none.
 ///
 /// # Errors
 /// [`SweepError::Damaged`] where a row is not the one that belongs there.
-pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, is_monte_carlo: bool) -> Result<Read, SweepError> {
+pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, plan: &Plan) -> Result<Read, SweepError> {
     let failed = SweepError::file("cannot be read", path);
     let mut reader = BufReader::with_capacity(1 << 20, File::open(path).map_err(&failed)?);
-    let (mut read, mut line) = (Read::default(), Vec::new());
+    let (mut read, mut line) = (Read::of(plan), Vec::new());
     let header = table.header();
     reader.read_until(b'\n', &mut line).map_err(&failed)?;
     if !header.starts_with(&line) {
@@ -241,7 +249,7 @@ pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, is_monte_carlo
             let problem = format!("row {row} is damaged, or is not case {expected}; delete it to start over");
             SweepError::Damaged { path: path.to_owned(), problem }
         })?;
-        read.tally.push(found.count, is_monte_carlo);
+        read.tally.push(found.count);
         read.sum.update(&line);
     }
     // one byte more than the end of a table has, so that what was appended is seen

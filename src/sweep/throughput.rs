@@ -6,9 +6,10 @@ use std::time::Instant;
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::driver::{CHUNK, Job, compute};
+use super::driver::compute;
 use super::evaluator::Evaluator;
-use super::pace::Pace;
+use super::job::Job;
+use super::pace::{LONGEST, Pace};
 use super::shard::{Layout, Shard};
 use super::table::Format;
 use crate::output::OutputDirectory;
@@ -52,10 +53,10 @@ pub fn compute_rate(plan: &Plan) -> f64 {
     let evaluator = Evaluator::new(plan);
     let is_cancelled = AtomicBool::new(false);
     let pace = Pace::new(&is_cancelled, &|_| ());
-    let sum: f64 = (0..total.div_ceil(CHUNK))
+    let sum: f64 = (0..total.div_ceil(LONGEST))
         .into_par_iter()
         .map(|chunk| {
-            let rows = compute(&evaluator, &layout, chunk * CHUNK..total.min((chunk + 1) * CHUNK), &pace);
+            let rows = compute(&evaluator, &layout, chunk * LONGEST..total.min((chunk + 1) * LONGEST), &pace);
             rows.results.iter().flatten().map(|row| row.restitution).sum::<f64>()
         })
         .sum();

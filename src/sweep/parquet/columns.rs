@@ -1,4 +1,4 @@
-//! The columns of a Parquet table: where their values come from, their types, how they are encoded.
+//! The columns of a Parquet table: their types, and how they are encoded.
 
 use std::sync::Arc;
 
@@ -7,47 +7,19 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::schema::types::{SchemaDescriptor, Type, TypePtr};
 
-use super::BATCH;
-use crate::plan::axis::{Setting, Values};
-use crate::plan::{Cases, Plan};
+use crate::plan::Plan;
 use crate::provenance::PROGRAM;
-use crate::scene::results::Column as ResultColumn;
+use crate::sweep::column::Column;
 
-/// Where the values of a column come from.
-pub(super) enum Column {
-    Case,
-    /// Random numbers, by their place in a row.
-    Random(usize),
-    /// Numbers of an axis.
-    Number(usize, Values),
-    Result(ResultColumn),
-    /// Names of an axis of methods or laws.
-    Name(usize, Vec<String>),
-    Status,
+/// Rows computed and encoded at a time: few enough to stay in the cache.
+pub(super) const BATCH: usize = 4096;
+
+/// Whether a column holds words.
+pub(super) fn is_words(column: &Column) -> bool {
+    matches!(column, Column::Name(..) | Column::Status)
 }
 
-impl Column {
-    /// Whether it holds words.
-    pub(super) fn is_words(&self) -> bool {
-        matches!(self, Self::Name(..) | Self::Status)
-    }
-}
-
-pub(super) fn columns(plan: &Plan) -> Vec<Column> {
-    let swept: Vec<Column> = match &plan.cases {
-        Cases::MonteCarlo { variables, .. } => (0..variables.len()).map(Column::Random).collect(),
-        Cases::Grid(axes) => (0..)
-            .zip(axes)
-            .map(|(place, axis)| match &axis.setting {
-                Setting::Number { values, .. } => Column::Number(place, values.clone()),
-                Setting::Method(_) | Setting::Law(_) => Column::Name(place, axis.words().unwrap_or_default()),
-            })
-            .collect(),
-    };
-    let results = plan.results().into_iter().map(Column::Result);
-    std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
-}
-
+/// The types of the columns.
 pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, ParquetError> {
     let fields = plan.column_names().into_iter().zip(columns).map(|(name, column)| {
         let (physical, repetition, logical) = match column {
@@ -75,7 +47,7 @@ pub(super) fn properties(columns: &[Column], schema: &SchemaDescriptor) -> Write
         .set_dictionary_enabled(false)
         .set_statistics_enabled(EnabledStatistics::Chunk);
     for (column, description) in columns.iter().zip(schema.columns()) {
-        if column.is_words() {
+        if is_words(column) {
             builder = builder.set_column_dictionary_enabled(description.path().clone(), true);
         }
     }

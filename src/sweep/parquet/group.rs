@@ -12,25 +12,16 @@ use parquet::file::properties::WriterPropertiesPtr;
 use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
 use parquet::schema::types::SchemaDescriptor;
 
-use super::BATCH;
-use super::columns::Column;
+use super::columns::{BATCH, is_words};
 use crate::plan::axis::Values;
+use crate::sweep::column::{Column, status};
 use crate::sweep::count::Count;
 use crate::sweep::evaluator::{Evaluator, Rows};
+use crate::sweep::ordered::Made;
 use crate::sweep::pace::Pace;
-use crate::sweep::sidecar::Tally;
 
 /// An encoded column of a row group.
-type Chunk = (Bytes, ColumnCloseResult);
-
-/// A row group ready to be appended.
-pub(super) struct Group {
-    pub(super) columns: Vec<Chunk>,
-    /// Rows and failures.
-    pub(super) tally: Tally,
-    /// e, case after case, for random values.
-    pub(super) restitutions: Vec<f64>,
-}
+pub(super) type Chunk = (Bytes, ColumnCloseResult);
 
 /// Encodes row groups.
 pub(super) struct Encoder<'a> {
@@ -39,8 +30,7 @@ pub(super) struct Encoder<'a> {
     pub(super) columns: &'a [Column],
     pub(super) descriptor: &'a SchemaDescriptor,
     pub(super) properties: &'a WriterPropertiesPtr,
-    pub(super) is_monte_carlo: bool,
-    /// Columns of one word alone, by column, word and length: most row groups have the same ones.
+    /// Encoded columns of one word alone, by column, word and number of rows: most row groups have the same ones.
     pub(super) uniform: Mutex<HashMap<(usize, &'a str, usize), Chunk>>,
 }
 
@@ -64,12 +54,12 @@ struct Batch {
 
 impl<'a> Encoder<'a> {
     /// The group of these cases; `None` where it is stopped.
-    pub(super) fn group(&self, cases: Range<u64>) -> Result<Option<Group>, ParquetError> {
+    pub(super) fn group(&self, cases: Range<u64>) -> Result<Option<Made<Vec<Chunk>>>, ParquetError> {
         let count = usize::try_from(cases.end - cases.start).unwrap_or(0);
         // eight bytes a number, and a little for the head of a page
         let sink = || TrackedWrite::new(Vec::with_capacity(count * 8 + (count / BATCH + 1) * 128));
         let mut sinks: Vec<Option<TrackedWrite<Vec<u8>>>> =
-            self.columns.iter().map(|column| (!column.is_words()).then(sink)).collect();
+            self.columns.iter().map(|column| (!is_words(column)).then(sink)).collect();
         let mut fillings: Vec<Filling> = (0..)
             .zip(&mut sinks)
             .map(|(i, sink)| match sink {
@@ -77,7 +67,7 @@ impl<'a> Encoder<'a> {
                 None => Filling::Words(Runs::new()),
             })
             .collect();
-        let (mut tally, mut restitutions) = (Tally::default(), Vec::new());
+        let mut counts = Vec::with_capacity(count);
         let (mut rows, mut batch) = (Rows::default(), Batch::default());
         for start in cases.clone().step_by(BATCH) {
             forget(&mut rows);
@@ -91,13 +81,7 @@ impl<'a> Encoder<'a> {
                     Filling::Words(runs) => self.words(column, &rows, runs),
                 }
             }
-            for result in &rows.results {
-                let count = Count::of(result);
-                tally.push(count, false);
-                if let (true, Count::Restitution(value)) = (self.is_monte_carlo, count) {
-                    restitutions.push(value);
-                }
-            }
+            counts.extend(rows.results.iter().map(Count::of));
         }
         let mut closed = Vec::with_capacity(fillings.len());
         for (i, filling) in fillings.into_iter().enumerate() {
@@ -111,7 +95,7 @@ impl<'a> Encoder<'a> {
             (Ok(_), None) => Err(mismatch()),
             (Err(chunk), _) => Ok(chunk),
         });
-        Ok(Some(Group { columns: chunks.collect::<Result<_, _>>()?, tally, restitutions }))
+        Ok(Some(Made { output: chunks.collect::<Result<_, _>>()?, counts }))
     }
 
     /// A writer of column `i` into memory.
@@ -148,7 +132,7 @@ impl<'a> Encoder<'a> {
                 let mut present = 0;
                 for (row, level) in rows.results.iter().zip(&mut batch.levels) {
                     let value = row.as_ref().ok().and_then(column.value);
-                    // without a jump: what is not there is overwritten by the next
+                    // without a branch: an absent value is overwritten by the next present one
                     batch.numbers[present] = value.unwrap_or(0.0);
                     *level = i16::from(value.is_some());
                     present += usize::from(value.is_some());
@@ -173,8 +157,7 @@ impl<'a> Encoder<'a> {
             let places = rows.swept.chunks_exact(self.evaluator.n_swept()).map(|row| row[*place] as usize);
             places.for_each(|place| push(&names[place], runs));
         } else {
-            let words = rows.results.iter().map(|row| row.as_ref().map_or_else(|failure| failure.name(), |_| "ok"));
-            words.for_each(|word| push(word, runs));
+            rows.results.iter().for_each(|row| push(status(row), runs));
         }
     }
 

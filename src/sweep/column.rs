@@ -1,0 +1,48 @@
+//! The columns of a table, whatever it is written as: where the value of each comes from.
+
+use super::evaluator::Failure;
+use crate::impact::Essentials;
+use crate::plan::axis::{Setting, Values};
+use crate::plan::{Cases, Plan};
+use crate::scene::results::Column as ResultColumn;
+
+/// Where the values of a column come from.
+#[derive(Debug)]
+pub(super) enum Column {
+    /// The case number.
+    Case,
+    /// A random number: its place among the swept values of a row.
+    Random(usize),
+    /// A number of an axis: the place of the axis, and its values.
+    Number(usize, Values),
+    /// A name of an axis of methods or laws: the place of the axis, and its names.
+    Name(usize, Vec<String>),
+    /// A result.
+    Result(ResultColumn),
+    /// What became of the case.
+    Status,
+}
+
+/// The columns of a plan, in the order of their names ([`Plan::column_names`]).
+pub(super) fn columns(plan: &Plan) -> Vec<Column> {
+    let swept: Vec<Column> = match &plan.cases {
+        Cases::MonteCarlo { variables, .. } => (0..variables.len()).map(Column::Random).collect(),
+        Cases::Grid(axes) => (0..)
+            .zip(axes)
+            .map(|(place, axis)| match &axis.setting {
+                Setting::Number { values, .. } => Column::Number(place, values.clone()),
+                Setting::Method(_) | Setting::Law(_) => Column::Name(place, axis.words().unwrap_or_default()),
+            })
+            .collect(),
+    };
+    let results = plan.results().into_iter().map(Column::Result);
+    std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
+}
+
+/// The status of a row with a result.
+pub(super) const OK: &str = "ok";
+
+/// The status of a row.
+pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
+    result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
+}
