@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 /// Rows of the first piece: few, because they may be slow.
-const FIRST: u64 = 16;
+const FIRST: u64 = 4;
 /// Rows of the longest piece: many against what it costs to begin one. In lock step every piece ends with idle lanes.
 pub const LONGEST: u64 = 4096;
 /// How long a piece is to take, at least and at most.
