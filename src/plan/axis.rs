@@ -22,12 +22,14 @@ pub enum Values {
         /// How many.
         points: u64,
     },
-    /// Evenly spaced in the logarithm, both ends (> 0) included; may fall.
+    /// Evenly spaced in the logarithm, both ends included; may fall. Made by [`Values::logarithmic`].
     Logarithmic {
         /// First value.
         from: f64,
         /// Last value.
         to: f64,
+        /// Logarithms to base 10 of the first and the last value.
+        decades: (f64, f64),
         /// How many.
         points: u64,
     },
@@ -49,40 +51,29 @@ impl Values {
         self.len() == 0
     }
 
+    /// Evenly spaced in the logarithm; both ends are > 0.
+    #[must_use]
+    pub fn logarithmic(from: f64, to: f64, points: u64) -> Self {
+        Self::Logarithmic { from, to, decades: (log10(from), log10(to)), points }
+    }
+
     /// Value `i`; the ends are exact.
     #[must_use]
-    pub fn at(&self, i: u64) -> f64 {
-        self.between(self.decades(), i)
-    }
-
-    /// Logarithms of the ends of a logarithmic axis.
-    fn decades(&self) -> (f64, f64) {
-        match *self {
-            Self::Logarithmic { from, to, .. } => (log10(from), log10(to)),
-            Self::List(_) | Self::Linear { .. } => (0.0, 0.0),
-        }
-    }
-
-    /// Value `i` between these decades.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
-    fn between(&self, (low, high): (f64, f64), i: u64) -> f64 {
+    pub fn at(&self, i: u64) -> f64 {
+        let share = |points: u64| i as f64 / (points - 1) as f64;
         match *self {
             Self::List(ref values) => values[i as usize],
             Self::Linear { from, .. } | Self::Logarithmic { from, .. } if i == 0 => from,
             Self::Linear { to, points, .. } | Self::Logarithmic { to, points, .. } if i + 1 >= points => to,
-            Self::Linear { from, to, points } => from + (to - from) * (i as f64 / (points - 1) as f64),
-            Self::Logarithmic { points, .. } => pow(10f64, low + (high - low) * (i as f64 / (points - 1) as f64)),
+            Self::Linear { from, to, points } => from + (to - from) * share(points),
+            Self::Logarithmic { decades: (low, high), points, .. } => pow(10f64, low + (high - low) * share(points)),
         }
     }
 
     /// The same values as a list, where that is short.
     fn tabulated(self) -> Self {
-        let decades = self.decades();
-        if self.len() <= TABULATED {
-            Self::List((0..self.len()).map(|i| self.between(decades, i)).collect())
-        } else {
-            self
-        }
+        if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
     }
 }
 

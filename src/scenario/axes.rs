@@ -205,7 +205,7 @@ fn axis_values(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<Values, 
             "logspace cannot reach or pass zero: begin above it, or use linspace, or a list of values".to_owned(),
         );
     }
-    Ok(if is_log { Values::Logarithmic { from, to, points } } else { Values::Linear { from, to, points } })
+    Ok(if is_log { Values::logarithmic(from, to, points) } else { Values::Linear { from, to, points } })
 }
 
 /// One distribution: `normal`, `lognormal` or `uniform`.
