@@ -22,30 +22,23 @@ pub type Problem<'a> = (&'a Law, f64, ScaledForces);
 /// the next one.
 #[must_use]
 pub fn integrate(problems: &[Problem], tolerance: f64) -> Vec<Result<Outcome, IntegrationError>> {
-    let mut alone = Rk8::new(tolerance);
     let mut outcomes = vec![Err(IntegrationError::NotFinite { time: 0.0 }); problems.len()];
+    each(problems, tolerance, |index, outcome| outcomes[index] = outcome.copied().map_err(Clone::clone));
+    outcomes
+}
+
+/// The same; every outcome is handed over as soon as it is known, in any order, with its place among the problems.
+pub fn each(problems: &[Problem], tolerance: f64, mut put: impl FnMut(usize, Result<&Outcome, &IntegrationError>)) {
+    let mut alone = Rk8::new(tolerance);
     let drag = |problem: &Problem| problem.2.drag();
-    fly(problems, |problem| problem.2.is_none(), || Conservative::new(tolerance), &mut alone, &mut outcomes);
-    fly(
-        problems,
-        |problem| Damped::<2>::fits(drag(problem)),
-        || Damped::<2>::new(tolerance),
-        &mut alone,
-        &mut outcomes,
-    );
-    fly(
-        problems,
-        |problem| Damped::<4>::fits(drag(problem)),
-        || Damped::<4>::new(tolerance),
-        &mut alone,
-        &mut outcomes,
-    );
-    for ((law, q, forces), outcome) in problems.iter().zip(&mut outcomes) {
+    fly(problems, |problem| problem.2.is_none(), || Conservative::new(tolerance), &mut alone, &mut put);
+    fly(problems, |problem| Damped::<2>::fits(drag(problem)), || Damped::<2>::new(tolerance), &mut alone, &mut put);
+    fly(problems, |problem| Damped::<4>::fits(drag(problem)), || Damped::<4>::new(tolerance), &mut alone, &mut put);
+    for (index, (law, q, forces)) in problems.iter().enumerate() {
         if !forces.is_none() && forces.drag() == Drag::NONE {
-            *outcome = Course::begin(law, *q, forces, None).finish(&mut alone, None);
+            put(index, Course::begin(law, *q, forces, None).finish(&mut alone, None).as_ref());
         }
     }
-    outcomes
 }
 
 /// One impact on its way.
@@ -88,29 +81,35 @@ impl InLane<'_> {
 }
 
 /// Integrates the impacts that `fits` picks in these lanes.
-fn fly<L: Lanes>(
-    problems: &[Problem],
+fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
+    problems: &[Problem<'a>],
     fits: impl Fn(&Problem) -> bool,
     new_lanes: impl FnOnce() -> L,
     alone: &mut Rk8,
-    outcomes: &mut [Result<Outcome, IntegrationError>],
+    put: &mut P,
 ) {
     let mut waiting = (0..problems.len()).filter(|index| fits(&problems[*index])).peekable();
     if waiting.peek().is_none() {
         return;
     }
     let mut lanes = new_lanes();
-    // starts the next impact in a lane
-    let mut launch = |lanes: &mut L, lane, alone: &mut Rk8, outcomes: &mut [_]| loop {
-        let index = waiting.next()?;
-        let (law, q, forces) = &problems[index];
-        let mut flying = InLane { index, course: Course::begin(law, *q, forces, None) };
-        match flying.set_out(lanes, lane, alone) {
-            Some(outcome) => outcomes[index] = outcome,
-            None => return Some(flying),
+    // starts the next impact in a lane, where there is one left; it stays where it is put, since it is large
+    let mut launch = |lane, slot: &mut Option<InLane<'a>>, lanes: &mut L, alone: &mut Rk8, put: &mut P| {
+        *slot = None;
+        for index in waiting.by_ref() {
+            let (law, q, forces) = &problems[index];
+            let flying = slot.insert(InLane { index, course: Course::begin(law, *q, forces, None) });
+            match flying.set_out(lanes, lane, alone) {
+                None => return,
+                Some(outcome) => put(index, outcome.as_ref()),
+            }
+            *slot = None;
         }
     };
-    let mut flying: Vec<_> = (0..LANES).map(|lane| launch(&mut lanes, lane, alone, outcomes)).collect();
+    let mut flying = [const { None }; LANES];
+    for (lane, slot) in flying.iter_mut().enumerate() {
+        launch(lane, slot, &mut lanes, alone, put);
+    }
     let mut under_way = flying.iter().flatten().count();
     // lanes are empty only when no impact is left
     while under_way > L::FEW {
@@ -119,17 +118,17 @@ fn fly<L: Lanes>(
         }
         for (lane, slot) in flying.iter_mut().enumerate() {
             let Some(impact) = slot else { continue };
-            let Some(landed) = lanes.take_landing(lane) else { continue };
+            let Some(landed) = lanes.take_landing(lane, impact.course.path(), &impact.course.at) else { continue };
             if let Some(outcome) = impact.go_on(landed).or_else(|| impact.set_out(&mut lanes, lane, alone)) {
-                outcomes[impact.index] = outcome;
-                *slot = launch(&mut lanes, lane, alone, outcomes);
+                put(impact.index, outcome.as_ref());
+                launch(lane, slot, &mut lanes, alone, put);
                 under_way -= usize::from(slot.is_none());
             }
         }
     }
-    for (lane, slot) in flying.iter_mut().enumerate() {
-        if let (Some(impact), Some(landed)) = (slot, lanes.finish(lane)) {
-            outcomes[impact.index] = impact.go_on(landed).unwrap_or_else(|| impact.course.finish(alone, None));
+    for (lane, impact) in flying.iter_mut().enumerate().filter_map(|(lane, slot)| Some((lane, slot.as_mut()?))) {
+        if let Some(landed) = lanes.finish(lane, impact.course.path(), &impact.course.at) {
+            put(impact.index, impact.go_on(landed).unwrap_or_else(|| impact.course.finish(alone, None)).as_ref());
         }
     }
 }

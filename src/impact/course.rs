@@ -38,9 +38,6 @@ pub struct Course<'a> {
     law: &'a Law,
     forces: ScaledForces,
     q: f64,
-    pull: f64,
-    drag: Drag,
-    sizes: Sizes,
     /// Whether a trace is recorded and has not come to first yield. First yield ends no leg, because a trace must not change
     /// the steps.
     awaits_yield: bool,
@@ -72,20 +69,17 @@ impl<'a> Course<'a> {
         let distance = way_to_peak(law, 0.4 * q * q, forces);
         let pull = ACCELERATION * forces.weight;
         let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+        let (restoring, leg) = way_out(law, 0);
         let is_reload = law.branch().is_some();
         let yields_at = law.elastic_until();
         let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-        let drag = forces.drag();
         let mut course = Self {
             law,
             forces: *forces,
             q,
-            pull,
-            drag,
-            sizes,
             awaits_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
             phase: Phase::Loading { piece: 0, event: None, creep: None },
-            path: way_out(law, 0, sizes),
+            path: Path { restoring, leg, sizes, pull, drag: forces.drag(), rest: None },
             at: touch,
         };
         course.at = course.start();
@@ -161,12 +155,12 @@ impl<'a> Course<'a> {
                 let is_at_rest = landing == Landing::Rest || landing == Landing::End;
                 self.turn(piece, is_at_rest, recorder)
             }
-            Phase::Unloading { unloading, loading_time, is_captured, creep } => {
+            Phase::Unloading { ref unloading, loading_time, is_captured, creep } => {
                 let is_still = |creep: Creep| -self.at.speed <= creep.below;
                 let creeps = landing == Landing::End && creep.is_some_and(is_still);
                 if creep.is_some() && landing == Landing::End && !creeps {
-                    self.path.leg = Leg::Back(self.back_to(&unloading, is_captured));
-                    self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep: None };
+                    self.path.leg = Leg::Back(self.back_to(unloading, is_captured));
+                    self.phase = Phase::Unloading { unloading: *unloading, loading_time, is_captured, creep: None };
                     return None;
                 }
                 let fate = match landing {
@@ -175,21 +169,20 @@ impl<'a> Course<'a> {
                 };
                 if let Some(recorder) = recorder {
                     let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
-                    recorder
-                        .take(&Along::Unloading { unloading: &unloading, drag: self.drag }, Some((event, &self.at)));
+                    recorder.take(&Along::Unloading { unloading, drag: self.path.drag }, Some((event, &self.at)));
                 }
-                Some(self.outcome(unloading, loading_time, fate))
+                Some(self.outcome(*unloading, loading_time, fate))
             }
         }
     }
 
     /// Whether it may come to rest without turning: only with a weight and damping.
     fn may_creep(&self) -> bool {
-        self.pull > 0.0 && self.drag != Drag::NONE
+        self.path.pull > 0.0 && self.path.drag != Drag::NONE
     }
 
     fn along(&self, piece: usize) -> Along<'a> {
-        Along::Loading { law: self.law, index: piece, drag: self.drag }
+        Along::Loading { law: self.law, index: piece, drag: self.path.drag }
     }
 
     /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
@@ -199,43 +192,36 @@ impl<'a> Course<'a> {
             return self.at;
         }
         let distance = 1e-22 * (equilibrium(self.law, self.forces.weight).0 - self.law.touch());
-        let speed = (2.0 * distance * self.pull).sqrt();
-        State { time: speed / self.pull, distance, speed, loss: 0.0 }
+        let speed = (2.0 * distance * self.path.pull).sqrt();
+        State { time: speed / self.path.pull, distance, speed, loss: 0.0 }
     }
 
-    /// The leg along a piece, what is at its end, and the creep to rest if it ends near that.
-    fn leg(&self, index: usize) -> (Path, Option<Event>, Option<Creep>) {
+    /// Onto a piece of the loading curve: the leg along it, what is at its end, and the creep to rest if it ends near that.
+    fn set_out(&mut self, index: usize) {
         let piece = &self.law.loading.pieces()[index];
-        let zero = piece.start - piece.shape.lead();
-        let mut path = way_out(self.law, index, self.sizes);
+        (self.path.restoring, self.path.leg) = way_out(self.law, index);
+        self.path.rest = None;
         if self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
-            path.leg = Leg::Outward(f64::INFINITY);
+            self.path.leg = Leg::Outward(f64::INFINITY);
         }
-        let mut event = Some(Event::Knot);
-        let creep = self
-            .may_creep()
-            .then(|| equilibrium(self.law, self.forces.weight))
-            .filter(|(_, of)| *of == index)
-            .and_then(|(x, _)| Some((x - zero, self.forces.creep(x - self.law.touch(), piece.slope_at(x))?)));
-        let mut rests = None;
-        if let Leg::Outward(mut end) = path.leg {
-            if let Some((distance, creep)) = creep
-                && self.at.distance < distance - creep.within
-                && distance - creep.within < end
+        let (mut event, mut rests) = (Some(Event::Knot), None);
+        if self.may_creep()
+            && let (x, of) = equilibrium(self.law, self.forces.weight)
+            && of == index
+            && let Some(creep) = self.forces.creep(x - self.law.touch(), piece.slope_at(x))
+        {
+            let distance = x - (piece.start - piece.shape.lead());
+            self.path.rest = Some(creep.rest(distance));
+            let near = distance - creep.within;
+            if let Leg::Outward(end) = self.path.leg
+                && self.at.distance < near
+                && near < end
             {
-                (end, event, rests) = (distance - creep.within, None, Some(creep));
+                self.path.leg = Leg::Outward(near);
+                (event, rests) = (None, Some(creep));
             }
-            path.leg = Leg::Outward(end);
         }
-        let rest = creep.map(|(distance, creep)| creep.rest(distance));
-        (Path { pull: self.pull, drag: self.drag, rest, ..path }, event, rests)
-    }
-
-    /// Onto a piece of the loading curve.
-    fn set_out(&mut self, piece: usize) {
-        let (path, event, creep) = self.leg(piece);
-        self.path = path;
-        self.phase = Phase::Loading { piece, event, creep };
+        self.phase = Phase::Loading { piece: index, event, creep: rests };
     }
 
     /// On from the end of a leg of the loading curve.
@@ -271,15 +257,17 @@ impl<'a> Course<'a> {
         self.at.speed = 0.0;
         // a sphere that came without speed does not leave
         let is_captured = self.q == 0.0 || self.forces.is_conservative() && self.forces.captures(&unloading, self.q);
-        let (mut creep, mut rest, mut back_to) = (None, None, self.back_to(&unloading, is_captured));
+        let (mut creep, mut back_to) = (None, self.back_to(&unloading, is_captured));
+        self.path.rest = None;
         if self.may_creep() {
             let at_rest = self.forces.static_approach(&unloading);
             creep = self.forces.creep(at_rest, self.forces.static_slope(&unloading, at_rest));
-            rest = creep.map(|creep| creep.rest(at_rest));
+            self.path.rest = creep.map(|creep| creep.rest(at_rest));
             creep = creep.filter(|creep| at_rest + creep.within < self.at.distance);
             back_to = creep.map_or(back_to, |creep| at_rest + creep.within);
         }
-        self.path = Path { pull: self.pull, drag: self.drag, rest, ..way_back(&unloading, back_to) };
+        (self.path.restoring, self.path.leg) = (restoring(&unloading.branch()), Leg::Back(back_to));
+        self.path.sizes = sizes_back(&unloading);
         self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
         None
     }
@@ -320,11 +308,11 @@ fn restoring(piece: &Piece) -> Restoring {
 }
 
 /// The way along a piece of the loading curve.
-fn way_out(law: &Law, index: usize, sizes: Sizes) -> Path {
+fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
     let end = end + pieces[index].shape.lead();
-    Path::free(restoring(&pieces[index]), Leg::Outward(end), sizes)
+    (restoring(&pieces[index]), Leg::Outward(end))
 }
 
 /// The unloading branch from where a piece of the loading curve was left.
@@ -337,9 +325,8 @@ fn entry_of(law: &Law, index: usize) -> f64 {
     law.loading.pieces()[index].shape.lead()
 }
 
-/// The way back from rest at the peak to this elastic approach.
-fn way_back(unloading: &Unloading, to: f64) -> Path {
+/// What errors on the way back are measured against.
+fn sizes_back(unloading: &Unloading) -> Sizes {
     let distance = unloading.peak.elastic_approach;
-    let sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
-    Path::free(restoring(&unloading.branch()), Leg::Back(to), sizes)
+    Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() }
 }

@@ -87,25 +87,34 @@ impl Contact {
     /// integrated in lock step.
     #[must_use]
     pub fn essentials_together(impacts: &[(&Self, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
-        let cases: Vec<_> = impacts.iter().map(|(contact, speed)| contact.case(None, *speed)).collect();
         let is_stepped = |case: &Case| match solver.method {
             Method::Rk8 => true,
             Method::Auto => !case.forces.is_conservative(),
             _ => false,
         };
-        let stepped = cases.iter().flatten().filter(|case| is_stepped(case));
-        let problems: Vec<_> = stepped.map(|case| (case.law, case.q, case.forces)).collect();
-        let mut outcomes = batch::integrate(&problems, solver.tolerance).into_iter();
-        let rows = impacts.iter().zip(cases).map(|((contact, speed), case)| {
-            let case = case?;
-            if !is_stepped(&case) {
-                return contact.essentials_by(*speed, solver);
-            }
-            // there is one outcome for every case that is stepped
-            let outcome = outcomes.next().unwrap_or(Err(IntegrationError::NotFinite { time: 0.0 }))?;
-            contact.essentials_of(*speed, &case, &outcome)
+        let (mut stepped, mut problems) = (Vec::with_capacity(impacts.len()), Vec::with_capacity(impacts.len()));
+        let mut rows = Vec::with_capacity(impacts.len());
+        for (contact, speed) in impacts {
+            rows.push(match contact.case(None, *speed) {
+                Ok(case) if is_stepped(&case) => {
+                    problems.push((case.law, case.q, case.forces));
+                    stepped.push((rows.len(), case));
+                    // until it is known
+                    Err(IntegrationError::NotFinite { time: 0.0 }.into())
+                }
+                Ok(_) => contact.essentials_by(*speed, solver),
+                Err(error) => Err(error.into()),
+            });
+        }
+        batch::each(&problems, solver.tolerance, |index, outcome| {
+            let (place, case) = &stepped[index];
+            let (contact, speed) = impacts[*place];
+            rows[*place] = match outcome {
+                Ok(outcome) => contact.essentials_of(speed, case, outcome),
+                Err(error) => Err(error.clone().into()),
+            };
         });
-        rows.collect()
+        rows
     }
 
     /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers

@@ -44,11 +44,12 @@ pub trait Lanes {
     #[must_use]
     fn step(&mut self) -> bool;
 
-    /// What the leg of a lane has come to, if the last step has ended it; the lane is then idle.
-    fn take_landing(&mut self, lane: usize) -> Option<Landed>;
+    /// What the leg of a lane has come to, if the last step has ended it; the lane is then idle. It was started along this
+    /// path from the state `begun`.
+    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed>;
 
     /// Takes the rest of a leg out of its lane and goes it alone; `None` in a lane that is idle.
-    fn finish(&mut self, lane: usize) -> Option<Landed>;
+    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed>;
 }
 
 /// The registers of a row from `$first` on.

@@ -40,21 +40,12 @@ struct Rows {
     landed: Row,
 }
 
-/// A leg on its way.
-#[derive(Debug, Clone, Copy)]
-struct Way {
-    path: Path,
-    /// Where it began.
-    start: State,
-    /// The common step before which it began.
-    begun: u64,
-}
-
 /// The lanes.
 #[derive(Debug, Clone)]
 pub struct Conservative {
     rows: Box<Rows>,
-    ways: [Option<Way>; LANES],
+    /// Of every lane that is not idle: the common step before which its leg began.
+    begun: [Option<u64>; LANES],
     rk8: Rk8,
     /// Steps of all lanes so far.
     steps: u64,
@@ -66,7 +57,7 @@ impl Conservative {
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
         let rows = Rows { h: [1.0; LANES], ..Rows::default() };
-        Self { rows: Box::new(rows), ways: [None; LANES], rk8: Rk8::new(tolerance), steps: 0, arch: Arch::new() }
+        Self { rows: Box::new(rows), begun: [None; LANES], rk8: Rk8::new(tolerance), steps: 0, arch: Arch::new() }
     }
 }
 
@@ -96,7 +87,7 @@ impl Lanes for Conservative {
         (rows.target_g[lane], rows.direction[lane]) = (target.g, target.direction);
         (rows.inverse_y[lane], rows.inverse_u[lane], rows.left_out_squared[lane]) =
             (leg.inverse_y, leg.inverse_u, leg.left_out_squared);
-        self.ways[lane] = Some(Way { path: *path, start: *state, begun: self.steps });
+        self.begun[lane] = Some(self.steps);
         Started::UnderWay
     }
 
@@ -108,7 +99,7 @@ impl Lanes for Conservative {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize) -> Option<Landed> {
+    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed> {
         let rows = &*self.rows;
         if rows.landed[lane] == 0.0 {
             if !self.steps.is_multiple_of(LOOK) {
@@ -116,20 +107,20 @@ impl Lanes for Conservative {
             }
             let is_number =
                 [rows.y[lane], rows.u[lane], rows.t[lane], rows.h[lane]].iter().all(|part| part.is_finite());
-            let is_lost = |way: &mut Way| !is_number || self.steps - way.begun >= MOST_STEPS;
-            let Way { path, start: mut state, .. } = self.ways[lane].take_if(is_lost)?;
+            self.begun[lane].take_if(|begun| !is_number || self.steps - *begun >= MOST_STEPS)?;
             // by itself it says what is wrong, or does not fail
-            return Some(self.rk8.traverse(&path, &mut state, None).map(|landing| (landing, state)));
+            let mut state = *begun;
+            return Some(self.rk8.traverse(path, &mut state, None).map(|landing| (landing, state)));
         }
-        let Way { path, .. } = self.ways[lane].take()?;
+        self.begun[lane].take()?;
         let node = Node { y: rows.y[lane], u: rows.u[lane], g: rows.g[lane], t: rows.t[lane] };
         let landing = if rows.landed[lane] == AT_END { Landing::End } else { Landing::Turning };
         let state = match path.restoring {
             Restoring::Straight { at_start, slope } => {
-                landed_state(Straight::new(at_start, slope, NoPull), &path, landing, &node, 0.0)
+                landed_state(Straight::new(at_start, slope, NoPull), path, landing, &node, 0.0)
             }
             Restoring::Power { coefficient, .. } => {
-                landed_state(Hertz::new(coefficient, NoPull), &path, landing, &node, 0.0)
+                landed_state(Hertz::new(coefficient, NoPull), path, landing, &node, 0.0)
             }
             // never started
             Restoring::Smooth { .. } => return None,
@@ -137,9 +128,9 @@ impl Lanes for Conservative {
         Some(Ok((landing, state)))
     }
 
-    fn finish(&mut self, lane: usize) -> Option<Landed> {
+    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed> {
         // with no FEW, every leg is stepped to its end
-        self.take_landing(lane)
+        self.take_landing(lane, path, begun)
     }
 }
 

@@ -121,7 +121,7 @@ impl<const M: u8> Lanes for Damped<M> {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize) -> Option<Landed> {
+    fn take_landing(&mut self, lane: usize, _: &Path, _: &State) -> Option<Landed> {
         let rows = &mut *self.rows;
         if rows.clear[lane] > 0.0 {
             return None;
@@ -150,7 +150,7 @@ impl<const M: u8> Lanes for Damped<M> {
         Some(landed)
     }
 
-    fn finish(&mut self, lane: usize) -> Option<Landed> {
+    fn finish(&mut self, lane: usize, _: &Path, _: &State) -> Option<Landed> {
         let (mut run, piece) = self.leave(lane)?;
         self.rows.catch_up(lane, &mut run);
         Some(match piece {
