@@ -4,6 +4,7 @@
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.
 
+pub mod aligned;
 mod dimension;
 mod format;
 pub mod nearest;

@@ -7,6 +7,7 @@ use super::solve::{CaseFit, Fit};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
 use crate::math::power::max_or_nan;
+use crate::units::aligned::aligned;
 use crate::units::rounded::number;
 
 fn percent(share: f64) -> String {
@@ -47,26 +48,9 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
             or_none(case.radius.map(|radius| radius.rms)),
         ]);
     }
-    let mut text = aligned(&rows);
+    let mut text = aligned(&rows, |column| column == 0);
     let rise = fit.cases.iter().map(|case| case.restitution_rise).fold(0.0, max_or_nan);
     let _ = writeln!(text, "largest rise of restitution with indentation: {} %", percent(rise));
-    text
-}
-
-fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..N).map(width).collect();
-    let mut text = String::new();
-    for row in rows {
-        let cells: Vec<String> = row
-            .iter()
-            .zip(&widths)
-            .enumerate()
-            .map(|(i, (cell, width))| if i == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") })
-            .collect();
-        text.push_str(cells.join("  ").trim_end());
-        text.push('\n');
-    }
     text
 }
 

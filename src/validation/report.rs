@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
 use crate::math::power::max_or_nan;
+use crate::units::aligned::aligned;
 
 /// `validation.csv`: every row; deviations and tolerances are shares.
 ///
@@ -139,18 +140,7 @@ fn summary(checks: &[Check]) -> Vec<[String; 7]> {
 /// The summary, misses and what is on record, for the terminal.
 #[must_use]
 pub fn table(checks: &[Check]) -> String {
-    let rows = summary(checks);
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..7).map(width).collect();
-    let mut text = String::new();
-    for row in &rows {
-        let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, width))| match i {
-            0 | 6 => format!("{cell:<width$}"),
-            _ => format!("{cell:>width$}"),
-        });
-        text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
-        text.push('\n');
-    }
+    let mut text = aligned(&summary(checks), |column| column == 0 || column == 6);
     for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
         let Check { quantity, case, tolerance, .. } = check;
         let (off, limit) = (signed(check.deviation), share(tolerance.limit));

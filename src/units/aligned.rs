@@ -1,0 +1,29 @@
+//! Tables for the terminal.
+
+/// Lines of cells, each column as wide as its widest cell. A cell begins at the left of its column where `is_left` says so of
+/// the column's number; else it ends at the right.
+#[must_use]
+pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows {
+        for (i, cell) in row.as_ref().iter().enumerate() {
+            let width = cell.chars().count();
+            match widths.get_mut(i) {
+                Some(widest) => *widest = width.max(*widest),
+                None => widths.push(width),
+            }
+        }
+    }
+    let mut text = String::new();
+    for row in rows {
+        let cells = row.as_ref().iter().zip(&widths).enumerate();
+        let cells = cells.map(
+            |(i, (cell, width))| {
+                if is_left(i) { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+            },
+        );
+        text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}
