@@ -195,12 +195,19 @@ fn every_knot_is_met_to_the_last_digit() {
 
 #[test]
 fn radius_ratio_and_exponent_have_their_end_values() {
-    let ratio = &PlmCoefficients::built_in().contact_radius;
+    let table = &PlmCoefficients::built_in().contact_radius;
+    let ratio = table.radius_ratio();
     // Λ: 1 up to A = 1.5, 1.15 at A = 4, 1.19 from A = 8 on
     for (radius, want) in
         [(0.0, 1.0), (1.0, 1.0), (1.5, 1.0), (2.75, 1.075), (4.0, 1.15), (6.0, 1.17), (8.0, 1.19), (1e6, 1.19)]
     {
         assert!(off(ratio.at(radius), want) < 1e-15, "{radius}");
+    }
+    // G = 1 + (0.25 + 0.145 κ²) max(0, â/R − 0.105), here with a_Y = R/100 so that â/R = A/100
+    for (kappa, radius, want) in [(0.0, 10.5, 1.0), (0.0, 40.5, 1.075), (0.5, 40.5, 1.085_875), (1.0, 50.5, 1.158)] {
+        let (_, geometry) = table.of(kappa * kappa, 0.01);
+        assert!(off(geometry.at(radius), want) < 1e-15, "{kappa} {radius}");
+        assert_eq!(geometry.at(0.5 * radius.min(10.5)), 1.0);
     }
     assert_eq!(pressure_shape_exponent(1.0), 1.5);
     // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
@@ -273,7 +280,7 @@ fn built_in_table_is_accepted_and_says_where_it_comes_from() {
 #[test]
 fn bad_tables_are_refused_with_key_value_and_rule() {
     type Change = fn(&mut PlmCoefficients);
-    let cases: [(Change, &str, &str); 16] = [
+    let cases: [(Change, &str, &str); 19] = [
         (|t| t.force.from[3] = 2.0, "force.from", "rising"),
         (|t| t.force.from[0] = 0.5, "force.from", "at least 1"),
         (|t| t.force.from[8] = f64::INFINITY, "force.from", "rising"),
@@ -290,6 +297,9 @@ fn bad_tables_are_refused_with_key_value_and_rule() {
         (|t| t.elastic_approach.geometry_factor.truncate(1), "elastic_approach.geometry_factor", "as many"),
         (|t| t.contact_radius.ratio[0] = 0.9, "contact_radius.ratio", "from 1"),
         (|t| t.contact_radius.from[2] = 1.0, "contact_radius.from", "rising"),
+        (|t| t.contact_radius.geometry_from = -0.1, "contact_radius.geometry_from", ">= 0"),
+        (|t| t.contact_radius.geometry_slope = -0.1, "contact_radius.geometry_slope", ">= 0"),
+        (|t| t.contact_radius.geometry_slope_kappa_squared = -0.3, "contact_radius.geometry_slope", "too"),
     ];
     for (change, key, rule) in cases {
         let message = changed(change).check().unwrap_err().to_string();
@@ -314,6 +324,11 @@ fn bad_text_is_refused_with_line_and_key() {
         assert!(message.contains(want), "{message}");
     }
     assert!(PlmCoefficients::from_toml("").is_err());
+    // a table of the form of before: G = 1
+    let older: String =
+        text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
+    let (_, geometry) = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
+    assert_eq!(geometry.at(1e3), 1.0);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use super::FitError;
 use super::curve::LoadingCurve;
 use super::residuals::{Residuals, deviations, rises};
-use crate::law::plm::RadiusRatio;
+use crate::law::plm::contact_radius::{RadiusRatio, RadiusTable};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::power::{farther_or_nan, max_or_nan};
 
@@ -109,20 +109,22 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         other => return Err(FitError::NotConverged(format!("{other:?}"))),
     }
     let mut table = problem.table();
-    table.contact_radius = radius_ratio(curves, &plan.start.contact_radius);
+    table.contact_radius = radius_table(curves, &plan.start.contact_radius);
     table.check().map_err(|error| FitError::NotConverged(error.to_string()))?;
     Ok(table)
 }
 
-/// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. At the first knot it stays as it is.
-fn radius_ratio(curves: &[&LoadingCurve], start: &RadiusRatio) -> RadiusRatio {
+/// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. At the first knot it stays as it is, and so does G.
+fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
     let mut rows: Vec<(Vec<f64>, f64)> = Vec::new();
     let free = start.from.len().saturating_sub(1);
     for curve in curves {
+        let kappa = curve.pair.sphere_compliance;
+        let (started, geometry) = start.of(kappa * kappa, curve.yield_radius_ratio);
         for (point, weight) in curve.points.iter().zip(curve.log_weights()) {
             let Some(radius) = point.contact_radius else { continue };
             let equivalent = point.force / point.elastic_approach;
-            let wanted = equivalent / radius;
+            let wanted = equivalent / (radius * geometry.at(equivalent));
             let scale = weight.sqrt() / wanted;
             // the polyline is linear in its values: each knot's share is the polyline with 1 there and 0 elsewhere
             let share = |knot: usize| {
@@ -130,7 +132,7 @@ fn radius_ratio(curves: &[&LoadingCurve], start: &RadiusRatio) -> RadiusRatio {
                 RadiusRatio { from: start.from.clone(), ratio }.at(equivalent)
             };
             let shares: Vec<f64> = (1..=free).map(|knot| scale * share(knot)).collect();
-            rows.push((shares, scale * (wanted - start.at(equivalent))));
+            rows.push((shares, scale * (wanted - started.at(equivalent))));
         }
     }
     if rows.is_empty() || free == 0 {

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use super::plm::RadiusRatio;
+use super::plm::{RadiusGeometry, RadiusRatio};
 use super::published::{Loading, OutsideLaw, Published, RecoveryRule};
 use super::{ElasticApproach, Law, UnloadingExponent};
 use crate::material::{HalfSpace, Pair, YieldPoint};
@@ -111,6 +111,7 @@ fn assemble(loading: Loading, recovery: RecoveryRule) -> Law {
         loading: curve,
         elastic: ElasticApproach::Published(Box::new(published)),
         radius_ratio: RadiusRatio::default(),
+        radius_geometry: RadiusGeometry::default(),
         exponent: UnloadingExponent::Paper,
     }
 }

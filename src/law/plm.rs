@@ -14,6 +14,7 @@
 //! be combined with the other half of another law.
 
 pub mod coefficients;
+pub mod contact_radius;
 pub mod lines;
 
 use std::sync::{Arc, LazyLock};
@@ -23,7 +24,8 @@ use super::published::{Loading, Recovered, RecoveryRule};
 use super::unloading::{exponent_within, pressure_shape_exponent};
 use super::{Law, Peak, UnloadingExponent, UnloadingShape};
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
-pub use lines::{ElasticLine, RadiusRatio};
+pub use contact_radius::{RadiusGeometry, RadiusRatio};
+pub use lines::ElasticLine;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///

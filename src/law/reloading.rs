@@ -113,6 +113,7 @@ impl Law {
         Self {
             loading: fresh.loading.reloaded(&branch),
             radius_ratio: fresh.radius_ratio.clone(),
+            radius_geometry: fresh.radius_geometry,
             exponent: fresh.exponent,
             elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius, fresh })),
         }

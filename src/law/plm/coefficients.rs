@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::lines::{ElasticLine, RadiusRatio};
+use super::contact_radius::RadiusTable;
+use super::lines::ElasticLine;
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, UnloadingExponent};
 use crate::material::Pair;
@@ -69,7 +70,7 @@ pub struct PlmCoefficients {
     /// Elastic approach.
     pub elastic_approach: ApproachTable,
     /// Contact radius.
-    pub contact_radius: RadiusRatio,
+    pub contact_radius: RadiusTable,
 }
 
 /// Why a table of coefficients is refused.
@@ -105,6 +106,10 @@ fn is_rising(values: &[f64]) -> bool {
 
 fn is_positive(values: &[f64]) -> bool {
     values.iter().all(|v| v.is_finite() && *v > 0.0)
+}
+
+fn is_not_negative(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite() && *v >= 0.0)
 }
 
 impl PlmCoefficients {
@@ -159,12 +164,7 @@ impl PlmCoefficients {
             e.plastic_slope,
             "> 0, with plastic_slope_kappa_squared too",
         )?;
-        check(
-            e.plastic_from_rho.is_finite() && e.plastic_from_rho >= 0.0,
-            "elastic_approach.plastic_from_rho",
-            e.plastic_from_rho,
-            ">= 0",
-        )?;
+        check(is_not_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", e.plastic_from_rho, ">= 0")?;
         check(
             is_rising(&e.geometry_from) && is_positive(&e.geometry_from),
             "elastic_approach.geometry_from",
@@ -184,6 +184,13 @@ impl PlmCoefficients {
             "contact_radius.ratio",
             &r.ratio,
             "from 1 (Hertz pressure) to 1.6",
+        )?;
+        check(is_not_negative(&[r.geometry_from]), "contact_radius.geometry_from", r.geometry_from, ">= 0")?;
+        check(
+            is_not_negative(&[r.geometry_slope, r.geometry_slope + r.geometry_slope_kappa_squared]),
+            "contact_radius.geometry_slope",
+            r.geometry_slope,
+            ">= 0, with geometry_slope_kappa_squared too",
         )
     }
 
@@ -197,7 +204,8 @@ impl PlmCoefficients {
             loading = loading.then_straight(*from, slope + per_kappa * kappa_squared);
         }
         let elastic = ElasticApproach::Line(self.elastic_line(pair, kappa_squared, yield_radius_ratio));
-        Law { loading, elastic, radius_ratio: self.contact_radius.clone(), exponent }
+        let (radius_ratio, radius_geometry) = self.contact_radius.of(kappa_squared, yield_radius_ratio);
+        Law { loading, elastic, radius_ratio, radius_geometry, exponent }
     }
 
     fn elastic_line(&self, pair: &Pair, kappa_squared: f64, yield_radius_ratio: f64) -> ElasticLine {

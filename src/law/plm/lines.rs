@@ -1,6 +1,4 @@
-//! The two polylines of the PLM: the elastic approach over the force, and Hertz-equivalent over true contact radius.
-
-use serde::{Deserialize, Serialize};
+//! The polyline of the PLM that gives the elastic approach over the force.
 
 /// ε_line(f), made of pieces that are straight in A = f/ε.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,31 +40,5 @@ impl ElasticLine {
             // (b + √)/2, in the form that does not cancel for b < 0
             if *b >= 0.0 { 0.5 * (b + root) } else { 2.0 * slope * force / (root - b) }
         })
-    }
-}
-
-/// Λ(A) = â/a: Hertz-equivalent over true contact radius; a polyline, constant outside its knots.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RadiusRatio {
-    /// A of the knots.
-    pub from: Vec<f64>,
-    /// Λ there. Without knots Λ = 1 (Hertz).
-    pub ratio: Vec<f64>,
-}
-
-impl RadiusRatio {
-    /// Λ at A.
-    #[must_use]
-    pub fn at(&self, equivalent_radius: f64) -> f64 {
-        let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
-        match (above.checked_sub(1), self.from.get(above)) {
-            (None, _) => self.ratio.first().copied().unwrap_or(1.0),
-            (Some(last), None) => self.ratio[last],
-            (Some(below), Some(next)) => {
-                let share = (equivalent_radius - self.from[below]) / (next - self.from[below]);
-                self.ratio[below] + share * (self.ratio[above] - self.ratio[below])
-            }
-        }
     }
 }

@@ -1,0 +1,89 @@
+//! The true contact radius of the PLM from the Hertz-equivalent one, â = 3F/(4 E* δ_e).
+//!
+//! ```text
+//! a = â/(Λ G)
+//! Λ: the shape of the contact pressure, straight in A = â/a_Y; 1 is Hertz, 3π/8 is uniform pressure
+//! G = 1 + (g + g_κ κ²) max(0, â/R − g_0): a deep contact is narrower than that of a half-space
+//! ```
+//!
+//! Force, elastic approach and restitution do not depend on G. Dent radius and mean pressure do.
+
+use serde::{Deserialize, Serialize};
+
+/// The coefficients of the contact radius.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadiusTable {
+    /// A of the knots of Λ.
+    pub from: Vec<f64>,
+    /// Λ there.
+    pub ratio: Vec<f64>,
+    /// g_0: â/R from which the depth of the contact matters.
+    #[serde(default)]
+    pub geometry_from: f64,
+    /// g; a table without it has G = 1.
+    #[serde(default)]
+    pub geometry_slope: f64,
+    /// g_κ.
+    #[serde(default)]
+    pub geometry_slope_kappa_squared: f64,
+}
+
+impl RadiusTable {
+    /// Λ and G for a sphere of this κ² on a half-space that yields at this a_Y/R.
+    #[must_use]
+    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> (RadiusRatio, RadiusGeometry) {
+        let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
+        let geometry =
+            RadiusGeometry { from: self.geometry_from / yield_radius_ratio, slope: slope * yield_radius_ratio };
+        (self.radius_ratio(), geometry)
+    }
+
+    /// Λ alone.
+    #[must_use]
+    pub fn radius_ratio(&self) -> RadiusRatio {
+        RadiusRatio { from: self.from.clone(), ratio: self.ratio.clone() }
+    }
+}
+
+/// Λ(A) = â/a of a shallow contact: a polyline, constant outside its knots.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RadiusRatio {
+    /// A of the knots.
+    pub from: Vec<f64>,
+    /// Λ there. Without knots Λ = 1 (Hertz).
+    pub ratio: Vec<f64>,
+}
+
+impl RadiusRatio {
+    /// Λ at A.
+    #[must_use]
+    pub fn at(&self, equivalent_radius: f64) -> f64 {
+        let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
+        match (above.checked_sub(1), self.from.get(above)) {
+            (None, _) => self.ratio.first().copied().unwrap_or(1.0),
+            (Some(last), None) => self.ratio[last],
+            (Some(below), Some(next)) => {
+                let share = (equivalent_radius - self.from[below]) / (next - self.from[below]);
+                self.ratio[below] + share * (self.ratio[above] - self.ratio[below])
+            }
+        }
+    }
+}
+
+/// G(A): how much narrower a deep contact is than that of a half-space. The default is 1 at any depth.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RadiusGeometry {
+    /// A from which it grows.
+    pub from: f64,
+    /// dG/dA from there on.
+    pub slope: f64,
+}
+
+impl RadiusGeometry {
+    /// G at A.
+    #[must_use]
+    pub fn at(&self, equivalent_radius: f64) -> f64 {
+        1.0 + self.slope * (equivalent_radius - self.from).max(0.0)
+    }
+}
