@@ -36,7 +36,7 @@ pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 use curve::Curve;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
-use plm::{ElasticLine, RadiusGeometry, RadiusRatio};
+use plm::{ElasticLine, Hardening, RadiusGeometry, RadiusRatio};
 
 use crate::math::functions::pow;
 pub use published::{Loading, OutsideLaw, Published};
@@ -49,6 +49,8 @@ pub enum ElasticApproach {
     All,
     /// The polyline of the PLM, ε = min(x, `ε_line(f)`).
     Line(ElasticLine),
+    /// The same on a half-space that hardens.
+    Hardening(Box<Hardening>),
     /// Hertz-type unloading of fixed stiffness k: ε = (f/k)^(2/3), as in the test problems of the speed report.
     FixedStiffness(f64),
     /// By the rules of a published law.
@@ -147,6 +149,7 @@ impl Law {
     fn plain_elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
             ElasticApproach::Line(line) if x > 1.0 => line.at(force).min(x),
+            ElasticApproach::Hardening(hardening) if x > 1.0 => hardening.elastic_approach(x, force),
             ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => pow(force / stiffness, 2.0 / 3.0).min(x),
             _ => x,
         }
@@ -194,10 +197,22 @@ impl Law {
     fn exponent_asked(&self, peak: &Peak) -> f64 {
         match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
-            UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
-                pressure_shape_exponent(self.radius_ratio.at(peak.force / peak.elastic_approach))
-            }
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
             _ => 1.5,
+        }
+    }
+
+    /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
+    #[inline(always)]
+    fn pressure_shape(&self, peak: &Peak) -> f64 {
+        let equivalent = peak.force / peak.elastic_approach;
+        match &self.elastic {
+            ElasticApproach::Hardening(hardening) => {
+                let exponent =
+                    pressure_shape_exponent(self.radius_ratio.at(hardening.equivalent(peak.indentation, equivalent)));
+                exponent - hardening.exponent_loss(peak.indentation)
+            }
+            _ => pressure_shape_exponent(self.radius_ratio.at(equivalent)),
         }
     }
 
@@ -207,7 +222,7 @@ impl Law {
     pub fn elastic_until(&self) -> f64 {
         match &self.elastic {
             ElasticApproach::All => f64::INFINITY,
-            ElasticApproach::Line(_) | ElasticApproach::FixedStiffness(_) => 1.0,
+            ElasticApproach::Line(_) | ElasticApproach::Hardening(_) | ElasticApproach::FixedStiffness(_) => 1.0,
             ElasticApproach::Published(law) => law.elastic_until,
             ElasticApproach::Reloaded(reloaded) => reloaded.branch.peak.indentation,
         }
@@ -244,13 +259,18 @@ impl Law {
     /// that, the other way.
     #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
-        match &self.elastic {
-            ElasticApproach::Published(law) => return law.contact_radius(peak),
-            ElasticApproach::Reloaded(reloaded) => return reloaded.contact_radius(peak),
-            _ => {}
-        }
         let equivalent = peak.force / peak.elastic_approach;
-        equivalent / (self.radius_ratio.at(equivalent) * self.radius_geometry.at(equivalent))
+        let geometry = self.radius_geometry.at(equivalent);
+        match &self.elastic {
+            ElasticApproach::Published(law) => law.contact_radius(peak),
+            ElasticApproach::Reloaded(reloaded) => reloaded.contact_radius(peak),
+            ElasticApproach::Hardening(hardening) => {
+                let scaled = hardening.equivalent(peak.indentation, equivalent);
+                let narrowing = hardening.narrowing(peak.indentation, scaled);
+                equivalent / (self.radius_ratio.at(scaled) * geometry * narrowing)
+            }
+            _ => equivalent / (self.radius_ratio.at(equivalent) * geometry),
+        }
     }
 
     /// Force at x for a contact whose largest state so far is `memory`, and the memory afterwards.

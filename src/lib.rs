@@ -172,6 +172,7 @@ pub mod run;
 pub mod scenario;
 #[doc(hidden)]
 pub mod scene;
+pub mod strength;
 pub mod sweep;
 pub mod units;
 #[doc(hidden)]

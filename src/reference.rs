@@ -2,6 +2,7 @@
 //! checks, comparisons and pictures show beside the laws: the one reader of `src/reference/fe_*.csv`. Each table tells in
 //! its head where it comes from, how it was obtained and its error. Only numbers: whoever asks compares.
 
+pub mod hardening;
 pub mod impacts;
 pub mod quasi_static;
 pub mod unloading;

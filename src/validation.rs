@@ -10,6 +10,7 @@ mod closed_restitution;
 mod dents;
 pub mod dynamic;
 mod error;
+mod hardening;
 mod hertz;
 mod loading;
 mod oracle;
@@ -27,12 +28,13 @@ pub use pictures::pictures;
 pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
 
 /// Where rows come from, in the order of the table.
-pub const SOURCES: [Source; 8] = [
+pub const SOURCES: [Source; 9] = [
     loading::checks,
     unloading::checks,
     dents::checks,
     restitution::checks,
     dynamic::checks,
+    hardening::checks,
     hertz::checks,
     closed_restitution::checks,
     oracle::checks,

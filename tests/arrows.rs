@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 const ORDER: &[&[&str]] = &[
     &["math", "provenance"],
     &["units", "output"],
-    &["material"],
+    &["material", "strength"],
     &["law", "integrate"],
     &["impact", "reference"],
     &["indentation", "compare", "repeat"],

@@ -70,6 +70,13 @@ impl Bodies {
         self.yield_point.contact_radius / self.pair.radius
     }
 
+    /// E of the half-space \[Pa\].
+    #[must_use]
+    pub fn half_space_modulus(&self) -> f64 {
+        let plane_strain = self.pair.effective_modulus / self.pair.half_space_compliance;
+        plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
+    }
+
     /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
     #[must_use]
     pub fn slope_of_pressure(&self, area_factor: f64, pressure: f64) -> f64 {

@@ -15,16 +15,19 @@
 
 pub mod coefficients;
 pub mod contact_radius;
+pub mod hardening;
 pub mod lines;
 
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::published::{Loading, Recovered, RecoveryRule};
-use super::unloading::{exponent_within, pressure_shape_exponent};
+use super::unloading::exponent_within;
 use super::{Law, Peak, UnloadingExponent, UnloadingShape};
+use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
 pub use contact_radius::{RadiusGeometry, RadiusRatio};
+pub use hardening::Hardening;
 pub use lines::ElasticLine;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
@@ -37,13 +40,15 @@ pub struct Plm {
     pub coefficients: Arc<PlmCoefficients>,
     /// n of the unloading branch.
     pub exponent: UnloadingExponent,
+    /// How the half-space hardens; `None` for a strength that stays what it is.
+    pub flow: Option<FlowCurve>,
 }
 
 impl Default for Plm {
     fn default() -> Self {
         static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
             LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
-        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper }
+        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper, flow: None }
     }
 }
 
@@ -51,7 +56,7 @@ impl Plm {
     /// The PLM of these coefficients, with this exponent.
     #[must_use]
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
-        Self { coefficients: Arc::new(coefficients.clone()), exponent }
+        Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: None }
     }
 }
 
@@ -61,7 +66,7 @@ static ABOUT: About = About {
     source: "Tribol. Int. 162, 107114; Materials 17, 3018",
     loading: "Hertz to 1.7, then straight pieces fitted to finite elements",
     unloading: "Hertz with R_e from the sphere's own indentation (Eqs. 19-25)",
-    validity: "a/R <= 0.45, Poisson's ratio 0.3, little hardening",
+    validity: "a/R <= 0.45 (0.32 with hardening), Poisson's ratio 0.3",
     confidence: "high (unloading), coefficients of the loading fitted anew",
 };
 
@@ -94,7 +99,7 @@ impl ContactLaw for Plm {
                     exponent_within(peak.spent, &peak_state, n).min(n.max(1.5))
                 }
                 UnloadingExponent::PressureShape => {
-                    pressure_shape_exponent(law.radius_ratio.at(peak.force / elastic_approach))
+                    law.pressure_shape(&Peak { indentation: peak.indentation, force: peak.force, elastic_approach })
                 }
             };
             Recovered { elastic_approach, exponent, shape: UnloadingShape::Power }
@@ -102,6 +107,13 @@ impl ContactLaw for Plm {
     }
 
     fn law(&self, bodies: &Bodies) -> Option<Law> {
-        Some(self.coefficients.law(&bodies.pair, bodies.yield_radius_ratio(), self.exponent))
+        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
+        Some(match &self.flow {
+            None => self.coefficients.law(pair, ratio, self.exponent),
+            Some(flow) => {
+                let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
+                self.coefficients.hardening_law(pair, ratio, rise, self.exponent)
+            }
+        })
     }
 }

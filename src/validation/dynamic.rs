@@ -57,7 +57,7 @@ pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationErro
             let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
             let mut scene = scene.map_err(ValidationError::Scenario)?;
             let impacts = EXPONENTS.map(|(exponent, _)| {
-                scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent });
+                scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: None });
                 scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES)).map_err(ValidationError::from)
             });
             let samples = samples.iter().filter(|sample| sample.case == name).cloned().collect();

@@ -4,6 +4,7 @@
 mod cycles;
 mod dents;
 mod deviations;
+mod hardening;
 mod impacts;
 mod shares;
 
@@ -84,6 +85,7 @@ pub fn pictures(coefficients: &PlmCoefficients) -> Result<Vec<OutputFile>, Valid
         pictures.extend(dents::picture(case));
     }
     pictures.extend(impacts::pictures(&super::dynamic::cases(coefficients)?));
+    pictures.push(hardening::picture(coefficients)?);
     let drawn: Result<Vec<OutputFile>, PlotError> = pictures.par_iter().map(Picture::draw).collect();
     Ok(drawn?)
 }

@@ -6,10 +6,12 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::contact_radius::RadiusTable;
-use super::lines::ElasticLine;
+use super::hardening::Hardening;
+use super::lines::{ElasticLine, LineSlopes};
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, UnloadingExponent};
 use crate::material::Pair;
+use crate::strength::flow::Rise;
 
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -203,31 +205,30 @@ impl PlmCoefficients {
         for ((from, slope), per_kappa) in table.from.iter().zip(&table.slope).zip(&table.slope_kappa_squared) {
             loading = loading.then_straight(*from, slope + per_kappa * kappa_squared);
         }
-        let elastic = ElasticApproach::Line(self.elastic_line(pair, kappa_squared, yield_radius_ratio));
+        let elastic = ElasticApproach::Line(ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio));
         let (radius_ratio, radius_geometry) = self.contact_radius.of(kappa_squared, yield_radius_ratio);
         Law { loading, elastic, radius_ratio, radius_geometry, exponent }
     }
 
-    fn elastic_line(&self, pair: &Pair, kappa_squared: f64, yield_radius_ratio: f64) -> ElasticLine {
+    /// The same for a half-space that hardens as its flow stress rises.
+    #[must_use]
+    pub fn hardening_law(&self, pair: &Pair, yield_radius_ratio: f64, rise: Rise, exponent: UnloadingExponent) -> Law {
+        let perfect = self.law(pair, yield_radius_ratio, exponent);
+        let hardening = Hardening::new(rise, yield_radius_ratio, self.line_slopes(pair));
+        let loading = hardening.loading(&perfect.loading);
+        Law { loading, elastic: ElasticApproach::Hardening(Box::new(hardening)), ..perfect }
+    }
+
+    /// What the polyline of the elastic approach is made of.
+    pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
+        let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
-        let plastic = table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared;
-        let plastic_from = 1.0 + table.plastic_from_rho * pair.half_space_compliance;
-        // a knot below A = 1 applies from A = 1
-        let geometry = || {
-            table
-                .geometry_from
-                .iter()
-                .zip(&table.geometry_factor)
-                .map(|(from, factor)| ((from / yield_radius_ratio).max(1.0), factor))
-        };
-        let mut knots: Vec<f64> = geometry().map(|(from, _)| from).chain([1.0, plastic_from]).collect();
-        knots.sort_by(f64::total_cmp);
-        knots.dedup();
-        let slope_from = |radius: f64| {
-            let base = if radius >= plastic_from { plastic } else { first };
-            geometry().filter(|(from, _)| *from <= radius).fold(base, |slope, (_, factor)| slope * factor)
-        };
-        ElasticLine::through(knots.into_iter().map(|radius| (radius, slope_from(radius))))
+        LineSlopes {
+            first,
+            plastic_from: 1.0 + table.plastic_from_rho * pair.half_space_compliance,
+            plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,
+            geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
+        }
     }
 }

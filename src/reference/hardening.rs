@@ -1,0 +1,150 @@
+//! A half-space that hardens: exact impacts, and unloadings of finite elements.
+
+use serde::Deserialize;
+
+use super::{ReferenceError, rows};
+use crate::law::{Bodies, Plm, UnloadingExponent};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
+use crate::strength::flow::{FlowCurve, FlowPoint};
+
+/// The two materials, and how the half-space hardens.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Materials {
+    #[serde(rename = "half_space_youngs_modulus_Pa")]
+    half_space_modulus: f64,
+    half_space_poissons_ratio: f64,
+    #[serde(rename = "sphere_youngs_modulus_Pa")]
+    sphere_modulus: f64,
+    sphere_poissons_ratio: f64,
+    /// σ_Y \[Pa\].
+    #[serde(rename = "yield_strength_Pa")]
+    pub yield_strength: f64,
+    /// In words, such as "power 0.1".
+    pub flow: String,
+}
+
+impl Materials {
+    /// The sphere's material.
+    #[must_use]
+    pub fn sphere(&self) -> Material {
+        Material { youngs_modulus: self.sphere_modulus, poissons_ratio: self.sphere_poissons_ratio }
+    }
+
+    /// The half-space at its initial yield strength.
+    #[must_use]
+    pub fn half_space(&self) -> HalfSpace {
+        let material =
+            Material { youngs_modulus: self.half_space_modulus, poissons_ratio: self.half_space_poissons_ratio };
+        HalfSpace { material, yield_strength: Some(self.yield_strength), density: None }
+    }
+
+    /// What a law is built for; `None` never, as the half-space yields.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] for a table that was damaged.
+    pub fn bodies(&self) -> Result<Option<Bodies>, OutOfFloatRange> {
+        // the law in units of the yield point does not depend on the radius
+        let half_space = self.half_space();
+        Ok(Bodies::new(&Pair::try_new(1.0, &self.sphere(), &half_space)?, &half_space))
+    }
+
+    /// The flow curve; `None` for words that say none.
+    #[must_use]
+    pub fn curve(&self) -> Option<FlowCurve> {
+        let mut words = self.flow.split_whitespace();
+        let form = words.next()?;
+        let mut number = || words.next()?.parse().ok();
+        match form {
+            "power" => Some(FlowCurve::Power { exponent: number()? }),
+            "voce" => Some(FlowCurve::Voce { saturation: number()?, rate: number()? }),
+            "linear" => Some(FlowCurve::Linear { slope: number()? }),
+            "table" => {
+                let point = |pair: &str| {
+                    let (strain, stress) = pair.split_once(':')?;
+                    Some(FlowPoint { strain: strain.parse().ok()?, stress: stress.parse().ok()? })
+                };
+                let points = self.flow.split_whitespace().nth(1)?.split(',').map(point);
+                FlowCurve::through(points.collect::<Option<Vec<_>>>()?).ok()
+            }
+            _ => None,
+        }
+    }
+
+    /// The PLM with this flow curve.
+    #[must_use]
+    pub fn law(&self, exponent: UnloadingExponent) -> Plm {
+        Plm { exponent, flow: self.curve(), ..Plm::default() }
+    }
+}
+
+/// An impact of 30-digit arithmetic: balance of energy and quadrature, no time stepping.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[allow(missing_docs)] // the columns say it
+pub struct ExactImpact {
+    pub case: String,
+    pub radius_m: f64,
+    pub sphere_density_kg_per_m3: f64,
+    pub impact_speed_m_per_s: f64,
+    /// Of the unloading; none for "pressure-shape".
+    exponent: Option<f64>,
+    pub restitution: f64,
+    pub contact_time_s: f64,
+    #[serde(rename = "peak_force_N")]
+    pub peak_force: f64,
+    pub peak_indentation_m: f64,
+    pub elastic_approach_m: f64,
+    pub residual_indentation_m: f64,
+    pub unloading_exponent: f64,
+    pub peak_contact_radius_m: f64,
+}
+
+impl ExactImpact {
+    /// n of the unloading branch.
+    #[must_use]
+    pub fn exponent(&self) -> UnloadingExponent {
+        self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::from)
+    }
+}
+
+/// A full unloading of the finite elements, in units of the first yield point.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Unloaded {
+    /// Name of the material.
+    pub material: String,
+    /// x_m.
+    pub x: f64,
+    /// f_m.
+    pub f: f64,
+    /// W/(F_Y δ_Y) of loading.
+    pub spent: f64,
+    /// a_m/R.
+    #[serde(rename = "contact_radius_over_R")]
+    pub contact_radius: f64,
+    /// δ_r/δ_m.
+    pub residual_share: f64,
+    /// √(recovered/spent work).
+    pub restitution: f64,
+}
+
+fn with_materials<T: serde::de::DeserializeOwned>(
+    name: &'static str,
+    text: &'static str,
+) -> Result<Vec<(Materials, T)>, ReferenceError> {
+    Ok(rows::<Materials>(name, text)?.into_iter().zip(rows(name, text)?).collect())
+}
+
+/// All exact impacts.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn impacts() -> Result<Vec<(Materials, ExactImpact)>, ReferenceError> {
+    with_materials("oracle_hardening.csv", include_str!("oracle_hardening.csv"))
+}
+
+/// All unloadings of the finite elements.
+///
+/// # Errors
+/// [`ReferenceError`] if the table was damaged.
+pub fn unloadings() -> Result<Vec<(Materials, Unloaded)>, ReferenceError> {
+    with_materials("fe_hardening.csv", include_str!("fe_hardening.csv"))
+}

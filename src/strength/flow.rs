@@ -1,0 +1,311 @@
+//! Flow curves: the true stress at which a metal goes on yielding, over plastic strain.
+//!
+//! ```text
+//! power    σ = σ_Y (1 + E ε/σ_Y)^N
+//! voce     σ = σ_Y (1 + b (1 − exp(−c ε)))
+//! linear   σ = σ_Y + H ε
+//! points   straight from (0, σ_Y) through the points, constant after the last
+//! ```
+//!
+//! σ_Y is the strength at plastic strain 0 and E is Young's modulus of the metal that hardens.
+
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::math::functions::{exp, exp_m1, ln, ln_1p, pow};
+use crate::units::{Dimension, describe, number};
+
+/// A point of a measured curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlowPoint {
+    /// Plastic strain.
+    pub strain: f64,
+    /// True stress \[Pa\].
+    pub stress: f64,
+}
+
+/// A flow curve, beside the yield strength that it starts from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FlowCurve {
+    /// σ_Y (1 + E ε/σ_Y)^N.
+    Power {
+        /// N, from 0 to 0.5.
+        exponent: f64,
+    },
+    /// σ_Y (1 + b (1 − exp(−c ε))).
+    Voce {
+        /// b ≥ 0: by how many yield strengths the stress rises in the end.
+        saturation: f64,
+        /// c > 0: how fast it does.
+        rate: f64,
+    },
+    /// σ_Y + H ε.
+    Linear {
+        /// H ≥ 0 \[Pa\], over plastic strain.
+        slope: f64,
+    },
+    /// Measured points by rising strain, see [`FlowCurve::through`].
+    Points(Arc<[FlowPoint]>),
+}
+
+/// Why points make no flow curve.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FlowError {
+    /// A curve needs two points.
+    #[error("has {0} points, and a curve needs at least 2; for a straight line write linear = {{ slope = \"4 GPa\" }}")]
+    TooFew(usize),
+    /// A point at a strain that no point may have.
+    #[error(
+        "point {place}: plastic strain {} is not allowed: it must be finite, at least 0 and above that of the point before",
+        number(*.strain)
+    )]
+    Strain {
+        /// Place of the point, from 1.
+        place: usize,
+        /// Its strain.
+        strain: f64,
+    },
+    /// A stress below the one before.
+    #[error(
+        "point {place}: the stress falls from {} to {}: a metal that softens is outside of the law; end the curve at its largest stress",
+        describe(*.before, Dimension::Pressure),
+        describe(*.stress, Dimension::Pressure)
+    )]
+    Falls {
+        /// Place of the point, from 1.
+        place: usize,
+        /// Stress of the point before \[Pa\].
+        before: f64,
+        /// Its stress \[Pa\].
+        stress: f64,
+    },
+    /// A curve that does not start from the yield strength.
+    #[error(
+        "starts with {} at plastic strain {}, {} the yield strength of {}: the yield strength is the stress at plastic strain 0",
+        describe(*.stress, Dimension::Pressure),
+        number(*.strain),
+        if stress < yield_strength { "below" } else { "above" },
+        describe(*.yield_strength, Dimension::Pressure)
+    )]
+    Start {
+        /// Strain of the first point.
+        strain: f64,
+        /// Its stress \[Pa\].
+        stress: f64,
+        /// σ_Y \[Pa\].
+        yield_strength: f64,
+    },
+}
+
+impl FlowCurve {
+    /// A curve through measured points.
+    ///
+    /// # Errors
+    /// [`FlowError`] for fewer than two points, strains that are negative or do not rise, and stresses that fall.
+    pub fn through(points: impl Into<Arc<[FlowPoint]>>) -> Result<Self, FlowError> {
+        let points = points.into();
+        if points.len() < 2 {
+            return Err(FlowError::TooFew(points.len()));
+        }
+        let mut before = FlowPoint { strain: -f64::MIN_POSITIVE, stress: 0.0 };
+        for (place, point) in (1..).zip(points.iter()) {
+            if !(point.strain > before.strain && point.strain >= 0.0 && point.strain.is_finite()) {
+                return Err(FlowError::Strain { place, strain: point.strain });
+            }
+            // a stress that is no number falls too
+            if !(point.stress >= before.stress && point.stress > 0.0 && point.stress.is_finite()) {
+                return Err(FlowError::Falls { place, before: before.stress, stress: point.stress });
+            }
+            before = *point;
+        }
+        Ok(Self::Points(points))
+    }
+
+    /// Whether the curve starts from this yield strength \[Pa\].
+    ///
+    /// # Errors
+    /// [`FlowError::Start`] for points that begin below it, or at strain 0 with another stress.
+    pub fn starts_from(&self, yield_strength: f64) -> Result<(), FlowError> {
+        match self {
+            Self::Points(points) => points.first().map_or(Ok(()), |&FlowPoint { strain, stress }| {
+                let off = (stress / yield_strength - 1.0).abs();
+                let is_low = stress < yield_strength && off > SAME_STRESS;
+                let is_high = strain == 0.0 && off > SAME_STRESS;
+                if is_low || is_high { Err(FlowError::Start { strain, stress, yield_strength }) } else { Ok(()) }
+            }),
+            Self::Power { .. } | Self::Voce { .. } | Self::Linear { .. } => Ok(()),
+        }
+    }
+
+    /// The largest strain that the curve is known for; `None` for a formula.
+    #[must_use]
+    pub fn last_strain(&self) -> Option<f64> {
+        match self {
+            Self::Points(points) => points.last().map(|point| point.strain),
+            Self::Power { .. } | Self::Voce { .. } | Self::Linear { .. } => None,
+        }
+    }
+
+    /// The rise over this yield strength \[Pa\] of a metal of this Young's modulus \[Pa\].
+    #[must_use]
+    pub fn rise(&self, yield_strength: f64, youngs_modulus: f64) -> Rise {
+        match self {
+            Self::Power { exponent } => Rise::Power { rate: youngs_modulus / yield_strength, exponent: *exponent },
+            Self::Voce { saturation, rate } => Rise::Voce { saturation: *saturation, rate: *rate },
+            Self::Linear { slope } => Rise::Linear { slope: slope / yield_strength },
+            Self::Points(points) => Rise::Points { points: Arc::clone(points), yield_strength },
+        }
+    }
+}
+
+/// A first point this near to the yield strength is the yield strength: one may be written in MPa and the other in Pa.
+const SAME_STRESS: f64 = 1e-9;
+
+/// σ/σ_Y over plastic strain: a flow curve of one metal. It starts from 1 and never falls.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Rise {
+    /// (1 + rate ε)^N.
+    Power {
+        /// E/σ_Y.
+        rate: f64,
+        /// N.
+        exponent: f64,
+    },
+    /// 1 + b (1 − exp(−c ε)).
+    Voce {
+        /// b.
+        saturation: f64,
+        /// c.
+        rate: f64,
+    },
+    /// 1 + slope ε.
+    Linear {
+        /// H/σ_Y.
+        slope: f64,
+    },
+    /// Straight from (0, 1) through the points over σ_Y, and constant after the last.
+    Points {
+        /// In Pa.
+        points: Arc<[FlowPoint]>,
+        /// σ_Y \[Pa\].
+        yield_strength: f64,
+    },
+}
+
+impl Rise {
+    /// σ/σ_Y at a plastic strain ≥ 0.
+    #[must_use]
+    pub fn at(&self, strain: f64) -> f64 {
+        match self {
+            Self::Power { rate, exponent } => pow(1.0 + rate * strain, *exponent),
+            Self::Voce { saturation, rate } => 1.0 - saturation * exp_m1(-rate * strain),
+            Self::Linear { slope } => 1.0 + slope * strain,
+            Self::Points { points, yield_strength } => {
+                let next = points.partition_point(|point| point.strain <= strain);
+                let start = FlowPoint { strain: 0.0, stress: *yield_strength };
+                let low = next.checked_sub(1).map_or(start, |below| points[below]);
+                let stress = points.get(next).map_or(low.stress, |high| {
+                    let share = (strain - low.strain) / (high.strain - low.strain);
+                    low.stress + share * (high.stress - low.stress)
+                });
+                stress / yield_strength
+            }
+        }
+    }
+}
+
+/// σ_Y \[Pa\] of a power curve with exponent `exponent` that has this stress \[Pa\] at this plastic strain.
+#[must_use]
+pub fn yield_strength_of_power(stress: f64, strain: f64, exponent: f64, youngs_modulus: f64) -> f64 {
+    let elastic = youngs_modulus * strain;
+    // with y = ln σ_Y: y + N ln(1 + E ε/exp(y)) = ln σ. The left side is convex and rises, so that Newton's method from
+    // σ_Y = σ comes down to the root without passing it
+    let mut y = ln(stress);
+    for _ in 0..100 {
+        let ratio = elastic * exp(-y);
+        let step = (y + exponent * ln_1p(ratio) - ln(stress)) / (1.0 - exponent * ratio / (1.0 + ratio));
+        y -= step;
+        if step.abs() <= 4.0 * f64::EPSILON * y.abs() {
+            break;
+        }
+    }
+    exp(y)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    fn points(list: &[(f64, f64)]) -> Result<FlowCurve, FlowError> {
+        FlowCurve::through(list.iter().map(|&(strain, stress)| FlowPoint { strain, stress }).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn every_form_is_its_formula() -> Result<(), FlowError> {
+        // σ_Y = 200 MPa, E = 100 GPa; the stress in MPa at these strains, by hand
+        let forms = [
+            (FlowCurve::Power { exponent: 0.5 }, [(0.0, 200.0), (0.03, 800.0)]),
+            (FlowCurve::Voce { saturation: 1.5, rate: 10.0 }, [(0.0, 200.0), (0.1, 389.636_167_648_567_3)]),
+            (FlowCurve::Linear { slope: 4e9 }, [(0.0, 200.0), (0.05, 400.0)]),
+            (points(&[(0.01, 250e6), (0.03, 270e6)])?, [(0.005, 225.0), (0.02, 260.0)]),
+            (points(&[(0.0, 200e6), (0.03, 260e6)])?, [(0.01, 220.0), (0.5, 260.0)]),
+        ];
+        for (curve, wanted) in forms {
+            let rise = curve.rise(200e6, 100e9);
+            for (strain, stress) in wanted {
+                assert_relative_eq!(200.0 * rise.at(strain), stress, max_relative = 1e-14);
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn points_that_make_no_curve_are_refused() {
+        let wrong: [(&[(f64, f64)], &str); 8] = [
+            (&[(0.01, 3e8)], "has 1 points"),
+            (&[], "has 0 points"),
+            (&[(-0.01, 3e8), (0.1, 4e8)], "point 1: plastic strain -0.01"),
+            (&[(0.01, 3e8), (0.01, 4e8)], "point 2: plastic strain 0.01"),
+            (&[(0.01, 3e8), (f64::NAN, 4e8)], "point 2: plastic strain NaN"),
+            (&[(0.01, 3e8), (0.02, 2e8)], "falls from 3e8 Pa (300 MPa)"),
+            (&[(0.01, f64::NAN), (0.02, 2e8)], "point 1: the stress falls"),
+            (&[(0.01, 3e8), (0.02, f64::INFINITY)], "point 2: the stress falls"),
+        ];
+        for (list, want) in wrong {
+            let message = points(list).map_err(|error| error.to_string());
+            assert!(message.as_ref().is_err_and(|message| message.contains(want)), "{message:?}");
+        }
+    }
+
+    #[test]
+    fn points_must_start_from_the_yield_strength() -> Result<(), FlowError> {
+        let later = points(&[(0.002, 300e6), (0.01, 340e6)])?;
+        assert_eq!((later.starts_from(280e6), later.starts_from(300e6)), (Ok(()), Ok(())));
+        let below = later.starts_from(310e6).map_err(|error| error.to_string());
+        assert!(
+            below.as_ref().is_err_and(|message| message.contains("below the yield strength of 3.1e8 Pa (310 MPa)")),
+            "{below:?}"
+        );
+        let at_once = points(&[(0.0, 300e6), (0.01, 340e6)])?;
+        assert_eq!(at_once.starts_from(300e6 * (1.0 + 1e-15)), Ok(()));
+        let above = at_once.starts_from(280e6).map_err(|error| error.to_string());
+        assert!(above.as_ref().is_err_and(|message| message.contains("above the yield strength")), "{above:?}");
+        assert_eq!(FlowCurve::Linear { slope: 1e9 }.starts_from(1.0), Ok(()));
+        Ok(())
+    }
+
+    #[test]
+    fn the_yield_strength_of_a_power_curve_gives_back_its_stress() {
+        for exponent in [0.0, 0.02, 0.1, 0.3, 0.5] {
+            for stress in [1e5, 1e8, 3e9, 1e12] {
+                let strength = yield_strength_of_power(stress, 0.08, exponent, 210e9);
+                let back = strength * FlowCurve::Power { exponent }.rise(strength, 210e9).at(0.08);
+                assert_relative_eq!(back, stress, max_relative = 1e-13);
+                assert!(strength <= stress * (1.0 + 1e-14));
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Restitution against depth of half-spaces that harden, with the line of the initial yield strength beside each.
+
+use super::super::ValidationError;
+use super::super::hardening::{at_energy, law};
+use super::{Picture, SISTER, log_sampled};
+use crate::law::PlmCoefficients;
+use crate::plot::{Axis, Series};
+use crate::reference::hardening::unloadings;
+
+/// The materials that are drawn, and what to call them.
+const DRAWN: [(&str, &str); 3] = [
+    ("c3n10", "steel, power law, N = 0.1"),
+    ("alvoce", "aluminium, Voce"),
+    ("cun30", "annealed copper, power law, N = 0.3"),
+];
+
+pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
+    let rows = unloadings()?;
+    let mut series = Vec::new();
+    for (i, (name, called)) in DRAWN.into_iter().enumerate() {
+        let of_material: Vec<_> = rows.iter().filter(|(_, row)| row.material == name).collect();
+        let Some((materials, _)) = of_material.first() else { continue };
+        let points: Vec<(f64, f64)> = of_material.iter().map(|(_, row)| (row.x, row.restitution)).collect();
+        let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
+        series.push(Series::points(format!("{called}: finite elements"), points).styled(i));
+        for (which, hardens) in [true, false].into_iter().enumerate() {
+            let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
+            let curve =
+                log_sampled(1.0, 1.2 * deepest, 300, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
+            let what = if hardens { "law with its flow curve" } else { "law with its initial yield strength" };
+            series.push(Series::bare(format!("{called}: {what}"), curve).styled(i + SISTER * which));
+        }
+    }
+    Ok(Picture::new(
+        "hardening-restitution".to_owned(),
+        "Restitution on metals that harden".to_owned(),
+        [
+            Axis::log("Peak indentation over that at first yield", ""),
+            Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
+        ],
+        series,
+    ))
+}
