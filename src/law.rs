@@ -240,6 +240,20 @@ impl Law {
         law.stated.filter(|range| peak.indentation > law.elastic_until && !is_inside(*range))
     }
 
+    /// The largest plastic strain that loading to a peak asks the flow curve for, and the last that the curve is known for,
+    /// where the first is the larger.
+    #[must_use]
+    pub fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
+        match &self.elastic {
+            ElasticApproach::Hardening(hardening) => {
+                let (strain, last) = (hardening.largest_strain(peak.indentation), hardening.last_strain()?);
+                (strain > last).then_some((strain, last))
+            }
+            ElasticApproach::Reloaded(reloaded) => reloaded.fresh.beyond_flow_curve(peak),
+            _ => None,
+        }
+    }
+
     /// Whether the law says anything of a peak.
     ///
     /// # Errors

@@ -101,6 +101,10 @@ impl Plan {
                 "sphere.diameter" if varies("sphere.radius") => {
                     "changes the same as \"sphere.radius\"; keep one of the two"
                 }
+                "sphere.mass" if varies("sphere.density") => "changes the same as \"sphere.density\"; keep one of the two",
+                "half_space.hardness" if varies("half_space.yield_strength") => {
+                    "changes the same as \"half_space.yield_strength\"; keep one of the two"
+                }
                 "impact.drop_height" if varies("impact.speed") => {
                     "changes the same as \"impact.speed\"; keep one of the two"
                 }

@@ -4,6 +4,7 @@
 
 pub mod hardening;
 pub mod impacts;
+pub mod measured;
 pub mod quasi_static;
 pub mod unloading;
 

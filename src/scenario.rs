@@ -29,6 +29,7 @@ mod entries;
 mod error;
 mod explain;
 mod extreme;
+mod flow;
 mod forces;
 pub mod indentation;
 mod kind;
@@ -63,6 +64,8 @@ pub struct Scenario {
     directory: PathBuf,
     /// The text of the file of coefficients, where that is known without the file.
     coefficients: Option<String>,
+    /// The text of the file of a flow curve, where that is known without the file.
+    flow_table: Option<String>,
 }
 
 /// What an impact cannot do without, any key of a group in place of the others.
@@ -70,7 +73,7 @@ const NEEDED: [&[&str]; 7] = [
     &["sphere.radius", "sphere.diameter"],
     &["sphere.youngs_modulus"],
     &["sphere.poissons_ratio"],
-    &["sphere.density"],
+    &["sphere.density", "sphere.mass"],
     &["half_space.youngs_modulus"],
     &["half_space.poissons_ratio"],
     &["impact.speed", "impact.drop_height"],
@@ -81,8 +84,10 @@ const ELASTIC: &str =
     "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
 
 /// Keys that say the same, each in place of the other.
-const EITHER: [[&str; 2]; 4] = [
+const EITHER: [[&str; 2]; 6] = [
     ["sphere.radius", "sphere.diameter"],
+    ["sphere.density", "sphere.mass"],
+    ["half_space.yield_strength", "half_space.hardness"],
     ["impact.speed", "impact.drop_height"],
     ["damping.hunt_crossley", "damping.viscous"],
     ["compare.peak_indentation_ratio", "compare.peak_indentation"],
@@ -110,7 +115,7 @@ impl Scenario {
     fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
         let entries = document.entries()?;
-        let scenario = Self { document, entries, directory, coefficients: None };
+        let scenario = Self { document, entries, directory, coefficients: None, flow_table: None };
         scenario.check_tables()?;
         Ok(scenario)
     }
@@ -169,6 +174,7 @@ impl Scenario {
         }
         self.needs_gravity()?;
         self.refuse_waves(&scene)?;
+        self.check_strength(&scene.law, scene.half_space.yield_strength)?;
         scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         Ok(scene)
     }
@@ -237,7 +243,7 @@ impl Scenario {
                 youngs_modulus: self.number(&path("youngs_modulus"))?,
                 poissons_ratio: self.number(&path("poissons_ratio"))?,
             },
-            yield_strength: self.entries.number(&path("yield_strength")),
+            yield_strength: self.strength_in(table)?,
             density: self.entries.number(&path("density")),
         })
     }

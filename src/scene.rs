@@ -7,6 +7,7 @@ pub mod quantity;
 pub mod reference;
 pub mod results;
 pub mod schema;
+pub mod strength;
 pub mod words;
 
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
@@ -25,6 +26,10 @@ pub struct Scene {
     pub sphere: Sphere,
     /// The half-space.
     pub half_space: HalfSpace,
+    /// Mass \[kg\] of all that moves with the sphere, if the scene names it in place of a density.
+    pub mass: Option<f64>,
+    /// Hardness of the half-space as a mean pressure \[Pa\], if the scene names it in place of a yield strength.
+    pub hardness: Option<f64>,
     /// Impact speed \[m/s\].
     pub speed: f64,
     /// The law with its parameters.
@@ -49,6 +54,8 @@ impl Scene {
         Self {
             sphere: Sphere { radius: f64::NAN, material, density: f64::NAN, yield_strength: None },
             half_space: HalfSpace { material, yield_strength: None, density: None },
+            mass: None,
+            hardness: None,
             speed: f64::NAN,
             law,
             drop_height: None,
@@ -65,6 +72,7 @@ impl Scene {
     /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
     pub fn contact(&self) -> Result<Contact, ImpactError> {
         let contact = Contact::try_new(self.sphere, self.half_space, self.law.get())?;
+        let contact = if self.mass.is_some() { contact.of_a_body() } else { contact };
         Ok(contact.with_forces(self.forces))
     }
 }

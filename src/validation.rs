@@ -13,6 +13,7 @@ mod error;
 mod hardening;
 mod hertz;
 mod loading;
+mod measured;
 mod oracle;
 mod pictures;
 pub mod report;
@@ -28,13 +29,14 @@ pub use pictures::pictures;
 pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
 
 /// Where rows come from, in the order of the table.
-pub const SOURCES: [Source; 9] = [
+pub const SOURCES: [Source; 10] = [
     loading::checks,
     unloading::checks,
     dents::checks,
     restitution::checks,
     dynamic::checks,
     hardening::checks,
+    measured::checks,
     hertz::checks,
     closed_restitution::checks,
     oracle::checks,

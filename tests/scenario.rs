@@ -109,15 +109,34 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     for key in KEYS {
         // inside of every range
         let value = if key.path == "solver.tolerance" { 1e-3 } else { 1.25 };
-        let is_share = key.path.ends_with("poissons_ratio") || key.path.ends_with("stiffness_ratio");
+        let shares = ["poissons_ratio", "stiffness_ratio", "power.exponent"];
+        let is_share = shares.iter().any(|name| key.path.ends_with(name));
         let value = if is_share { 0.25 } else { value };
         let text = STEEL.replace("radius = \"5 mm\"\n", "");
         let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
         // a drop height stands in the place of the speed, and needs gravity
         let is_height = key.path == "impact.drop_height";
+        // so does a mass for the density, and a hardness for the yield strength
+        let text = match key.path {
+            "sphere.mass" => text.replace("density = \"7850 kg/m^3\"\n", ""),
+            "half_space.hardness" => text.replace("yield_strength = \"345 MPa\"\n", ""),
+            _ => text,
+        };
+        // a number of a flow curve is there only in a curve of its form
+        let curve = match key.path.strip_prefix("half_space.flow_stress.").and_then(|rest| rest.split('.').next()) {
+            Some("power") => vec!["half_space.flow_stress.power.exponent=0.1"],
+            Some("voce") => vec!["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"],
+            Some("linear") => vec!["half_space.flow_stress.linear.slope=1e9"],
+            _ => Vec::new(),
+        };
         let text = if is_height { text.replace("[impact]\nspeed = \"3 m/s\"", "[impact]") } else { text };
         let gravity = if is_height { vec!["gravity.acceleration=9.81"] } else { Vec::new() };
-        let given = |more: &[&str]| resolve(&text, &[&gravity[..], more].concat()).unwrap();
+        let beside = match key.path {
+            "sphere.mass" => vec!["sphere.mass=7"],
+            "half_space.hardness" => vec!["half_space.hardness=7"],
+            _ => Vec::new(),
+        };
+        let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
         let by_file = given(&[&format!("{}={value}", key.path)]);
         // a key of a law is there only under that law
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");

@@ -16,6 +16,8 @@ pub struct Contact {
     pair: Pair,
     /// Of the sphere \[kg\].
     mass: f64,
+    /// Whether the sphere is only the tip of a body, which has the mass.
+    is_tip: bool,
     /// Law and scales of the yielding contact.
     pub(super) yielding: Option<(Scales, Law)>,
     /// The slowest impact that yields \[m/s\]; infinite without one.
@@ -44,13 +46,35 @@ impl Contact {
             if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) }
         });
         let waves = Waves::of(&half_space)?;
-        Ok(Self { sphere, half_space, pair, mass, yielding, yield_speed, forces: Forces::default(), waves })
+        Ok(Self {
+            sphere,
+            half_space,
+            pair,
+            mass,
+            is_tip: false,
+            yielding,
+            yield_speed,
+            forces: Forces::default(),
+            waves,
+        })
     }
 
     /// The same contact with gravity and damping.
     #[must_use]
     pub fn with_forces(self, forces: Forces) -> Self {
         Self { forces, ..self }
+    }
+
+    /// The same contact, where the sphere is only the tip of the body that moves: nothing is known of waves in it.
+    #[must_use]
+    pub fn of_a_body(self) -> Self {
+        Self { is_tip: true, ..self }
+    }
+
+    /// Whether the sphere is only the tip of the body that moves.
+    #[must_use]
+    pub fn is_of_a_body(&self) -> bool {
+        self.is_tip
     }
 
     /// The sphere.

@@ -18,6 +18,9 @@ fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<W
     if ratio > 0.45 {
         warnings.push(Warning::DeepDent { ratio });
     }
+    if let Some((strain, last)) = law.beyond_flow_curve(peak) {
+        warnings.push(Warning::BeyondFlowCurve { strain, last });
+    }
     if let Some(strength) = sphere.yield_strength
         && impact.peak_mean_pressure > 1.1 * strength
     {
@@ -25,7 +28,7 @@ fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<W
     }
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
     let transits = impact.duration() / transit;
-    if transits < 5.0 {
+    if transits < 5.0 && !contact.is_of_a_body() {
         warnings.push(Warning::ShortContact { transits });
     }
     let recovered = impact.restitution * impact.restitution;

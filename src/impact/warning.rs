@@ -15,6 +15,16 @@ pub enum Warning {
         /// a_m/R.
         ratio: f64,
     },
+    /// A measured flow curve that ends too early.
+    #[error(
+        "the flow curve ends at a plastic strain of {last}, and the impact asks for it up to {strain:.4}: beyond its last point it is taken to stay level; give points at larger strains, or lower the speed"
+    )]
+    BeyondFlowCurve {
+        /// The largest strain that was asked for.
+        strain: f64,
+        /// Strain of the last point.
+        last: f64,
+    },
     /// The sphere would yield as well.
     #[error(
         "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and e be lower"

@@ -16,6 +16,9 @@ pub struct Source {
     /// Of the file of coefficients, if the scenario names one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficients: Option<String>,
+    /// Of the file of a flow curve, if the scenario names one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flow_table: Option<String>,
 }
 
 impl Source {
@@ -32,6 +35,10 @@ impl Source {
         if let Some(coefficients) = &self.coefficients {
             hasher.update([0, 0]);
             hasher.update(coefficients);
+        }
+        if let Some(table) = &self.flow_table {
+            hasher.update([0, 0, 0]);
+            hasher.update(table);
         }
         hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
             let _ = write!(hex, "{byte:02x}");

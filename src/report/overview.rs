@@ -11,7 +11,8 @@ use crate::material::Pair;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scene::Scene;
-use crate::units::{Dimension, describe, human, number};
+use crate::strength::hardness;
+use crate::units::{Dimension, describe, four_digits, human, number};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -103,6 +104,10 @@ fn given(scene: &Scene) -> Vec<Row> {
                 row("law", format!("{} ({})", entry.text(), scene.law.source()));
                 row("law.validity", about.validity.to_owned());
                 row("law.confidence", about.confidence.to_owned());
+            }
+            "half_space.hardness" => {
+                let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
+                row(entry.key, format!("{}, {} HV", entry.text(), four_digits(vickers)));
             }
             key => row(key, entry.text()),
         }

@@ -8,7 +8,8 @@ use crate::law::{LawChoice, Plm};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scene::{KEYS, Key, Scene};
-use crate::units::{Dimension, describe};
+use crate::strength::flow::{FlowCurve, FlowPoint};
+use crate::units::{Dimension, describe, human, number};
 
 /// What a key came to.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,6 +81,15 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys
     let keys = KEYS.iter().filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")));
     let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
+    if scene.hardness.is_some() {
+        entries.push(Entry::word("half_space.yield_strength_from", "hardness"));
+    }
+    if let Some(FlowCurve::Points(points)) = scene.flow() {
+        let pair =
+            |point: &FlowPoint| format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure));
+        let pairs: Vec<String> = points.iter().map(pair).collect();
+        entries.push(Entry::word("half_space.flow_stress.points", pairs.join(", ")));
+    }
     if can_yield {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(words_of_law(&scene.law));

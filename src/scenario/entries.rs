@@ -65,6 +65,14 @@ impl Entries {
         }
     }
 
+    /// Pairs of numbers, in SI.
+    pub(super) fn pairs(&self, path: &str) -> &[[f64; 2]] {
+        match self.values.get(path) {
+            Some(Value::Pairs(pairs)) => pairs,
+            _ => &[],
+        }
+    }
+
     /// A text or a word.
     pub(super) fn text(&self, path: &str) -> Option<&str> {
         match self.values.get(path)? {

@@ -88,6 +88,7 @@ impl Scenario {
         }
         let keys = [
             ("sphere.density", true, NO_MASS),
+            ("sphere.mass", true, NO_MASS),
             ("sphere.yield_strength", kind == Kind::Compare, NO_SPHERE),
             ("half_space.density", true, NO_MASS),
         ];

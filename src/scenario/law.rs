@@ -37,7 +37,10 @@ impl Scenario {
         let jumps =
             |law: &str| if is(&format!("law.{law}.jumps"), "crossed") { Jumps::Crossed } else { Jumps::Printed };
         match &mut choice {
-            LawChoice::Plm(plm) => plm.coefficients = self.coefficients()?,
+            LawChoice::Plm(plm) => {
+                plm.coefficients = self.coefficients()?;
+                plm.flow = self.flow()?;
+            }
             LawChoice::JacksonGreen(law) => {
                 law.jumps = jumps("jackson_green");
                 if is("law.jackson_green.hardness", "cosine") {

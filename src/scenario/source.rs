@@ -24,6 +24,7 @@ impl Scenario {
             text: self.document.text().to_owned(),
             overrides: self.document.overrides(),
             coefficients: self.coefficients_text()?,
+            flow_table: self.flow_text()?,
         })
     }
 
@@ -33,7 +34,7 @@ impl Scenario {
     /// [`ScenarioError`], naming line, value, allowed range.
     pub fn from_source(name: &str, source: &Source) -> Result<Self, ScenarioError> {
         let scenario = Self::from_text(name, &source.text, &source.overrides)?;
-        Ok(Self { coefficients: source.coefficients.clone(), ..scenario })
+        Ok(Self { coefficients: source.coefficients.clone(), flow_table: source.flow_table.clone(), ..scenario })
     }
 
     /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.

@@ -17,6 +17,8 @@ pub(super) enum Value {
     Number(f64),
     /// In SI.
     Numbers(Vec<f64>),
+    /// In SI.
+    Pairs(Vec<[f64; 2]>),
     /// A text, or a word that is known.
     Text(String),
     /// Words that are known.
@@ -42,6 +44,7 @@ pub(super) fn read(form: &Form, value: &Spanned<DeValue>) -> Result<Value, Fault
         Form::Number(quantity, word) => number(quantity, *word, value).map(Value::Number),
         Form::Count(quantity) => count(quantity, value).map(Value::Number),
         Form::Numbers(quantity) => numbers(quantity, value).map(Value::Numbers),
+        Form::Pairs(first, second) => pairs(first, second, value).map(Value::Pairs),
         Form::Word(words) => word(words, value).map(Value::Text),
         Form::WordList(words) => {
             let example = (words.known)().first().cloned().unwrap_or_default();
@@ -108,6 +111,16 @@ pub(super) fn count(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<f64
 /// Several numbers in a list.
 pub(super) fn numbers(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<Vec<f64>, Fault> {
     list(value, &format!("[{}]", quantity.example))?.iter().map(|item| number(quantity, None, item)).collect()
+}
+
+/// Several pairs of numbers, each in a list of two.
+fn pairs(first: &Quantity, second: &Quantity, value: &Spanned<DeValue>) -> Result<Vec<[f64; 2]>, Fault> {
+    let example = format!("[{}, {}]", first.example, second.example);
+    let pair = |item: &Spanned<DeValue>| match list(item, &example)? {
+        [one, other] => Ok([number(first, None, one)?, number(second, None, other)?]),
+        items => Err(Fault::at(item, format!("has {} numbers; write two, such as {example}", items.len()))),
+    };
+    list(value, &format!("[{example}]"))?.iter().map(pair).collect()
 }
 
 /// The items of a list.

@@ -45,6 +45,8 @@ pub enum Form {
     Count(&'static Quantity),
     /// A list of numbers.
     Numbers(&'static Quantity),
+    /// A list of pairs of numbers.
+    Pairs(&'static Quantity, &'static Quantity),
     /// One of some words.
     Word(&'static Words),
     /// A list of such words.

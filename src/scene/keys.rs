@@ -9,11 +9,13 @@ use super::Scene;
 use super::key::{Form, Key};
 use super::other_keys::OTHER_KEYS;
 use super::quantity::{
-    ACCELERATION, AREA_FACTOR, DENSITY, DROP_HEIGHT, EXPONENT, FACTOR, HUNT_CROSSLEY, LENGTH, MODULUS, POISSONS_RATIO,
-    SHARE, SPEED, SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
+    ACCELERATION, AREA_FACTOR, DENSITY, DROP_HEIGHT, EXPONENT, FACTOR, HARDENING_EXPONENT, HARDENING_RATE,
+    HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, LENGTH, MASS, MODULUS, POISSONS_RATIO, SATURATION, SHARE, SPEED,
+    SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
 };
 use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};
+use crate::strength::flow::FlowCurve;
 
 /// Reads a key from a scene.
 type Get = fn(&Scene) -> Option<f64>;
@@ -77,26 +79,89 @@ macro_rules! place {
 /// All numeric keys of the scene of an impact, in the order of the file.
 pub const KEYS: &[Key] = keys! {
     /// Radius of the sphere (not its diameter).
-    "sphere.radius": LENGTH => { scene.sphere.radius };
+    "sphere.radius": LENGTH => { get: |scene| Some(scene.sphere.radius), set: Scene::set_radius };
     /// Diameter of the sphere, in place of the radius.
     "sphere.diameter": LENGTH => {
         get: |scene| Some(2.0 * scene.sphere.radius),
-        set: |scene, value| scene.sphere.radius = 0.5 * value
+        set: |scene, value| scene.set_radius(0.5 * value)
     };
     /// Young's modulus of the sphere, or "rigid".
     "sphere.youngs_modulus": SPHERE_MODULUS or "rigid" => { scene.sphere.material.youngs_modulus };
     /// Poisson's ratio of the sphere.
     "sphere.poissons_ratio": POISSONS_RATIO => { scene.sphere.material.poissons_ratio };
     /// Density of the sphere, which gives its mass.
-    "sphere.density": DENSITY => { scene.sphere.density };
+    "sphere.density": DENSITY => {
+        get: |scene| scene.mass.is_none().then_some(scene.sphere.density),
+        set: Scene::set_density
+    };
+    /// Mass of all that moves with the sphere, in place of its density: of a hammer or a pendulum with a spherical tip.
+    "sphere.mass": MASS => { get: |scene| scene.mass, set: Scene::set_mass };
     /// Yield strength of the sphere: only to warn where it would yield too.
     "sphere.yield_strength": STRENGTH => { scene.sphere.yield_strength? };
     /// Young's modulus of the half-space.
-    "half_space.youngs_modulus": MODULUS => { scene.half_space.material.youngs_modulus };
+    "half_space.youngs_modulus": MODULUS => {
+        get: |scene| Some(scene.half_space.material.youngs_modulus),
+        set: Scene::set_half_space_modulus
+    };
     /// Poisson's ratio of the half-space.
     "half_space.poissons_ratio": POISSONS_RATIO => { scene.half_space.material.poissons_ratio };
     /// Uniaxial yield strength of the half-space; without it the contact is elastic and nothing plastic is reported.
-    "half_space.yield_strength": STRENGTH => { scene.half_space.yield_strength? };
+    "half_space.yield_strength": STRENGTH => {
+        get: |scene| scene.half_space.yield_strength,
+        set: Scene::set_yield_strength
+    };
+    /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
+    /// hardness test. The yield strength is the pressure over 2.9; with flow_stress.power it is the one whose curve has that
+    /// flow stress at a plastic strain of 0.08.
+    "half_space.hardness": HARDNESS => { get: |scene| scene.hardness, set: Scene::set_hardness };
+    /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
+    "half_space.flow_stress.power.exponent": HARDENING_EXPONENT => {
+        get: |scene| match scene.flow() {
+            Some(FlowCurve::Power { exponent }) => Some(*exponent),
+            _ => None,
+        },
+        set: |scene, value| scene.change_flow(|flow| {
+            if let FlowCurve::Power { exponent } = flow {
+                *exponent = value;
+            }
+        })
+    };
+    /// By how many yield strengths the flow stress sigma_Y (1 + b (1 - exp(-c strain))) rises in the end: b.
+    "half_space.flow_stress.voce.saturation": SATURATION => {
+        get: |scene| match scene.flow() {
+            Some(FlowCurve::Voce { saturation, .. }) => Some(*saturation),
+            _ => None,
+        },
+        set: |scene, value| scene.change_flow(|flow| {
+            if let FlowCurve::Voce { saturation, .. } = flow {
+                *saturation = value;
+            }
+        })
+    };
+    /// How fast it rises: c.
+    "half_space.flow_stress.voce.rate": HARDENING_RATE => {
+        get: |scene| match scene.flow() {
+            Some(FlowCurve::Voce { rate, .. }) => Some(*rate),
+            _ => None,
+        },
+        set: |scene, value| scene.change_flow(|flow| {
+            if let FlowCurve::Voce { rate, .. } = flow {
+                *rate = value;
+            }
+        })
+    };
+    /// Slope of the flow stress over plastic strain, where it rises in a straight line.
+    "half_space.flow_stress.linear.slope": HARDENING_SLOPE => {
+        get: |scene| match scene.flow() {
+            Some(FlowCurve::Linear { slope }) => Some(*slope),
+            _ => None,
+        },
+        set: |scene, value| scene.change_flow(|flow| {
+            if let FlowCurve::Linear { slope } = flow {
+                *slope = value;
+            }
+        })
+    };
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported.
     "half_space.density": DENSITY => { scene.half_space.density? };
     /// Speed of the sphere at first touch, towards the half-space.

@@ -6,7 +6,7 @@
 use super::key::{Form, OtherKey};
 use super::quantity::{
     DEPTH_RATIO, ENERGY, FORCE, IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, SAMPLES, SHOT_SPEED,
-    SPEED, STEPS, STRENGTH,
+    SPEED, STEPS, STRAIN, STRENGTH,
 };
 use super::words::{COLUMNS, HARDNESSES, JUMPS, LOADINGS, METHODS, OWN_UNLOADINGS, SPOTS, UNLOADINGS};
 
@@ -24,6 +24,10 @@ macro_rules! keys {
 
 /// The keys that do not vary, in the order of the file.
 pub const OTHER_KEYS: &[OtherKey] = keys! {
+    /// Points of a measured flow curve: plastic strain and true stress, straight between them and constant after the last.
+    "half_space.flow_stress.points": Pairs(&STRAIN, &STRENGTH);
+    /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
+    "half_space.flow_stress.table": Text("flow.csv");
     /// File of coefficients of the loading curve, relative to the scenario.
     "law.plm.coefficients": Text("my.toml") = "built in";
     /// Form of the geometric hardness: of 2005, or the later one.

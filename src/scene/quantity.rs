@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::strength::hardness;
 use crate::units::{self, Dimension, UnitError};
 
 /// An end of a range.
@@ -30,6 +31,8 @@ pub struct Quantity {
     pub hint: &'static str,
     /// Whether that is the lower end.
     pub is_hint_low: bool,
+    /// On which scales it may be written.
+    pub notation: Notation,
 }
 
 const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
@@ -41,6 +44,7 @@ const fn positive(name: &'static str, dimension: Dimension, example: &'static st
         example,
         hint: "",
         is_hint_low: false,
+        notation: Notation::Units,
     }
 }
 
@@ -49,7 +53,16 @@ const fn not_negative(name: &'static str, dimension: Dimension, example: &'stati
 }
 
 const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
-    Quantity { name, dimension: Dimension::Ratio, low, high, example, hint: "", is_hint_low: false }
+    Quantity {
+        name,
+        dimension: Dimension::Ratio,
+        low,
+        high,
+        example,
+        hint: "",
+        is_hint_low: false,
+        notation: Notation::Units,
+    }
 }
 
 /// A radius or diameter.
@@ -63,6 +76,33 @@ pub const STRENGTH: Quantity = Quantity {
     hint: "for an elastic body leave the key out",
     ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
 };
+/// How the plain number of a quantity may be written, besides in SI.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// With a unit.
+    Units,
+    /// With a unit of pressure, or on a scale of hardness.
+    Hardness,
+}
+
+/// A hardness, as the mean pressure of a hardness test.
+pub const HARDNESS: Quantity = Quantity {
+    notation: Notation::Hardness,
+    hint: "for an elastic body leave the key out",
+    ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
+};
+/// A mass.
+pub const MASS: Quantity = positive("a mass", Dimension::Mass, "\"5.5 g\"");
+/// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
+pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Bound::Closed(0.0), Bound::Closed(0.5), "0.1");
+/// By how many yield strengths a flow stress rises.
+pub const SATURATION: Quantity = number("a saturation", Bound::Closed(0.0), Bound::Closed(100.0), "1.5");
+/// How fast a flow stress rises over plastic strain.
+pub const HARDENING_RATE: Quantity = number("a rate of hardening", Bound::Open(0.0), Bound::Closed(1e4), "15");
+/// Slope of a flow stress over plastic strain.
+pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
+/// A plastic strain.
+pub const STRAIN: Quantity = number("a plastic strain", Bound::Closed(0.0), Bound::Closed(10.0), "0.002");
 /// A density.
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
@@ -180,15 +220,25 @@ impl Quantity {
     /// # Errors
     /// The message of a [`units::UnitError`] or [`RangeError`].
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let value = units::parse(text, self.dimension).map_err(|error| match error {
-            UnitError::NoNumber { text, .. } => {
-                format!("\"{text}\" does not begin with a number; write {} such as {}", self.name, self.example)
-            }
-            error => error.to_string(),
-        })?;
+        let scale = hardness::written(text).filter(|_| self.notation == Notation::Hardness);
+        let value = match scale {
+            Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string()),
+            None => self.with_unit(text),
+        }?;
         self.check(value).map_err(|error| {
             let written = format!("\"{text}\" = {}", units::si(value, self.dimension));
             RangeError { written, ..error }.to_string()
+        })
+    }
+
+    /// A number with a unit, in SI.
+    fn with_unit(&self, text: &str) -> Result<f64, String> {
+        units::parse(text, self.dimension).map_err(|error| match error {
+            UnitError::NoNumber { text, .. } => {
+                format!("\"{text}\" does not begin with a number; write {} such as {}", self.name, self.example)
+            }
+            error if self.notation == Notation::Hardness => format!("{error}; or a hardness in HV, HB or HRC"),
+            error => error.to_string(),
         })
     }
 

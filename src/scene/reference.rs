@@ -84,6 +84,15 @@ fn written(form: &Form) -> String {
         Form::Number(quantity, Some(word)) => format!("{}, or `\"{word}\"`", number(quantity)),
         Form::Count(quantity) => format!("a whole number {}", quantity.allowed()),
         Form::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
+        Form::Pairs(first, second) => {
+            format!(
+                "a list of pairs such as `[[{}, {}]]`: {} and {}",
+                first.example,
+                second.example,
+                number(first),
+                number(second)
+            )
+        }
         Form::Word(words) => quoted(&(words.known)()),
         Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),

@@ -67,6 +67,10 @@ fn of_form(form: &Form) -> Value {
         Form::Number(quantity, word) => number(quantity, *word),
         Form::Count(quantity) => ranged("integer", quantity),
         Form::Numbers(quantity) => json!({ "type": "array", "items": number(quantity, None) }),
+        Form::Pairs(first, second) => {
+            let pair = json!({ "type": "array", "prefixItems": [number(first, None), number(second, None)], "minItems": 2, "maxItems": 2 });
+            json!({ "type": "array", "items": pair, "minItems": 2 })
+        }
         Form::Word(words) => one_of(words),
         Form::WordList(words) => json!({ "type": "array", "items": one_of(words) }),
         Form::Text(_) => json!({ "type": "string" }),

@@ -151,6 +151,15 @@ impl Scale {
     }
 }
 
+/// The number and the scale of a text such as "300 HV".
+#[must_use]
+pub fn written(text: &str) -> Option<(f64, Scale)> {
+    let text = text.trim();
+    let at = text.rfind(|c: char| !c.is_ascii_alphabetic())? + 1;
+    let (number, symbol) = text.split_at_checked(at)?;
+    Some((number.trim().parse().ok()?, Scale::from_symbol(symbol)?))
+}
+
 /// Flow stress \[Pa\] at a plastic strain of [`STRAIN`] of a metal with this mean pressure \[Pa\].
 #[must_use]
 pub fn flow_stress(mean_pressure: f64) -> f64 {

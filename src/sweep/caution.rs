@@ -103,6 +103,7 @@ fn is_worse(new: f64, known: f64) -> bool {
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
         Warning::DeepDent { ratio } => ratio,
+        Warning::BeyondFlowCurve { strain, .. } => strain,
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,
         Warning::StrongWaves { loss, recovered } => loss / recovered,

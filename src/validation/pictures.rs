@@ -6,6 +6,7 @@ mod dents;
 mod deviations;
 mod hardening;
 mod impacts;
+mod measured;
 mod shares;
 
 use rayon::prelude::*;
@@ -86,6 +87,7 @@ pub fn pictures(coefficients: &PlmCoefficients) -> Result<Vec<OutputFile>, Valid
     }
     pictures.extend(impacts::pictures(&super::dynamic::cases(coefficients)?));
     pictures.push(hardening::picture(coefficients)?);
+    pictures.push(measured::picture(coefficients)?);
     let drawn: Result<Vec<OutputFile>, PlotError> = pictures.par_iter().map(Picture::draw).collect();
     Ok(drawn?)
 }

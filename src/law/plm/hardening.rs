@@ -62,6 +62,15 @@ impl Hardening {
         (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
     }
 
+    /// The largest plastic strain that the flow curve is known for; `None` for a formula.
+    #[must_use]
+    pub fn last_strain(&self) -> Option<f64> {
+        match &self.rise {
+            Rise::Points { points, .. } => points.last().map(|point| point.strain),
+            Rise::Power { .. } | Rise::Voce { .. } | Rise::Linear { .. } => None,
+        }
+    }
+
     /// ν = 2 d ln σ_rep/d ln δ at x, over the last tenth of the way.
     fn growth(&self, x: f64) -> f64 {
         2.0 * ln(self.strength(x) / self.strength(x / RATIO)) / ln(RATIO)

@@ -1,0 +1,150 @@
+//! `[half_space.flow_stress]`: how the half-space hardens, and what goes with `hardness`.
+
+use super::document::{LARGEST_SCENARIO, read_text};
+use super::{Scenario, ScenarioError};
+use crate::law::LawChoice;
+use crate::scene::strength::strength_of_hardness;
+use crate::strength::flow::{FlowCurve, FlowPoint};
+
+/// The table of the flow curve.
+pub(super) const FLOW: &str = "half_space.flow_stress";
+
+/// What may stand in place of a yield strength.
+const HARDNESS: &str = "half_space.hardness";
+
+/// The forms of a curve, each with the numbers it needs.
+const FORMS: [(&str, &[&str]); 5] = [
+    ("power", &["exponent"]),
+    ("voce", &["saturation", "rate"]),
+    ("linear", &["slope"]),
+    ("points", &[]),
+    ("table", &[]),
+];
+
+/// How a curve may be written.
+const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
+
+impl Scenario {
+    /// The flow curve of the half-space, with the first value of a number that varies.
+    pub(super) fn flow(&self) -> Result<Option<FlowCurve>, ScenarioError> {
+        let path = |form: &str| format!("{FLOW}.{form}");
+        let begins = |form: &str| {
+            let inner = format!("{}.", path(form));
+            self.entries.has(&path(form)) || self.entries.varied().any(|varied| varied.starts_with(&inner))
+        };
+        let mut given = FORMS.iter().filter(|(form, _)| begins(form));
+        let Some((form, needed)) = given.next() else {
+            return if self.entries.has(FLOW) {
+                Err(self.document.refuse(FLOW, format!("has no curve; write one of {EXAMPLE}")))
+            } else {
+                Ok(None)
+            };
+        };
+        if let Some((second, _)) = given.next() {
+            let message = format!("`{form}` is given too; write only one of `{form}` and `{second}`");
+            return Err(self.document.refuse(&path(second), message));
+        }
+        let number = |name: &str| {
+            let key = format!("{FLOW}.{form}.{name}");
+            self.entries.number(&key).or_else(|| self.entries.first(&key))
+        };
+        if let Some(missing) = needed.iter().find(|name| number(name).is_none()) {
+            return Err(self.document.missing(&path(form), missing));
+        }
+        let given = |name: &str| number(name).unwrap_or(f64::NAN);
+        Ok(Some(match *form {
+            "power" => FlowCurve::Power { exponent: given("exponent") },
+            "voce" => FlowCurve::Voce { saturation: given("saturation"), rate: given("rate") },
+            "linear" => FlowCurve::Linear { slope: given("slope") },
+            form => {
+                let points =
+                    if form == "table" { self.flow_table()? } else { self.entries.pairs(&path(form)).to_vec() };
+                let points = points.into_iter().map(|[strain, stress]| FlowPoint { strain, stress });
+                FlowCurve::through(points.collect::<Vec<_>>())
+                    .map_err(|error| self.document.refuse(&path(form), error.to_string()))?
+            }
+        }))
+    }
+
+    /// What a flow curve and a hardness do not go with.
+    pub(super) fn check_strength(&self, law: &LawChoice, strength: Option<f64>) -> Result<(), ScenarioError> {
+        let varies = |key: &str| self.entries.varies(key);
+        let has_hardness = self.entries.has(HARDNESS) || varies(HARDNESS);
+        let Some(flow) = self.flow()? else { return Ok(()) };
+        let refuse = |key: &str, message: String| Err(self.document.refuse(key, message));
+        if !matches!(law, LawChoice::Plm(_)) {
+            let message =
+                format!("the law {} knows no hardening: leave the table out, or take the law plm", law.name());
+            return refuse(FLOW, message);
+        }
+        if self.entries.axes.iter().flatten().any(|(path, _)| *path == "law") {
+            let message = "only the law plm knows hardening: leave the table out, or the axis \"law\"";
+            return refuse(FLOW, message.to_owned());
+        }
+        if strength.is_none() {
+            let message = "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0";
+            return refuse(FLOW, message.to_owned());
+        }
+        if has_hardness && !matches!(flow, FlowCurve::Power { .. }) {
+            let message = "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness";
+            return refuse(FLOW, message.to_owned());
+        }
+        if flow.last_strain().is_some() && (varies("half_space.yield_strength") || varies(HARDNESS)) {
+            let message =
+                "a curve through points begins at one yield strength, which then cannot vary; take power or voce";
+            return refuse(FLOW, message.to_owned());
+        }
+        if let Some(strength) = strength {
+            flow.starts_from(strength).map_err(|error| self.document.refuse(FLOW, error.to_string()))?;
+        }
+        Ok(())
+    }
+
+    /// The yield strength \[Pa\] of a half-space whose keys stand in this table, of a scene without an impact.
+    pub(super) fn strength_in(&self, table: &str) -> Result<Option<f64>, ScenarioError> {
+        let Some(mean_pressure) = self.entries.number(&format!("{table}.hardness")) else {
+            return Ok(self.entries.number(&format!("{table}.yield_strength")));
+        };
+        let modulus = self.number(&format!("{table}.youngs_modulus"))?;
+        Ok(Some(strength_of_hardness(mean_pressure, self.flow()?.as_ref(), modulus)))
+    }
+
+    /// The points of the file that the scenario names: `plastic_strain, stress_Pa`.
+    fn flow_table(&self) -> Result<Vec<[f64; 2]>, ScenarioError> {
+        let key = format!("{FLOW}.table");
+        let Some(name) = self.entries.text(&key) else { return Ok(Vec::new()) };
+        let path = self.directory.join(name);
+        let refuse = |message: String| self.document.refuse(&key, message);
+        let text = self.flow_text().map_err(|error| refuse(error.to_string()))?.unwrap_or_default();
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let header = reader.headers().cloned().unwrap_or_default();
+        if header.iter().collect::<Vec<_>>() != COLUMNS {
+            let message = format!("{}: its columns must be {}", path.display(), COLUMNS.join(", "));
+            return Err(refuse(message));
+        }
+        let mut points = Vec::new();
+        for row in reader.records() {
+            let row = row.map_err(|error| refuse(format!("{}: {error}", path.display())))?;
+            let line = row.position().map_or(0, csv::Position::line);
+            let number = |i: usize| {
+                row[i].parse::<f64>().map_err(|_| {
+                    refuse(format!("{}:{line}: {} is no number, but \"{}\"", path.display(), COLUMNS[i], &row[i]))
+                })
+            };
+            points.push([number(0)?, number(1)?]);
+        }
+        Ok(points)
+    }
+
+    /// The text of the file of the flow curve, if the scenario names one.
+    pub(super) fn flow_text(&self) -> Result<Option<String>, ScenarioError> {
+        match (self.entries.text(&format!("{FLOW}.table")), &self.flow_table) {
+            (None, _) => Ok(None),
+            (Some(_), Some(text)) => Ok(Some(text.clone())),
+            (Some(path), None) => read_text(&self.directory.join(path), LARGEST_SCENARIO).map(Some),
+        }
+    }
+}
+
+const COLUMNS: [&str; 2] = ["plastic_strain", "stress_Pa"];

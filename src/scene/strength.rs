@@ -1,0 +1,86 @@
+//! What a scene says in other words: the sphere's mass in place of its density, and the strength of the half-space by a
+//! hardness. Whatever is put into the scene last, the numbers that follow are made anew.
+
+use std::f64::consts::PI;
+
+use super::Scene;
+use crate::law::LawChoice;
+use crate::strength::flow::{FlowCurve, yield_strength_of_power};
+use crate::strength::hardness::{self, flow_stress};
+
+impl Scene {
+    /// Puts a radius \[m\] into the scene; a given mass then has another density.
+    pub fn set_radius(&mut self, radius: f64) {
+        self.sphere.radius = radius;
+        if let Some(mass) = self.mass {
+            self.set_mass(mass);
+        }
+    }
+
+    /// Puts a mass \[kg\] into the scene, of all that moves with the sphere; its density is that of a sphere with this mass.
+    pub fn set_mass(&mut self, mass: f64) {
+        let radius = self.sphere.radius;
+        self.mass = Some(mass);
+        self.sphere.density = mass / (4.0 / 3.0 * PI * radius * radius * radius);
+    }
+
+    /// Puts a density \[kg/m³\] into the scene, in place of a mass if there was one.
+    pub fn set_density(&mut self, density: f64) {
+        (self.sphere.density, self.mass) = (density, None);
+    }
+
+    /// Puts a yield strength \[Pa\] of the half-space into the scene, in place of a hardness if there was one.
+    pub fn set_yield_strength(&mut self, strength: f64) {
+        (self.half_space.yield_strength, self.hardness) = (Some(strength), None);
+    }
+
+    /// Puts a hardness into the scene, as a mean pressure \[Pa\]; the yield strength follows.
+    pub fn set_hardness(&mut self, mean_pressure: f64) {
+        self.hardness = Some(mean_pressure);
+        self.soften_or_harden();
+    }
+
+    /// Puts Young's modulus \[Pa\] of the half-space into the scene; a strength from a hardness may depend on it.
+    pub fn set_half_space_modulus(&mut self, modulus: f64) {
+        self.half_space.material.youngs_modulus = modulus;
+        self.soften_or_harden();
+    }
+
+    /// The flow curve of the half-space, if it has one.
+    #[must_use]
+    pub fn flow(&self) -> Option<&FlowCurve> {
+        match &self.law {
+            LawChoice::Plm(plm) => plm.flow.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// Changes the numbers of the flow curve; a strength from a hardness follows.
+    pub fn change_flow(&mut self, change: impl FnOnce(&mut FlowCurve)) {
+        if let LawChoice::Plm(plm) = &mut self.law
+            && let Some(flow) = &mut plm.flow
+        {
+            change(flow);
+        }
+        self.soften_or_harden();
+    }
+
+    /// Makes the yield strength that follows from a given hardness.
+    fn soften_or_harden(&mut self) {
+        if let Some(mean_pressure) = self.hardness {
+            let modulus = self.half_space.material.youngs_modulus;
+            self.half_space.yield_strength = Some(strength_of_hardness(mean_pressure, self.flow(), modulus));
+        }
+    }
+}
+
+/// The yield strength \[Pa\] that a hardness says, given as mean pressure \[Pa\]: of a power curve the one that has the flow
+/// stress of the hardness at the strain of a hardness test, else the flow stress itself.
+#[must_use]
+pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulus: f64) -> f64 {
+    let stress = flow_stress(mean_pressure);
+    match flow {
+        Some(FlowCurve::Power { exponent }) => yield_strength_of_power(stress, hardness::STRAIN, *exponent, modulus),
+        _ => stress,
+    }
+}

@@ -1,0 +1,76 @@
+//! Measured restitution: rebound hardness after Leeb, which is restitution times 1000.
+//!
+//! One strength for each test block is found from device D alone; the other devices, with other masses, speeds and tips, are
+//! then predicted. Exponent "pressure-shape", with elastic waves.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::ValidationError;
+use super::check::{Check, Tolerance, rms};
+use crate::impact::Contact;
+use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
+use crate::material::{HalfSpace, Material, Sphere};
+use crate::math::functions::{exp, ln};
+use crate::reference::measured::{self, Device};
+
+const REFERENCE: &str = "Leeb test blocks, nominal values of public manuals, leeb.csv";
+
+/// Radius of the tip \[m\].
+const TIP: f64 = 1.5e-3;
+const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+const STEEL_DENSITY: f64 = 7850.0;
+
+/// What a test block may be off: 30 of HL, the lower end of what its maker states.
+const BLOCK: f64 = 30.0;
+const OF_RMS: Tolerance = Tolerance { limit: 0.02, source: "found 1.8 %, margin 0.2 %" };
+
+/// Restitution by a device on steel of this yield strength \[Pa\].
+pub(super) fn restitution(
+    device: &Device,
+    strength: f64,
+    coefficients: &Arc<PlmCoefficients>,
+) -> Result<f64, ValidationError> {
+    let sphere = Sphere {
+        radius: TIP,
+        material: device.tip(),
+        density: device.mass / (4.0 / 3.0 * PI * TIP * TIP * TIP),
+        yield_strength: None,
+    };
+    let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
+    let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
+    let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
+    Ok(impact.restitution_with_waves.unwrap_or(impact.restitution))
+}
+
+/// The yield strength \[Pa\] of a block on which the device gives this restitution; e rises with the strength.
+fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, ValidationError> {
+    let (mut low, mut high) = (ln(1e7), ln(1e11));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if restitution(device, exp(middle), coefficients)? < wanted { low = middle } else { high = middle }
+    }
+    Ok(exp(0.5 * (low + high)))
+}
+
+pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+    let coefficients = Arc::new(coefficients.clone());
+    let devices = measured::devices()?;
+    let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
+    let mut checks = Vec::new();
+    for (block, of_device) in measured::BLOCKS {
+        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients)?;
+        for device in others {
+            let measured = of_device(device) / 1000.0;
+            let numbers = [measured, restitution(device, strength, &coefficients)?];
+            let case = format!("{block}, device {}, strength from D {:.0} MPa", device.name, strength / 1e6);
+            let tolerance =
+                Tolerance { limit: BLOCK / of_device(device), source: "tolerance of the test blocks, 30 HL" };
+            checks.push(Check::numbers("measured: rebound of Leeb devices", case, REFERENCE, "", numbers, tolerance));
+        }
+    }
+    let deviations: Vec<f64> = checks.iter().map(|check: &Check| check.deviation).collect();
+    let over = format!("{} predictions", deviations.len());
+    checks.push(Check::mean("measured: rebound of Leeb devices, rms", over, REFERENCE, rms(&deviations), OF_RMS));
+    Ok(checks)
+}
