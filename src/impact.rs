@@ -6,7 +6,7 @@
 //! The files depend on each other in this order: what acts ([`scales`], [`forces`], [`scaled_forces`]); what an impact comes
 //! to ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
 //! is reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
-//! (`impacts`, [`spot`]); and this file, which only names them.
+//! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
 
 pub mod batch;
 mod case;
@@ -20,6 +20,7 @@ mod impacts;
 mod ledger;
 pub mod outcome;
 pub mod record;
+mod response;
 pub mod result;
 pub mod scaled_forces;
 pub mod scales;
@@ -37,6 +38,7 @@ pub use forces::{Damping, Forces, drop_speed};
 pub use ledger::TraceRow;
 pub use outcome::{Fate, FixedSteps, Outcome};
 pub use record::{Event, Point, Recorder};
+pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};
 pub use scaled_forces::ScaledForces;
 pub use scales::Scales;
