@@ -1,7 +1,8 @@
 //! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
 //!
 //! **Landing.** A step that has passed an event is taken again with the length that the cubic through both its ends gives,
-//! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two or three repeats.
+//! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two repeats, and what is
+//! then missing is less than the tolerance and is taken along the rates.
 //!
 //! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
 //! [`super::lockstep`]).

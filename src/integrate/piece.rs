@@ -150,6 +150,12 @@ pub(super) trait Dragged: Motion<f64> {
     const ROOT: i32;
     /// A function that is zero where the contact force is, and its derivative.
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64);
+    /// Another function that is zero there, and its derivative: one that is nearly straight, so that Newton's method needs few
+    /// steps. Where the force goes with a high power of y, the first function is not.
+    #[inline(always)]
+    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        self.contact(node, rates)
+    }
     /// About √g' at y, for the first step.
     fn frequency(&self, y: f64) -> f64;
 

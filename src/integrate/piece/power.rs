@@ -196,6 +196,9 @@ impl<const M: u8> Dragged for DraggedHertz<M> {
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
         self.contact_force(node, rates)
     }
+    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        beyond_lift_off(self.k, 5.0, self.drag.eta, node, rates).unwrap_or_else(|| self.contact(node, rates))
+    }
     fn frequency(&self, y: f64) -> f64 {
         frequency(self.k, 1.5, y, Self::ROOT)
     }
@@ -223,9 +226,23 @@ impl<const M: u8> Dragged for DraggedPower<M> {
         let c = self.drag.eta;
         (slope * node[0] / p + c * node[1], slope * rates[0] + c * rates[1])
     }
+    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
+        let p = 0.5 * f64::from(M) * (self.n + 1.0);
+        beyond_lift_off(self.k, p, self.drag.eta, node, rates).unwrap_or_else(|| self.contact(node, rates))
+    }
     fn frequency(&self, y: f64) -> f64 {
         frequency(self.k, self.n, y, Self::ROOT)
     }
+}
+
+/// How far r is beyond the one at which k r^p + c u vanishes, and the derivative of that; `None` unless it is on the way back.
+fn beyond_lift_off(k: f64, p: f64, c: f64, node: &Quad, rates: &Quad) -> Option<(f64, f64)> {
+    let (r, u) = (node[0], node[1]);
+    if u >= 0.0 {
+        return None;
+    }
+    let end = pow(-c * u / k, 1.0 / p);
+    Some((r - end, rates[0] - end / (p * u) * rates[1]))
 }
 
 /// √ of −du'/dr of a power law.
