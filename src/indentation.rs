@@ -14,7 +14,7 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::impact::Warning;
+use crate::impact::{Warning, of_peak};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
@@ -72,13 +72,15 @@ pub enum IndentationError {
 pub enum Doubt {
     /// a/R beyond the finite-element data.
     #[error(
-        "step {step}: contact radius / sphere radius = {ratio:.3} is beyond 0.45, the range of the data behind the law: take indentation and dent as estimates, or lower the target"
+        "step {step}: contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take indentation and dent as estimates, or lower the target"
     )]
     Deep {
         /// From 1.
         step: usize,
         /// a_m/R.
         ratio: f64,
+        /// Largest a/R of the data.
+        limit: f64,
     },
     /// The sphere would yield as well.
     #[error(
@@ -92,12 +94,12 @@ pub enum Doubt {
         /// The sphere's yield strength \[Pa\].
         strength: f64,
     },
-    /// Outside the range that the authors of the law state.
+    /// A peak of which the law, or its flow curve, is not known to hold.
     #[error("step {step}: {warning}")]
-    OutsideStated {
+    Peak {
         /// From 1.
         step: usize,
-        /// Which range that is.
+        /// Why.
         warning: Warning,
     },
     /// The step gains energy, behind a knot of the loading curve.
@@ -271,9 +273,8 @@ impl StaticContact {
             }
             let step = self.step(*target, &stroke)?;
             let is_new = stroke.is_new_peak();
-            if let Some((from, to)) = self.law.outside_stated(peak).filter(|_| is_new) {
-                let warning = Warning::OutsideStated { indentation: peak.indentation, from, to };
-                doubts.push(Doubt::OutsideStated { step: number, warning });
+            if is_new {
+                doubts.extend(of_peak(&self.law, peak).map(|warning| Doubt::Peak { step: number, warning }));
             }
             self.doubt(number, &step, steps.last(), &mut doubts);
             steps.push(step);
@@ -330,8 +331,9 @@ impl StaticContact {
     /// Doubts that this step is the first to raise.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
         let ratio = |step: &Step| step.memory.contact_radius / self.indenter.radius;
-        if ratio(step) > 0.45 && before.is_none_or(|before| ratio(before) <= 0.45) {
-            doubts.push(Doubt::Deep { step: number, ratio: ratio(step) });
+        let limit = self.law.widest_contact();
+        if ratio(step) > limit && before.is_none_or(|before| ratio(before) <= limit) {
+            doubts.push(Doubt::Deep { step: number, ratio: ratio(step), limit });
         }
         if let Some(strength) = self.indenter.yield_strength {
             let yields = |step: &Step| step.memory.mean_pressure > 1.1 * strength;

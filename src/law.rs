@@ -240,6 +240,16 @@ impl Law {
         law.stated.filter(|range| peak.indentation > law.elastic_until && !is_inside(*range))
     }
 
+    /// Largest a/R of the finite elements behind the law.
+    #[must_use]
+    pub fn widest_contact(&self) -> f64 {
+        match &self.elastic {
+            ElasticApproach::Hardening(_) => 0.32,
+            ElasticApproach::Reloaded(reloaded) => reloaded.fresh.widest_contact(),
+            _ => 0.45,
+        }
+    }
+
     /// The largest plastic strain that loading to a peak asks the flow curve for, and the last that the curve is known for,
     /// where the first is the larger.
     #[must_use]

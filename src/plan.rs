@@ -6,8 +6,8 @@ mod source;
 
 use crate::impact::{Damping, Method};
 use crate::law::LawChoice;
-use crate::scene::Scene;
 use crate::scene::results::{Column, columns};
+use crate::scene::{Key, Scene};
 use axis::{Axis, Setting};
 use random::Variable;
 pub use source::Source;
@@ -39,6 +39,9 @@ pub struct Plan {
     pub columns: Option<Vec<&'static str>>,
 }
 
+/// What a hardness gives.
+pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
+
 /// Case numbers of any tool can hold so many.
 const MOST_CASES: u64 = 1 << 63;
 
@@ -55,13 +58,26 @@ impl Plan {
         }
     }
 
-    /// The columns of the swept values.
+    /// The columns of the swept values, and of a yield strength that follows from them.
     #[must_use]
     pub fn columns(&self) -> Vec<String> {
-        match &self.cases {
+        let mut columns: Vec<String> = match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::column).collect(),
             Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.column()).collect(),
-        }
+        };
+        columns.extend(Key::find(YIELD_STRENGTH).filter(|_| self.derives_strength()).map(Key::column));
+        columns
+    }
+
+    /// Whether the yield strength of the half-space follows from values that vary: from a hardness, and with it from the
+    /// numbers of a flow curve.
+    #[must_use]
+    pub fn derives_strength(&self) -> bool {
+        let paths = self.paths();
+        let varies = |path: &str| paths.contains(&path);
+        let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
+        let has_curve = self.scene.law.flow().is_some();
+        self.scene.hardness.is_some() && (varies("half_space.hardness") || has_curve && of_curve())
     }
 
     /// The results that the table has.
@@ -242,7 +258,7 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
 #[must_use]
 pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
-        Setting::Number { key, values } => crate::units::human(values.at(place), key.quantity.dimension),
+        Setting::Number { key, values } => key.quantity.human(values.at(place)),
         #[allow(clippy::cast_possible_truncation)] // a list of methods is short
         Setting::Method(_) | Setting::Law(_) => {
             axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize))

@@ -10,6 +10,7 @@ pub mod plan;
 pub mod repeat;
 pub mod resolved;
 pub mod rows;
+pub mod strength;
 pub mod summary;
 pub mod sweep;
 pub mod table;

@@ -75,7 +75,8 @@ fn a_hardness_is_a_yield_strength_said_otherwise() {
     for (hardness, want) in [
         ("\"70 HRC\"", "conversion table"),
         ("\"60 HRB\"", "or a hardness in HV, HB or HRC"),
-        ("\"-5 HV\"", "a hardness must be > 0"),
+        ("\"-5 HV\"", "a hardness must be >= 100000 Pa"),
+        ("300", "for a Vickers hardness write \"300 HV\""),
         ("\"300\"", "has no unit"),
         ("true", "a hardness such as \"300 HV\""),
     ] {

@@ -11,6 +11,7 @@ use plm_impact::law::jackson_green::JacksonGreen;
 use plm_impact::law::jumps::Jumps;
 use plm_impact::law::{Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
+use plm_impact::strength::flow::FlowCurve;
 use proptest::prelude::*;
 
 /// A sphere on a half-space of known density.
@@ -19,6 +20,8 @@ struct Bodies {
     sphere: Sphere,
     half_space: HalfSpace,
     exponent: UnloadingExponent,
+    /// N of a half-space that hardens.
+    hardening: Option<f64>,
 }
 
 fn material(youngs_modulus: f64, poissons_ratio: f64) -> Material {
@@ -33,11 +36,14 @@ impl Bodies {
             sphere: Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None },
             half_space: HalfSpace { material: steel, yield_strength, density: Some(7850.0) },
             exponent: UnloadingExponent::Paper,
+            hardening: None,
         }
     }
 
     fn contact(&self) -> Contact {
-        Contact::try_new(self.sphere, self.half_space, &Plm { exponent: self.exponent, ..Plm::default() }).unwrap()
+        let flow = self.hardening.map(|exponent| FlowCurve::Power { exponent });
+        Contact::try_new(self.sphere, self.half_space, &Plm { exponent: self.exponent, flow, ..Plm::default() })
+            .unwrap()
     }
 
     fn impact(&self, speed: f64) -> Impact {
@@ -213,6 +219,7 @@ fn whole_impacts_agree_with_finite_elements() {
             sphere: Sphere { radius: 5e-3, material: sphere, density, yield_strength: None },
             half_space: HalfSpace { material: half_space, yield_strength: Some(strength), density: Some(half_density) },
             exponent: UnloadingExponent::PressureShape,
+            hardening: None,
         };
         let got = bodies.impact(speed).restitution_with_waves.unwrap();
         assert!(off(got, law) < 1e-3, "{got} {law}");
@@ -234,6 +241,19 @@ fn the_integral_is_exact_just_before_and_behind_every_knot() {
             let error = off(bodies.loss(speed), bodies.loss_by_quadrature(speed));
             assert!(error < 1e-10, "{x}: {error:.1e}");
         }
+    }
+}
+
+#[test]
+fn a_half_space_that_hardens_radiates_by_the_same_integral() {
+    for (exponent, hardening) in [(UnloadingExponent::Paper, 0.1), (UnloadingExponent::PressureShape, 0.3)] {
+        let bodies = Bodies { exponent, hardening: Some(hardening), ..Bodies::steel(Some(345e6)) };
+        for speed in [0.012, 0.1, 1.0, 3.0, 20.0] {
+            let error = off(bodies.loss(speed), bodies.loss_by_quadrature(speed));
+            assert!(error < 1e-10, "{speed}: {error:.1e}");
+        }
+        // a harder contact is shorter and radiates more
+        assert!(bodies.loss(3.0) > Bodies::steel(Some(345e6)).loss(3.0));
     }
 }
 
@@ -393,6 +413,7 @@ proptest! {
             sphere: Sphere { material: material(210e9 * 10f64.powf(ratio), 0.3), ..base.sphere },
             half_space: HalfSpace { material: material(210e9, nu), ..base.half_space },
             exponent: exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::Fixed),
+            hardening: None,
         };
         let speed = bodies.contact().yield_speed().unwrap() * 10f64.powf(speed);
         let error = off(bodies.loss(speed), bodies.loss_by_quadrature(speed));

@@ -7,19 +7,22 @@ use super::warning::Warning;
 use crate::law::{Law, Peak};
 use crate::math::power::max_or_nan;
 
+/// Where a peak is outside of what the law, or its flow curve, is known for.
+pub fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
+    let stated = law.outside_stated(peak);
+    let stated = stated.map(|(from, to)| Warning::OutsideStated { indentation: peak.indentation, from, to });
+    let curve = law.beyond_flow_curve(peak).map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });
+    stated.into_iter().chain(curve)
+}
+
 /// Validity of the model for this impact.
 fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    if let Some((from, to)) = law.outside_stated(peak) {
-        warnings.push(Warning::OutsideStated { indentation: peak.indentation, from, to });
-    }
+    let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
     let ratio = impact.peak_contact_radius / sphere.radius;
-    if ratio > 0.45 {
-        warnings.push(Warning::DeepDent { ratio });
-    }
-    if let Some((strain, last)) = law.beyond_flow_curve(peak) {
-        warnings.push(Warning::BeyondFlowCurve { strain, last });
+    let limit = law.widest_contact();
+    if ratio > limit {
+        warnings.push(Warning::DeepDent { ratio, limit });
     }
     if let Some(strength) = sphere.yield_strength
         && impact.peak_mean_pressure > 1.1 * strength

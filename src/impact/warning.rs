@@ -9,15 +9,17 @@ use crate::units::four_digits;
 pub enum Warning {
     /// a/R beyond the finite-element data.
     #[error(
-        "contact radius / sphere radius = {ratio:.3} is beyond 0.45, the range of the data behind the law: take forces and dent as estimates, or lower the speed"
+        "contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take forces and dent as estimates, or lower the speed"
     )]
     DeepDent {
         /// a_m/R.
         ratio: f64,
+        /// Largest a/R of the data.
+        limit: f64,
     },
     /// A measured flow curve that ends too early.
     #[error(
-        "the flow curve ends at a plastic strain of {last}, and the impact asks for it up to {strain:.4}: beyond its last point it is taken to stay level; give points at larger strains, or lower the speed"
+        "the flow curve ends at a plastic strain of {last}, and the contact asks for it up to {strain:.4}: beyond its last point it is taken to stay level; give points at larger strains, or let the dent be shallower"
     )]
     BeyondFlowCurve {
         /// The largest strain that was asked for.

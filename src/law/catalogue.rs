@@ -20,6 +20,7 @@ use super::stronge::Stronge;
 use super::thornton::Thornton;
 use super::walton_braun::WaltonBraun;
 use super::yigit_christoforou::YigitChristoforou;
+use crate::strength::flow::FlowCurve;
 
 macro_rules! laws {
     ($($law:ident),* $(,)?) => {
@@ -90,6 +91,15 @@ impl LawChoice {
     #[must_use]
     pub fn names() -> Vec<&'static str> {
         Self::all().iter().map(|law| law.about().name).collect()
+    }
+
+    /// How the half-space hardens, if it does.
+    #[must_use]
+    pub fn flow(&self) -> Option<&FlowCurve> {
+        match self {
+            Self::Plm(plm) => plm.flow.as_ref(),
+            _ => None,
+        }
     }
 
     /// Where it comes from.

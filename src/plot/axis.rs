@@ -39,10 +39,10 @@ impl Axis {
     }
 
     /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small. A
-    /// plain number has no unit that could take one, and kilograms have theirs.
+    /// plain number has no unit that could take one, kilograms have theirs, and HV is no SI unit.
     #[must_use]
     pub fn engineering(title: &str, unit: &str) -> Self {
-        Self { is_engineering: !unit.is_empty() && !unit.starts_with("kg"), ..Self::linear(title, unit) }
+        Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
 
     /// A logarithmic axis.

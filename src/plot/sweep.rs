@@ -5,6 +5,8 @@ use crate::plan::axis::{Axis, Setting};
 use crate::plan::{Cases, Plan, label};
 use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
 use crate::reference::quasi_static;
+use crate::scene::quantity::Notation;
+use crate::strength::hardness::vickers;
 use crate::sweep::count::Count;
 use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::sidecar::Tally;
@@ -82,10 +84,19 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
         title.replace_range(..1, &first);
     }
     let unit = match &axis.setting {
+        Setting::Number { key, .. } if key.quantity.notation == Notation::Hardness => "HV",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
         Setting::Method(_) | Setting::Law(_) => "",
     };
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
+}
+
+/// Value `place` of an axis in the unit of its picture.
+fn shown(axis: &Axis, place: u64) -> f64 {
+    match &axis.setting {
+        Setting::Number { key, values } if key.quantity.notation == Notation::Hardness => vickers(values.at(place)),
+        _ => axis.number(place),
+    }
 }
 
 fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
@@ -99,7 +110,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
     let (mut series, mut guides) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =
-            at.iter().map(|place| (first.number(*place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
+            at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| label(second, *curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
             guides.extend(yield_speed(plan, axes, *curve).map(|at| Guide::Vertical {
@@ -189,8 +200,8 @@ fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
         title: std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", "),
         x: plot_axis(&axes[0]),
         y: plot_axis(&axes[1]),
-        x_values: columns.iter().map(|place| axes[0].number(*place)).collect(),
-        y_values: rows.iter().map(|place| axes[1].number(*place)).collect(),
+        x_values: columns.iter().map(|place| shown(&axes[0], *place)).collect(),
+        y_values: rows.iter().map(|place| shown(&axes[1], *place)).collect(),
         values,
         color: plot::Axis::linear("e", "").between(0.0, 1.0),
     }

@@ -4,7 +4,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::resolved::{Entry, Given, of_scene};
 use crate::plan::axis::Setting;
-use crate::plan::{Cases, Plan};
+use crate::plan::{Cases, Plan, YIELD_STRENGTH};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +49,7 @@ impl Inputs {
         let varies = |key: &str| varied.contains(&key);
         let is_shared = |key: &str| match key {
             "sphere.radius" => !varies("sphere.diameter"),
+            YIELD_STRENGTH => !plan.derives_strength(),
             "impact.speed" => {
                 plan.scene.drop_height.is_none() || !varies("impact.drop_height") && !varies("gravity.acceleration")
             }

@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::{Distribution, Variable};
 use crate::plan::{Cases, Plan, label};
-use crate::units::human;
 use crate::units::rounded::percent;
 
 /// Values of an axis that are listed one by one.
@@ -51,7 +50,7 @@ fn values(axis: &Axis) -> String {
 }
 
 fn distribution(variable: &Variable) -> String {
-    let say = |value| human(value, variable.key.quantity.dimension);
+    let say = |value| variable.key.quantity.human(value);
     let law = match variable.distribution {
         Distribution::Uniform { from, to } => return format!("uniform from {} to {}", say(from), say(to)),
         Distribution::Normal { mean, sd } => format!("normal, mean {}, sd {}", say(mean), say(sd)),

@@ -5,6 +5,7 @@ use crate::impact::Method;
 use crate::law::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
+use crate::plan::YIELD_STRENGTH;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scene::{KEYS, Key, Scene};
@@ -81,15 +82,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys
     let keys = KEYS.iter().filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")));
     let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
-    if scene.hardness.is_some() {
-        entries.push(Entry::word("half_space.yield_strength_from", "hardness"));
-    }
-    if let Some(FlowCurve::Points(points)) = scene.flow() {
-        let pair =
-            |point: &FlowPoint| format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure));
-        let pairs: Vec<String> = points.iter().map(pair).collect();
-        entries.push(Entry::word("half_space.flow_stress.points", pairs.join(", ")));
-    }
+    entries.extend(words_of_strength(scene.hardness, scene.law.flow()));
     if can_yield {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(words_of_law(&scene.law));
@@ -99,6 +92,26 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
         entries.push(Entry::count("solver.steps_per_contact", scene.solver.steps_per_contact as usize));
     }
     entries.push(Entry::count("output.samples", scene.samples));
+    entries
+}
+
+/// Where a yield strength comes from that is not given, and the points of a measured flow curve.
+fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    if hardness.is_some() {
+        let rule = if flow.is_some() {
+            "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
+        } else {
+            "hardness: mean pressure over 2.9"
+        };
+        entries.push(Entry::word("half_space.yield_strength_from", rule));
+    }
+    if let Some(FlowCurve::Points(points)) = flow {
+        let pair =
+            |point: &FlowPoint| format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure));
+        let pairs: Vec<String> = points.iter().map(pair).collect();
+        entries.push(Entry::word("half_space.flow_stress.points", pairs.join(", ")));
+    }
     entries
 }
 
@@ -152,10 +165,20 @@ fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
 
 const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poissons_ratio"];
 
+/// Besides its yield strength, what says how strong a half-space is.
+const STRENGTH: [&str; 5] = [
+    "half_space.hardness",
+    "half_space.flow_stress.power.exponent",
+    "half_space.flow_stress.voce.saturation",
+    "half_space.flow_stress.voce.rate",
+    "half_space.flow_stress.linear.slope",
+];
+
 /// What an indentation came to, but for its steps and half-spaces.
 #[must_use]
 pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
-    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"]].concat());
+    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
+    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
     if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(of_law(&scene.law));
@@ -167,8 +190,11 @@ pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entr
 /// What a comparison came to, but for its peak and its laws.
 #[must_use]
 pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
-    let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", "half_space.yield_strength"];
+    let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
     let mut entries = given(scenario, &[SPHERE, half_space].concat());
+    let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, comparison.bodies.yield_strength));
+    entries.extend(strength);
+    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), None));
     for law in &comparison.laws {
         if let LawChoice::Plm(_) = law {
             entries.extend(of_law(law));

@@ -8,7 +8,7 @@ use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::resolved::of_scene;
-use crate::report::{summary, table, trace};
+use crate::report::{strength, summary, table, trace};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
 
@@ -68,7 +68,9 @@ pub(super) fn provenance(
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, None)?;
-    Ok(Outcome::checked(texts(&impact), overview(&scene, &contact)))
+    let depth = impact.peak_indentation / scene.sphere.radius;
+    let strength = strength::which(&scene.half_space, scene.has_flow(), depth);
+    Ok(Outcome::checked(texts(&impact), overview(&scene, &contact) + &strength.unwrap_or_default()))
 }
 
 pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {

@@ -6,7 +6,7 @@ use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::plot;
 use crate::report::inputs::Inputs;
 use crate::report::resolved::of_indentation;
-use crate::report::{indentation as report, overview};
+use crate::report::{indentation as report, overview, strength};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 
@@ -57,7 +57,13 @@ pub fn compute(
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, None)?;
-    Ok(Outcome::checked(warnings, overview::of_indentation(scenario, &scene, &tested)))
+    let is_precise = scene.law.flow().is_some() || scenario.number_of("half_space.hardness").is_some();
+    let strength = tested.iter().find_map(|one| {
+        let steps = one.indentation.steps.iter().map(|step| step.memory.indentation);
+        let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;
+        strength::which(&one.specimen.half_space, is_precise, depth)
+    });
+    Ok(Outcome::checked(warnings, overview::of_indentation(scenario, &scene, &tested) + &strength.unwrap_or_default()))
 }
 
 pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {

@@ -9,7 +9,7 @@ use crate::repeat::{Repeat, Sequence};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::resolved::of_scene;
-use crate::report::{repeat as report, summary};
+use crate::report::{repeat as report, strength, summary};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
 use crate::scene::results::series::Series;
@@ -48,8 +48,11 @@ fn compute(scenario: &Scenario) -> Result<Computed, Error> {
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, warnings, .. } = compute(scenario)?;
-    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&scene, &contact)))
+    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario)?;
+    let deepest = sequence.hits.iter().map(|hit| hit.peak_indentation).fold(0.0, f64::max);
+    let strength = strength::which(&scene.half_space, scene.has_flow(), deepest / scene.sphere.radius);
+    let text = report::repeat_lines(&repeat) + &overview(&scene, &contact) + &strength.unwrap_or_default();
+    Ok(Outcome::checked(warnings, text))
 }
 
 pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {

@@ -8,9 +8,10 @@ use crate::plot::sweep::pictures;
 use crate::provenance::Provenance;
 use crate::report::overview::overview;
 use crate::report::plan::plan_lines;
+use crate::report::strength;
 use crate::report::sweep::summary;
 use crate::scenario::Scenario;
-use crate::sweep::caution::cautions;
+use crate::sweep::caution::at_corners;
 use crate::sweep::sidecar::Tally;
 
 /// The name of a table's summary.
@@ -19,7 +20,10 @@ pub const SUMMARY: &str = "summary.json";
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    Ok(Outcome::checked(warnings(&plan), plan_lines(&plan) + &overview(&plan.scene, &contact)))
+    let (cautions, depth) = at_corners(&plan);
+    let strength = strength::which(&plan.scene.half_space, plan.scene.has_flow(), depth);
+    let text = plan_lines(&plan) + &overview(&plan.scene, &contact) + &strength.unwrap_or_default();
+    Ok(Outcome::checked(of_scene(&plan).chain(cautions).collect(), text))
 }
 
 /// The plan of a scenario that is a table.
@@ -34,8 +38,11 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 /// What is doubtful in a table of this plan.
 #[must_use]
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    let of_scene = plan.scene.warnings.iter().map(ToString::to_string);
-    of_scene.chain(cautions(plan)).collect()
+    of_scene(plan).chain(at_corners(plan).0).collect()
+}
+
+fn of_scene(plan: &Plan) -> impl Iterator<Item = String> {
+    plan.scene.warnings.iter().map(ToString::to_string)
 }
 
 /// `summary.json`, which repeats the `warnings` of the plan, and the pictures of a whole table.

@@ -14,7 +14,6 @@ use crate::scene::quantity::{Quantity, SAMPLED, SEED};
 use crate::scene::words::{LAWS, METHODS};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
-use crate::units::{self, Dimension};
 
 /// The keys that are axes of words.
 pub(super) const METHOD: &str = "solver.method";
@@ -252,7 +251,7 @@ fn moments(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<(f64, f64), 
     for (name, inner) in table {
         match name.get_ref().as_ref() {
             "mean" => mean = Some(number(quantity, None, inner)?),
-            "sd" => sd = Some(number(&spread(quantity.dimension), None, inner)?),
+            "sd" => sd = Some(number(&spread(quantity), None, inner)?),
             other => {
                 let message = format!("`{other}`: a distribution has mean and sd");
                 return Err(Fault { span: name.span(), message });
@@ -262,11 +261,12 @@ fn moments(quantity: &Quantity, value: &Spanned<DeValue>) -> Result<(f64, f64), 
     mean.zip(sd).ok_or_else(|| Fault::at(value, "mean and sd, the standard deviation, are both needed"))
 }
 
-/// A standard deviation in this dimension.
-fn spread(dimension: Dimension) -> Quantity {
+/// A standard deviation of this quantity.
+fn spread(quantity: &Quantity) -> Quantity {
     Quantity {
         name: "a standard deviation (sd)",
-        example: units::Dimension::example(dimension),
-        ..crate::scene::quantity::positive_of(dimension)
+        example: quantity.dimension.example(),
+        notation: quantity.notation,
+        ..crate::scene::quantity::positive_of(quantity.dimension)
     }
 }

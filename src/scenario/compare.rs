@@ -1,5 +1,6 @@
 //! `[compare]`: one peak, many unloading laws.
 
+use super::flow::FLOW;
 use super::{Kind, Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
 use crate::law::published::Loaded;
@@ -11,6 +12,9 @@ use crate::units::{Dimension, human};
 const LEFT_OUT: &str = "walton_braun";
 /// Why the peak is that of no other law.
 const OTHER_LAW: &str = "only [law.plm] has an effect here; name other laws in compare.laws";
+
+/// Why there is no flow curve.
+const NO_HARDENING: &str = "the other laws know no hardening, so that there is nothing to compare; leave the table out";
 
 impl Scenario {
     /// The comparison that the scenario asks for.
@@ -37,6 +41,9 @@ impl Scenario {
             Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
         let LawChoice::Plm(plm) = self.whole_law()? else { return Err(refuse("law", OTHER_LAW)) };
+        if plm.flow.is_some() {
+            return Err(refuse(FLOW, NO_HARDENING));
+        }
         let ratio = given("peak_indentation_ratio");
         let x = ratio.or_else(|| given("peak_indentation").map(|length| length / point.indentation)).ok_or_else(|| {
             refuse(

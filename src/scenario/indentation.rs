@@ -49,6 +49,8 @@ impl Scenario {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
             return Err(self.document.refuse("output.samples", message));
         }
+        let law = self.whole_law()?;
+        self.check_strength(&law, specimens.first().and_then(|first| first.half_space.yield_strength))?;
         Ok(IndentationScene {
             indenter: Indenter {
                 radius: self.radius()?,
@@ -56,7 +58,7 @@ impl Scenario {
                 yield_strength: self.entries.number("sphere.yield_strength"),
             },
             specimens,
-            law: self.whole_law()?,
+            law,
             targets,
             samples,
             warnings: self.unused(is_elastic).into_iter().chain(self.idle_keys(Kind::Indentation)).collect(),

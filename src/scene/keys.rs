@@ -13,9 +13,9 @@ use super::quantity::{
     HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, LENGTH, MASS, MODULUS, POISSONS_RATIO, SATURATION, SHARE, SPEED,
     SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
 };
+use super::strength::{exponent, rate, saturation, slope};
 use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};
-use crate::strength::flow::FlowCurve;
 
 /// Reads a key from a scene.
 type Get = fn(&Scene) -> Option<f64>;
@@ -116,51 +116,23 @@ pub const KEYS: &[Key] = keys! {
     "half_space.hardness": HARDNESS => { get: |scene| scene.hardness, set: Scene::set_hardness };
     /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
     "half_space.flow_stress.power.exponent": HARDENING_EXPONENT => {
-        get: |scene| match scene.flow() {
-            Some(FlowCurve::Power { exponent }) => Some(*exponent),
-            _ => None,
-        },
-        set: |scene, value| scene.change_flow(|flow| {
-            if let FlowCurve::Power { exponent } = flow {
-                *exponent = value;
-            }
-        })
+        get: |scene| scene.flow_number(exponent),
+        set: |scene, value| scene.set_flow_number(exponent, value)
     };
     /// By how many yield strengths the flow stress sigma_Y (1 + b (1 - exp(-c strain))) rises in the end: b.
     "half_space.flow_stress.voce.saturation": SATURATION => {
-        get: |scene| match scene.flow() {
-            Some(FlowCurve::Voce { saturation, .. }) => Some(*saturation),
-            _ => None,
-        },
-        set: |scene, value| scene.change_flow(|flow| {
-            if let FlowCurve::Voce { saturation, .. } = flow {
-                *saturation = value;
-            }
-        })
+        get: |scene| scene.flow_number(saturation),
+        set: |scene, value| scene.set_flow_number(saturation, value)
     };
     /// How fast it rises: c.
     "half_space.flow_stress.voce.rate": HARDENING_RATE => {
-        get: |scene| match scene.flow() {
-            Some(FlowCurve::Voce { rate, .. }) => Some(*rate),
-            _ => None,
-        },
-        set: |scene, value| scene.change_flow(|flow| {
-            if let FlowCurve::Voce { rate, .. } = flow {
-                *rate = value;
-            }
-        })
+        get: |scene| scene.flow_number(rate),
+        set: |scene, value| scene.set_flow_number(rate, value)
     };
     /// Slope of the flow stress over plastic strain, where it rises in a straight line.
     "half_space.flow_stress.linear.slope": HARDENING_SLOPE => {
-        get: |scene| match scene.flow() {
-            Some(FlowCurve::Linear { slope }) => Some(*slope),
-            _ => None,
-        },
-        set: |scene, value| scene.change_flow(|flow| {
-            if let FlowCurve::Linear { slope } = flow {
-                *slope = value;
-            }
-        })
+        get: |scene| scene.flow_number(slope),
+        set: |scene, value| scene.set_flow_number(slope, value)
     };
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported.
     "half_space.density": DENSITY => { scene.half_space.density? };

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::strength::hardness;
-use crate::units::{self, Dimension, UnitError};
+use crate::units::{self, Dimension, UnitError, four_digits};
 
 /// An end of a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,10 +85,12 @@ pub enum Notation {
     Hardness,
 }
 
-/// A hardness, as the mean pressure of a hardness test.
+/// A hardness, as the mean pressure of a hardness test. Nothing that keeps a dent is softer; a bare 300 is not meant in Pa.
 pub const HARDNESS: Quantity = Quantity {
     notation: Notation::Hardness,
-    hint: "for an elastic body leave the key out",
+    low: Bound::Closed(1e5),
+    hint: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
+    is_hint_low: true,
     ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
 };
 /// A mass.
@@ -229,6 +231,15 @@ impl Quantity {
             let written = format!("\"{text}\" = {}", units::si(value, self.dimension));
             RangeError { written, ..error }.to_string()
         })
+    }
+
+    /// A value for a person: a hardness in HV, anything else with a unit that fits.
+    #[must_use]
+    pub fn human(&self, value: f64) -> String {
+        match self.notation {
+            Notation::Units => units::human(value, self.dimension),
+            Notation::Hardness => format!("{} HV", four_digits(hardness::vickers(value))),
+        }
     }
 
     /// A number with a unit, in SI.

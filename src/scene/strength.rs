@@ -46,21 +46,24 @@ impl Scene {
         self.soften_or_harden();
     }
 
-    /// The flow curve of the half-space, if it has one.
+    /// Whether the scene says more of how the metal flows than a yield strength, or the law has no use for it.
     #[must_use]
-    pub fn flow(&self) -> Option<&FlowCurve> {
-        match &self.law {
-            LawChoice::Plm(plm) => plm.flow.as_ref(),
-            _ => None,
-        }
+    pub fn has_flow(&self) -> bool {
+        self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
     }
 
-    /// Changes the numbers of the flow curve; a strength from a hardness follows.
-    pub fn change_flow(&mut self, change: impl FnOnce(&mut FlowCurve)) {
+    /// A number of the flow curve, if the curve has it.
+    #[must_use]
+    pub fn flow_number(&self, number: NumberOf) -> Option<f64> {
+        number(&mut self.law.flow()?.clone()).copied()
+    }
+
+    /// Changes a number of the flow curve; a strength from a hardness follows.
+    pub fn set_flow_number(&mut self, number: NumberOf, value: f64) {
         if let LawChoice::Plm(plm) = &mut self.law
-            && let Some(flow) = &mut plm.flow
+            && let Some(place) = plm.flow.as_mut().and_then(number)
         {
-            change(flow);
+            *place = value;
         }
         self.soften_or_harden();
     }
@@ -69,7 +72,7 @@ impl Scene {
     fn soften_or_harden(&mut self) {
         if let Some(mean_pressure) = self.hardness {
             let modulus = self.half_space.material.youngs_modulus;
-            self.half_space.yield_strength = Some(strength_of_hardness(mean_pressure, self.flow(), modulus));
+            self.half_space.yield_strength = Some(strength_of_hardness(mean_pressure, self.law.flow(), modulus));
         }
     }
 }
@@ -84,3 +87,19 @@ pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulu
         _ => stress,
     }
 }
+
+/// A number of a flow curve of one form.
+pub type NumberOf = fn(&mut FlowCurve) -> Option<&mut f64>;
+
+/// The functions that give the numbers of flow curves.
+macro_rules! numbers {
+    ($($form:ident: $number:ident;)+) => {$(
+        pub(super) fn $number(flow: &mut FlowCurve) -> Option<&mut f64> {
+            match flow {
+                FlowCurve::$form { $number, .. } => Some($number),
+                _ => None,
+            }
+        }
+    )+};
+}
+numbers! { Power: exponent; Voce: saturation; Voce: rate; Linear: slope; }

@@ -3,12 +3,11 @@
 
 use std::mem::discriminant;
 
-use crate::impact::{Method, Solver, Warning};
+use crate::impact::{Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, label};
 use crate::scene::Scene;
-use crate::units::human;
 
 /// Corners that are looked at; more come only from more than a dozen axes.
 const MOST_CORNERS: usize = 1 << 13;
@@ -21,15 +20,16 @@ struct Choice<'a> {
     put: Box<dyn Fn(&mut Scene) + 'a>,
 }
 
-/// What is doubtful in this table, the worst of each kind with the case that it was found in.
+/// What is doubtful in this table, the worst of each kind with the case that it was found in; and the largest peak
+/// indentation over the radius of the sphere.
 #[must_use]
-pub fn cautions(plan: &Plan) -> Vec<String> {
+pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let choices: Vec<Vec<Choice>> = match &plan.cases {
         Cases::Grid(axes) => axes.iter().map(ends).collect(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
     };
     let corners = choices.iter().fold(1, |product: usize, choices| product.saturating_mul(choices.len()));
-    let mut worst: Vec<(Warning, String)> = Vec::new();
+    let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for corner in 0..corners.min(MOST_CORNERS) {
         let mut rest = corner;
         let chosen = choices.iter().map(|choices| {
@@ -38,7 +38,13 @@ pub fn cautions(plan: &Plan) -> Vec<String> {
             choice
         });
         let chosen: Vec<&Choice> = chosen.collect();
-        for warning in warnings(&plan.scene, &chosen) {
+        let mut scene = plan.scene.clone();
+        for choice in &chosen {
+            (choice.put)(&mut scene);
+        }
+        let Some(impact) = impact(&scene) else { continue };
+        deepest = deepest.max(impact.peak_indentation / scene.sphere.radius);
+        for warning in impact.warnings {
             let place = || chosen.iter().map(|choice| choice.text.as_str()).collect::<Vec<_>>().join(", ");
             match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
                 None => worst.push((warning, place())),
@@ -47,7 +53,7 @@ pub fn cautions(plan: &Plan) -> Vec<String> {
             }
         }
     }
-    worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect()
+    (worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect(), deepest)
 }
 
 /// The smallest and the largest value of an axis, or all its words.
@@ -76,22 +82,17 @@ fn tails(variable: &Variable) -> Vec<Choice<'_>> {
     let choice = |share| {
         let (key, value) = (variable.key, variable.value(share));
         Choice {
-            text: format!("{} = {}", key.path, human(value, key.quantity.dimension)),
+            text: format!("{} = {}", key.path, key.quantity.human(value)),
             put: Box::new(move |scene: &mut Scene| (key.set)(scene, value)) as Box<dyn Fn(&mut Scene)>,
         }
     };
     TAILS.into_iter().map(choice).collect()
 }
 
-/// The warnings of one impact; a case without a result has its status in the table.
-fn warnings(scene: &Scene, chosen: &[&Choice]) -> Vec<Warning> {
-    let mut scene = scene.clone();
-    for choice in chosen {
-        (choice.put)(&mut scene);
-    }
+/// One impact; a case without a result has its status in the table.
+fn impact(scene: &Scene) -> Option<Impact> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
-    let Ok(contact) = scene.contact() else { return Vec::new() };
-    contact.impact(scene.speed, &solver, None).map_or_else(|_| Vec::new(), |impact| impact.warnings)
+    scene.contact().ok()?.impact(scene.speed, &solver, None).ok()
 }
 
 /// A doubt that is no number is the worst.
@@ -102,7 +103,7 @@ fn is_worse(new: f64, known: f64) -> bool {
 /// How far beyond its limit a warning is, comparable within its kind.
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
-        Warning::DeepDent { ratio } => ratio,
+        Warning::DeepDent { ratio, .. } => ratio,
         Warning::BeyondFlowCurve { strain, .. } => strain,
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,

@@ -11,8 +11,8 @@ use crate::scene::results::Column as ResultColumn;
 pub(super) enum Column {
     /// The case number.
     Case,
-    /// A random number: its place among the swept values of a row.
-    Random(usize),
+    /// A number as it is, random or derived: its place among the swept values of a row.
+    Plain(usize),
     /// A number of an axis: the place of the axis, and its values.
     Number(usize, Values),
     /// A name of an axis of methods or laws: the place of the axis, and its names.
@@ -25,8 +25,8 @@ pub(super) enum Column {
 
 /// The columns of a plan, in the order of their names ([`Plan::column_names`]).
 pub(super) fn columns(plan: &Plan) -> Vec<Column> {
-    let swept: Vec<Column> = match &plan.cases {
-        Cases::MonteCarlo { variables, .. } => (0..variables.len()).map(Column::Random).collect(),
+    let mut swept: Vec<Column> = match &plan.cases {
+        Cases::MonteCarlo { variables, .. } => (0..variables.len()).map(Column::Plain).collect(),
         Cases::Grid(axes) => (0..)
             .zip(axes)
             .map(|(place, axis)| match &axis.setting {
@@ -35,6 +35,9 @@ pub(super) fn columns(plan: &Plan) -> Vec<Column> {
             })
             .collect(),
     };
+    if plan.derives_strength() {
+        swept.push(Column::Plain(swept.len()));
+    }
     let results = plan.results().into_iter().map(Column::Result);
     std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
 }

@@ -76,7 +76,8 @@ impl From<ImpactError> for Failure {
 pub struct Rows {
     /// Case numbers.
     pub cases: Vec<u64>,
-    /// Swept values, case after case; on a grid, the place of each value on its axis instead.
+    /// Swept values, case after case; on a grid, the place of each value on its axis instead. A yield strength that follows
+    /// from them stands behind them ([`Plan::derives_strength`]).
     pub swept: Vec<f64>,
     /// What each case came to.
     pub results: Vec<Result<Essentials, Failure>>,
@@ -99,6 +100,8 @@ impl Rows {
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
+    /// [`Plan::derives_strength`].
+    derives_strength: bool,
     /// The contact of every combination of the axes that change it, where these are few.
     contacts: Vec<Result<Contact, Failure>>,
     /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
@@ -128,7 +131,8 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        let mut evaluator = Self { plan, contacts: Vec::new(), strides, lockstep: None };
+        let derives_strength = plan.derives_strength();
+        let mut evaluator = Self { plan, derives_strength, contacts: Vec::new(), strides, lockstep: None };
         if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
             let solver = &plan.scene.solver;
@@ -145,13 +149,10 @@ impl<'a> Evaluator<'a> {
         evaluator
     }
 
-    /// How many values a case sweeps.
+    /// How many swept values a row has.
     #[must_use]
     pub fn n_swept(&self) -> usize {
-        match &self.plan.cases {
-            Cases::Grid(axes) => axes.len(),
-            Cases::MonteCarlo { variables, .. } => variables.len(),
-        }
+        self.plan.paths().len() + usize::from(self.derives_strength)
     }
 
     /// The contact of one combination.
@@ -198,6 +199,7 @@ impl<'a> Evaluator<'a> {
                 rows.results.push(evaluate(contact, scene.speed, &scene.solver));
             }
             rows.swept.extend(places.iter().map(|place| *place as f64));
+            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             // the next combination: the last axis moves, and each before it where the one behind starts over
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
@@ -226,6 +228,7 @@ impl<'a> Evaluator<'a> {
                 (draw.key().set)(&mut scene, value);
                 rows.swept.push(value);
             }
+            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             let result = match self.contacts.first() {
                 Some(contact) if self.lockstep.is_some() => {
                     pending.push((contact, scene.speed));

@@ -59,7 +59,7 @@ struct Field {
 /// How the values of a column are written.
 #[derive(Debug)]
 enum FieldValue {
-    /// Case numbers, results, random numbers, names of a status: written in every row.
+    /// Case numbers, results, plain numbers, names of a status: written in every row.
     Plain(Column),
     /// By the place on the axis: texts that were rendered once.
     Rendered(usize, Vec<Vec<u8>>),
@@ -154,7 +154,7 @@ impl TextTable {
                         text.extend_from_slice(last.1.as_bytes());
                     }
                     FieldValue::Plain(Column::Case) => text.extend_from_slice(integers.format(*case).as_bytes()),
-                    FieldValue::Plain(Column::Random(place)) => {
+                    FieldValue::Plain(Column::Plain(place)) => {
                         text.extend_from_slice(floats.format(swept[*place]).as_bytes());
                     }
                     FieldValue::Plain(_) => text.extend_from_slice(status(result).as_bytes()),

@@ -24,7 +24,7 @@ pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, Parquet
     let fields = plan.column_names().into_iter().zip(columns).map(|(name, column)| {
         let (physical, repetition, logical) = match column {
             Column::Case => (Physical::INT64, Repetition::REQUIRED, None),
-            Column::Random(_) | Column::Number(..) => (Physical::DOUBLE, Repetition::REQUIRED, None),
+            Column::Plain(_) | Column::Number(..) => (Physical::DOUBLE, Repetition::REQUIRED, None),
             Column::Result(_) => (Physical::DOUBLE, Repetition::OPTIONAL, None),
             Column::Name(..) | Column::Status => {
                 (Physical::BYTE_ARRAY, Repetition::REQUIRED, Some(LogicalType::String))

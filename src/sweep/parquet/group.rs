@@ -121,7 +121,7 @@ impl<'a> Encoder<'a> {
                 batch.cases.clear();
                 batch.cases.extend(rows.cases.iter().map(|case| *case as i64));
             }
-            Column::Random(place) => batch.numbers.extend(swept(*place)),
+            Column::Plain(place) => batch.numbers.extend(swept(*place)),
             Column::Number(place, Values::List(values)) => {
                 batch.numbers.extend(swept(*place).map(|place| values[place as usize]));
             }
