@@ -108,7 +108,11 @@ fn keys_without_effect_are_warned_about_not_refused() {
 fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     for key in KEYS {
         // inside of every range
-        let value = if key.path == "solver.tolerance" { 1e-3 } else { 1.25 };
+        let value = match key.path {
+            "solver.tolerance" => 1e-3,
+            "half_space.hardness" => 1.25e9,
+            _ => 1.25,
+        };
         let shares = ["poissons_ratio", "stiffness_ratio", "power.exponent"];
         let is_share = shares.iter().any(|name| key.path.ends_with(name));
         let value = if is_share { 0.25 } else { value };
@@ -133,7 +137,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let gravity = if is_height { vec!["gravity.acceleration=9.81"] } else { Vec::new() };
         let beside = match key.path {
             "sphere.mass" => vec!["sphere.mass=7"],
-            "half_space.hardness" => vec!["half_space.hardness=7"],
+            "half_space.hardness" => vec!["half_space.hardness=7e9"],
             _ => Vec::new(),
         };
         let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
