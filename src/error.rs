@@ -137,7 +137,8 @@ impl Error {
             | Self::FailedCases { .. }
             | Self::Strict { .. } => 1,
             Self::Validation(error) => {
-                let is_input = matches!(error, ValidationError::Unreadable(_) | ValidationError::Coefficients { .. });
+                use ValidationError::{Coefficients, Experiment, Unreadable};
+                let is_input = matches!(error, Unreadable(_) | Coefficients { .. } | Experiment(_));
                 if is_input { 2 } else { 1 }
             }
             Self::Sweep(_)

@@ -104,6 +104,12 @@ impl Scenario {
         Self::new(path.display().to_string(), text, overrides, directory)
     }
 
+    /// The same, where files that it names are relative to another directory.
+    #[must_use]
+    pub fn in_directory(self, directory: PathBuf) -> Self {
+        Self { directory, ..self }
+    }
+
     /// Reads a scenario from a text; `name` stands for the file in messages.
     ///
     /// # Errors

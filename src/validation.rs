@@ -10,6 +10,7 @@ mod closed_restitution;
 mod dents;
 pub mod dynamic;
 mod error;
+pub mod experiments;
 mod hardening;
 mod hertz;
 mod loading;

@@ -8,7 +8,7 @@ use plm_impact::error::Error;
 use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
-use plm_impact::validation::{self, ValidationError, Verdict, check, report};
+use plm_impact::validation::{self, ValidationError, Verdict, check, experiments, report};
 
 /// Compare with finite elements, published values and closed forms: CSV, Markdown, pictures, a summary on the terminal
 ///
@@ -24,6 +24,12 @@ pub struct Arguments {
     /// Validate the law with these coefficients instead of the built-in ones
     #[arg(long, value_name = "FILE")]
     coefficients: Option<PathBuf>,
+    /// Compare with measured restitution too: every CSV file of this directory
+    ///
+    /// Columns speed_m_per_s, restitution and, if known, restitution_sd. Comment lines name the bodies, as keys of a
+    /// scenario: `# sphere.diameter = 3 mm`, `# half_space.hardness = 300 HV`; `# source = ...` says who measured.
+    #[arg(long, value_name = "DIR")]
+    experiments: Option<PathBuf>,
     /// Tables only
     #[arg(long)]
     no_pictures: bool,
@@ -32,29 +38,32 @@ pub struct Arguments {
 pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let own = arguments.coefficients.as_deref().map(load).transpose().map_err(Error::from)?;
     let coefficients = own.as_ref().unwrap_or_else(|| PlmCoefficients::built_in());
+    let measured = arguments.experiments.as_deref().map(|path| experiments::load(path, coefficients));
+    let measured = measured.transpose().map_err(Error::from)?.unwrap_or_default();
     let directory =
         OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
     super::run::say_what_is_replaced(&directory);
     let checks = validation::checks(coefficients).map_err(Error::from)?;
-    let mut files = vec![
-        OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? },
-        OutputFile {
-            name: "README.md".into(),
-            bytes: report::page(&checks, &coefficients.provenance.name, own.is_none()).into_bytes(),
-        },
-    ];
+    let mut page = report::page(&checks, &coefficients.provenance.name, own.is_none());
+    let mut files = vec![OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? }];
+    let mut said = report::table(&checks);
+    if !measured.is_empty() {
+        page += &report::experiments::section(&measured);
+        said = report::experiments::table(&measured) + "\n" + &said;
+        files.push(OutputFile { name: "experiments.csv".into(), bytes: report::experiments::csv(&measured)? });
+    }
+    files.push(OutputFile { name: "README.md".into(), bytes: page.into_bytes() });
+    let tables = files.len();
     if !arguments.no_pictures {
-        let pictures = super::threads::with(None, || validation::pictures(coefficients))?;
+        let pictures = super::threads::with(None, || validation::pictures(coefficients, &measured))?;
         files.extend(pictures.map_err(Error::from)?);
     }
     let out = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
-    super::terminal::print(&report::table(&checks)).context("standard output")?;
-    super::terminal::note(format_args!(
-        "wrote validation.csv, README.md and {} pictures to {}",
-        files.len() - 2,
-        out.display()
-    ));
+    super::terminal::print(&said).context("standard output")?;
+    let names: Vec<&str> = files[..tables].iter().map(|file| file.name.as_str()).collect();
+    let pictures = files.len() - tables;
+    super::terminal::note(format_args!("wrote {} and {pictures} pictures to {}", names.join(", "), out.display()));
     match check::count(&checks, Verdict::Miss) {
         0 => Ok(()),
         missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.csv") }.into()),

@@ -13,9 +13,12 @@ use crate::scenario::ScenarioError;
 /// Why a validation could not be made.
 #[derive(Debug, Error)]
 pub enum ValidationError {
-    /// A file of coefficients cannot be read.
+    /// A file that was given cannot be read, or its keys are refused.
     #[error(transparent)]
     Unreadable(ScenarioError),
+    /// A file of measurements is refused.
+    #[error(transparent)]
+    Experiment(CurveError),
     /// A file of coefficients is refused.
     #[error("{file}: {problem}")]
     Coefficients {

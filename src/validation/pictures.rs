@@ -4,6 +4,7 @@
 mod cycles;
 mod dents;
 mod deviations;
+mod experiments;
 mod hardening;
 mod impacts;
 mod measured;
@@ -13,6 +14,7 @@ use rayon::prelude::*;
 
 use super::ValidationError;
 use super::cases::cases;
+use super::experiments::Experiment;
 use crate::law::{Peak, PlmCoefficients};
 use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
@@ -72,11 +74,11 @@ fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -
     sampled(ln(low), ln(high), n, |at| point(exp(at)))
 }
 
-/// All pictures.
+/// All pictures, those of measurements of one's own last.
 ///
 /// # Errors
 /// [`ValidationError`].
-pub fn pictures(coefficients: &PlmCoefficients) -> Result<Vec<OutputFile>, ValidationError> {
+pub fn pictures(coefficients: &PlmCoefficients, measured: &[Experiment]) -> Result<Vec<OutputFile>, ValidationError> {
     let cases = cases()?;
     let mut pictures = deviations::pictures(&cases, coefficients);
     for case in &cases {
@@ -88,6 +90,7 @@ pub fn pictures(coefficients: &PlmCoefficients) -> Result<Vec<OutputFile>, Valid
     pictures.extend(impacts::pictures(&super::dynamic::cases(coefficients)?));
     pictures.push(hardening::picture(coefficients)?);
     pictures.push(measured::picture(coefficients)?);
+    pictures.extend(measured.iter().map(experiments::picture));
     let drawn: Result<Vec<OutputFile>, PlotError> = pictures.par_iter().map(Picture::draw).collect();
     Ok(drawn?)
 }

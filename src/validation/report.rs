@@ -1,5 +1,7 @@
 //! The report of `validate`: every comparison as CSV, and a summary for the terminal and for a page in Markdown.
 
+pub mod experiments;
+
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
@@ -155,7 +157,7 @@ pub fn table(checks: &[Check]) -> String {
 }
 
 /// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in law
-/// it also says where the law is off, and shows three of the `pictures`.
+/// it also says where the law is off, and shows some of the `pictures`.
 #[must_use]
 pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
     let mut rows = String::new();

@@ -5,21 +5,38 @@ use std::sync::Arc;
 
 use super::super::ValidationError;
 use super::super::measured::restitution;
-use super::Picture;
+use super::{Picture, sampled};
 use crate::law::PlmCoefficients;
 use crate::plot::{Axis, Series};
-use crate::reference::measured::{devices, steels};
+use crate::reference::measured::{Steel, devices, steels};
 
 /// 0.2 % yield strength of a structural steel over its tensile strength.
 const YIELD_RATIO: f64 = 0.65;
 
+/// The outline of all lines from end to end: up along the lowest, back along the highest.
+fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
+    let strengths = || steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength);
+    let (weakest, strongest) = (strengths().fold(f64::INFINITY, f64::min), strengths().fold(0.0, f64::max));
+    let at = |tensile: f64| {
+        let hardnesses = steels.iter().filter_map(move |steel| {
+            let [(low, low_hardness), (high, high_hardness)] = steel.ends();
+            let share = (tensile - low) / (high - low);
+            (0.0..=1.0).contains(&share).then_some(low_hardness + share * (high_hardness - low_hardness))
+        });
+        hardnesses.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), one| (low.min(one), high.max(one)))
+    };
+    let along = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).0));
+    along.iter().copied().chain(along.iter().rev().map(|(tensile, _)| (*tensile, at(*tensile).1))).collect()
+}
+
 pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
     let coefficients = Arc::new(coefficients.clone());
-    let mut series = Vec::new();
-    for steel in steels()? {
-        series.push(Series::marked_line(format!("measured: {}", steel.steel), steel.ends().to_vec()));
-    }
-    let measured = series.len();
+    let steels = steels()?;
+    let ends = steels.iter().flat_map(Steel::ends).collect();
+    let mut series = vec![
+        Series::points("measured, ends of the ranges of ten steels", ends),
+        Series::bare("between them: lowest and highest of the ten", band(&steels)).styled(0),
+    ];
     let all_devices = devices()?;
     if let Some(device) = all_devices.first() {
         let lines = [
@@ -32,7 +49,7 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
                 let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
                 points.push((tensile, 1000.0 * restitution(device, 1e6 * share * tensile, &coefficients)?));
             }
-            series.push(Series::bare(name, points).styled(measured + i));
+            series.push(Series::bare(name, points).styled(1 + i));
         }
     }
     Ok(Picture::new(

@@ -1,0 +1,177 @@
+//! Measured restitution of one's own: a directory of CSV files, each with its bodies in comment lines.
+//!
+//! ```text
+//! # sphere.radius = 1.5 mm                   (keys of a scenario: of [sphere], [half_space], [law], [gravity], [damping])
+//! # half_space.hardness = 300 HV
+//! # source = who measured it, and where it is published
+//! speed_m_per_s,restitution,restitution_sd
+//! 2.0,0.533,0.012
+//! ```
+//!
+//! Other comment lines are free, and so are further columns. `restitution_sd`, the standard deviation, may be left out. With
+//! `half_space.density` the waves are counted. A key has the default that it has in a scenario.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::ValidationError;
+use crate::fit::CurveError;
+use crate::impact::{Contact, Method, Solver};
+use crate::law::{LawChoice, PlmCoefficients};
+use crate::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, read_text};
+
+/// A file of measured restitution, and the law beside it.
+#[derive(Debug, Clone)]
+pub struct Experiment {
+    /// The file's name without its ending.
+    pub name: String,
+    /// Who measured; empty if the file does not say so.
+    pub source: String,
+    /// What was measured.
+    pub rows: Vec<Measured>,
+    /// The bodies under their law.
+    contact: Contact,
+}
+
+/// A measured restitution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Line of the file, from 1.
+    pub line: u64,
+    /// Impact speed \[m/s\].
+    pub speed: f64,
+    /// e.
+    pub restitution: f64,
+    /// Its standard deviation.
+    pub sd: Option<f64>,
+    /// e by the law, with waves where the half-space has a density.
+    pub law: f64,
+}
+
+impl Measured {
+    /// Law over measurement − 1.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        self.law / self.restitution - 1.0
+    }
+}
+
+/// The tables whose keys a comment line may give.
+const TABLES: [&str; 5] = ["sphere", "half_space", "law", "gravity", "damping"];
+const COLUMNS: [&str; 3] = ["speed_m_per_s", "restitution", "restitution_sd"];
+
+/// All experiments of a directory, by name. `coefficients` are those of the PLM, where a file names no others.
+///
+/// # Errors
+/// [`ValidationError`] naming file, line, what is wrong and what is needed.
+pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, ValidationError> {
+    let refuse = |problem: String| refusal(directory, None, problem);
+    let entries = fs::read_dir(directory).map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    let paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<PathBuf>, std::io::Error>>();
+    let mut paths = paths.map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
+    paths.sort();
+    if paths.is_empty() {
+        return Err(refuse(format!("has no file of measurements: a CSV file with the columns {}", COLUMNS.join(", "))));
+    }
+    paths.iter().map(|path| experiment(path, coefficients)).collect()
+}
+
+fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, ValidationError> {
+    let text = read_text(path, LARGEST_SCENARIO).map_err(ValidationError::Unreadable)?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let contact = contact(path, text, coefficients)?;
+    let source =
+        text.lines().find_map(|line| line.strip_prefix('#')?.trim().strip_prefix("source")?.trim().strip_prefix('='));
+    let rows = rows(path, text, &contact)?;
+    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok(Experiment { name, source: source.unwrap_or_default().trim().to_owned(), rows, contact })
+}
+
+fn refusal(path: &Path, line: Option<u64>, message: String) -> ValidationError {
+    ValidationError::Experiment(CurveError { name: path.display().to_string(), line, message })
+}
+
+/// The bodies that the comment lines name: a scenario in whose text every key stands in its line.
+fn contact(path: &Path, text: &str, coefficients: &PlmCoefficients) -> Result<Contact, ValidationError> {
+    let scenario: Vec<String> =
+        text.lines().map(|line| line.strip_prefix('#').and_then(key).unwrap_or_default()).collect();
+    let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+    let read = || -> Result<_, ScenarioError> {
+        // every row has a speed of its own
+        let speed = "impact.speed=1".to_owned();
+        let scenario = Scenario::from_text(&path.display().to_string(), &scenario.join("\n"), &[speed])?;
+        let scenario = scenario.in_directory(directory);
+        let mut scene = scenario.resolve()?;
+        if let LawChoice::Plm(plm) = &mut scene.law
+            && !scenario.document.has("law.plm.coefficients")
+        {
+            plm.coefficients = Arc::new(coefficients.clone());
+        }
+        Ok(scene)
+    };
+    let scene = read().map_err(ValidationError::Unreadable)?;
+    scene.contact().map_err(|error| refusal(path, None, error.to_string()))
+}
+
+/// The line of a scenario that a comment stands for, if it gives a key.
+fn key(comment: &str) -> Option<String> {
+    let (key, value) = comment.split_once('=')?;
+    let (key, value) = (key.trim(), value.trim());
+    let is_key = key.split_once('.').is_some_and(|(table, _)| TABLES.contains(&table)) && !key.contains(' ');
+    let is_toml = |text: &str| toml::from_str::<toml::Table>(text).is_ok();
+    let plain = format!(" {key} = {value}");
+    is_key.then(|| if is_toml(&plain) { plain } else { format!(" {key} = {}", toml::Value::from(value)) })
+}
+
+fn rows(path: &Path, text: &str, contact: &Contact) -> Result<Vec<Measured>, ValidationError> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|error| refusal(path, None, error.to_string()))?.clone();
+    let first = (1..).zip(text.lines()).find(|(_, line)| !line.starts_with('#') && !line.trim().is_empty());
+    let first = first.map(|(line, _)| line);
+    let places = COLUMNS.map(|name| header.iter().position(|column| column == name));
+    let [Some(speed), Some(restitution), sd] = places else {
+        let problem = format!("needs the columns {} and {}, and may have {}", COLUMNS[0], COLUMNS[1], COLUMNS[2]);
+        return Err(refusal(path, first, problem));
+    };
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|error| {
+            let line = error.position().map(csv::Position::line);
+            refusal(path, line, "this line has not as many values as there are columns".to_owned())
+        })?;
+        let line = record.position().map(csv::Position::line);
+        let number = |place: usize, what: &str, is_allowed: fn(f64) -> bool| {
+            let text = &record[place];
+            let value = text.parse().ok().filter(|value| is_allowed(*value));
+            value.ok_or_else(|| {
+                refusal(path, line, format!("{} = {text:?} is not allowed: it must be {what}", &header[place]))
+            })
+        };
+        let speed = number(speed, "a speed in m/s, above 0 and finite", |value| value > 0.0 && value.is_finite())?;
+        let restitution = number(restitution, "a number above 0, and at most 1", |value| value > 0.0 && value <= 1.0)?;
+        let sd = sd.filter(|place| !record[*place].is_empty());
+        let sd = sd.map(|place| number(place, "0 or more, and finite", |value| value >= 0.0 && value.is_finite()));
+        let law = law(contact, speed).map_err(|error| refusal(path, line, error.to_string()))?;
+        rows.push(Measured { line: line.unwrap_or(0), speed, restitution, sd: sd.transpose()?, law });
+    }
+    if rows.is_empty() {
+        return Err(refusal(path, first, "has no rows: give at least one measured restitution".to_owned()));
+    }
+    Ok(rows)
+}
+
+fn law(contact: &Contact, speed: f64) -> Result<f64, crate::impact::ImpactError> {
+    let solver = Solver { method: Method::Auto, ..Solver::default() };
+    let row = contact.essentials_by(speed, &solver)?;
+    Ok(row.restitution_with_waves().unwrap_or(row.restitution))
+}
+
+impl Experiment {
+    /// e by the law at a speed \[m/s\]; not a number where it has none.
+    #[must_use]
+    pub fn law_at(&self, speed: f64) -> f64 {
+        law(&self.contact, speed).unwrap_or(f64::NAN)
+    }
+}

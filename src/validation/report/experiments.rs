@@ -1,0 +1,70 @@
+//! What the report says of measurements of one's own.
+
+use std::fmt::Write as _;
+
+use super::{share, signed};
+use crate::units::aligned::aligned;
+use crate::validation::check::{largest, mean, rms};
+use crate::validation::experiments::{Experiment, Measured};
+
+/// The columns of the summary.
+const SUMMARY: [&str; 7] = ["measurements", "points", "bias", "rms", "largest", "within 2 sd", "source"];
+
+/// `experiments.csv`: every measured restitution and the law.
+///
+/// # Errors
+/// What the CSV writer reports.
+pub fn csv(experiments: &[Experiment]) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["file", "line", "speed_m_per_s", "restitution", "restitution_sd", "law", "deviation"])?;
+    for experiment in experiments {
+        for row in &experiment.rows {
+            let Measured { line, speed, restitution, sd, law } = row;
+            writer.serialize((&experiment.name, line, speed, restitution, sd, law, row.deviation()))?;
+        }
+    }
+    writer.into_inner().map_err(|error| error.into_error().into())
+}
+
+/// A line for each file, under the names of the columns: bias and rms of law over measurement − 1.
+fn summary(experiments: &[Experiment]) -> Vec<[String; 7]> {
+    let of_file = |experiment: &Experiment| {
+        let deviations: Vec<f64> = experiment.rows.iter().map(Measured::deviation).collect();
+        let off = experiment.rows.iter().filter_map(|row| Some((row.law - row.restitution).abs() <= 2.0 * row.sd?));
+        let within: Vec<bool> = off.collect();
+        let inside = within.iter().filter(|is_inside| **is_inside).count();
+        [
+            experiment.name.clone(),
+            deviations.len().to_string(),
+            signed(mean(&deviations)),
+            share(rms(&deviations)),
+            signed(largest(deviations.iter().copied())),
+            if within.is_empty() { String::new() } else { format!("{inside} of {}", within.len()) },
+            experiment.source.clone(),
+        ]
+    };
+    std::iter::once(SUMMARY.map(str::to_owned)).chain(experiments.iter().map(of_file)).collect()
+}
+
+/// The summary for the terminal.
+#[must_use]
+pub fn table(experiments: &[Experiment]) -> String {
+    aligned(&summary(experiments), |column| column == 0 || column == 6)
+}
+
+/// The summary and the pictures for the page.
+#[must_use]
+pub fn section(experiments: &[Experiment]) -> String {
+    let mut text =
+        "\n## Measurements of your own\n\nLaw over measured restitution − 1; rows in `experiments.csv`.\n\n".to_owned();
+    for (i, row) in summary(experiments).iter().enumerate() {
+        let _ = writeln!(text, "| {} |", row.join(" | "));
+        if i == 0 {
+            let _ = writeln!(text, "{}|", "|---".repeat(row.len()));
+        }
+    }
+    for Experiment { name, .. } in experiments {
+        let _ = write!(text, "\n![Restitution, {name}](<experiment-{name}.png>)\n");
+    }
+    text
+}
