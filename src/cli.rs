@@ -1,6 +1,7 @@
 //! The command line: its types, and one file for each subcommand.
 
 mod bench;
+mod calibrate;
 mod check;
 mod fit_plm;
 mod interrupt;
@@ -20,7 +21,7 @@ use clap::{Parser, Subcommand};
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
 /// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
-/// tolerance, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
+/// tolerance, or measurements contradict the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Cli {
@@ -33,6 +34,7 @@ enum Command {
     Bench(bench::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
+    Calibrate(calibrate::Arguments),
     Merge(merge::Arguments),
     Laws(laws::Arguments),
     Schema(schema::Arguments),
@@ -50,6 +52,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Bench(arguments) => bench::bench(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

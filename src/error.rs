@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::calibrate::CalibrateError;
 use crate::fit::FitError;
 use crate::impact::ImpactError;
 use crate::output::OutputError;
@@ -70,6 +71,17 @@ pub enum Error {
     /// No coefficients.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// Nothing was found from measurements.
+    #[error(transparent)]
+    Calibrate(#[from] CalibrateError),
+    /// Measurements that contradict the law.
+    #[error("{scenario}: {reason}")]
+    Contradicted {
+        /// The scenario file.
+        scenario: String,
+        /// Why.
+        reason: String,
+    },
     /// No validation.
     #[error(transparent)]
     Validation(#[from] ValidationError),
@@ -120,14 +132,15 @@ impl Error {
         Self::Impact { scenario: scenario.document.name().to_owned(), reason }
     }
 
-    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance; 130 and 143 after a
+    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements
+    /// contradict the law; 130 and 143 after a
     /// signal.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(SweepError::Interrupted { .. } | SweepError::Dropped) => 130,
             Self::Terminated(_) => 143,
-            Self::Missed { .. } => 3,
+            Self::Missed { .. } | Self::Contradicted { .. } => 3,
             Self::Output(error) | Self::Sweep(SweepError::Output(error)) if is_full_disk(error) => 1,
             Self::Sweep(SweepError::File { .. })
             | Self::Fit(FitError::NotConverged(_) | FitError::Form(_))
@@ -144,6 +157,7 @@ impl Error {
             Self::Sweep(_)
             | Self::Output(_)
             | Self::Fit(_)
+            | Self::Calibrate(_)
             | Self::Shard(_)
             | Self::Option(_)
             | Self::Scenario(_)

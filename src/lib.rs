@@ -142,6 +142,7 @@
 
 #[doc(hidden)]
 pub mod bench;
+pub mod calibrate;
 pub mod compare;
 #[doc(hidden)]
 pub mod error;

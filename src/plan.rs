@@ -1,6 +1,7 @@
 //! Which cases a table has: what varies, over which values, and what is reported.
 
 pub mod axis;
+pub mod free;
 pub mod random;
 mod source;
 

@@ -6,6 +6,7 @@
 //! pattern and by marker.
 
 pub mod axis;
+pub mod calibrate;
 mod canvas;
 pub mod compare;
 pub mod force_indentation;
@@ -17,6 +18,8 @@ pub mod indentation;
 mod key;
 pub mod lines;
 mod mark;
+mod of_key;
+mod posterior;
 pub mod repeat;
 pub mod stack;
 mod style;

@@ -1,6 +1,7 @@
 //! What is written about an impact: `summary.json`, `trace.csv` and the table on the terminal. Pure functions of the
 //! result; nothing here opens a file or prints.
 
+pub mod calibrate;
 pub mod compare;
 pub mod indentation;
 pub mod inputs;

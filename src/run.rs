@@ -1,5 +1,6 @@
 //! From a scenario to what is written and said about it: one way for every kind of scene.
 
+mod calibrate;
 pub mod compare;
 pub mod impact;
 pub mod indentation;
@@ -43,6 +44,7 @@ pub fn way(kind: Kind) -> Way {
         Kind::Sweep | Kind::MonteCarlo => Way { check: table::check, run: Run::Table },
         Kind::Repeat => once(repeat::check, "impacts one after the other", repeat::run),
         Kind::Compare => once(compare::check, "a comparison of laws", compare::run),
+        Kind::Calibrate => once(calibrate::check, "a calibration", calibrate::run),
         Kind::Indentation => once(indentation::check, "an indentation", indentation::run),
     }
 }

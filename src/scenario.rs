@@ -22,6 +22,7 @@
 //! ```
 
 mod axes;
+pub mod calibrate;
 mod columns;
 pub mod compare;
 mod document;
@@ -73,9 +74,9 @@ const NEEDED: [&[&str]; 7] = [
     &["sphere.radius", "sphere.diameter"],
     &["sphere.youngs_modulus"],
     &["sphere.poissons_ratio"],
-    &["sphere.density", "sphere.mass"],
     &["half_space.youngs_modulus"],
     &["half_space.poissons_ratio"],
+    &["sphere.density", "sphere.mass"],
     &["impact.speed", "impact.drop_height"],
 ];
 
@@ -168,20 +169,26 @@ impl Scenario {
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
         let shot = self.first_of_speeds()?;
-        self.need(&NEEDED[..if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() }])?;
+        let mut scene = self.put_together(if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() })?;
+        if let Some(speed) = shot {
+            scene.set_speed(speed);
+        }
+        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
+        Ok(scene)
+    }
+
+    /// The scene that the keys make, which has the first so many of what an impact needs.
+    fn put_together(&self, needed: usize) -> Result<Scene, ScenarioError> {
+        self.need(&NEEDED[..needed])?;
         let mut scene = self.blank()?;
         for key in KEYS {
             if let Some(value) = self.entries.number(key.path).or_else(|| self.entries.first(key.path)) {
                 (key.set)(&mut scene, value);
             }
         }
-        if let Some(speed) = shot {
-            scene.set_speed(speed);
-        }
         self.needs_gravity()?;
         self.refuse_waves(&scene)?;
         self.check_strength(&scene.law, scene.half_space.yield_strength)?;
-        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         Ok(scene)
     }
 

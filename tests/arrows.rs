@@ -22,6 +22,7 @@ const ORDER: &[&[&str]] = &[
     &["scene"],
     &["plan"],
     &["scenario", "sweep"],
+    &["calibrate"],
     &["plot", "fit"],
     &["report", "validation"],
     &["error"],

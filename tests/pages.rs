@@ -166,8 +166,9 @@ fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery()
                     assert!(read("README.md").contains(&format!("```text\n{printed}```\n")), "README.md: {printed}");
                 }
                 assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
-                let scenario =
-                    command.strip_prefix("plm-impact run scenarios/").and_then(|rest| rest.strip_suffix(".toml"));
+                let scenario = ["plm-impact run scenarios/", "plm-impact calibrate scenarios/"]
+                    .iter()
+                    .find_map(|begin| command.strip_prefix(begin)?.strip_suffix(".toml"));
                 if let Some(scenario) = scenario {
                     compare_with_gallery(scenario, &clone);
                     run.insert(scenario.to_owned());

@@ -16,6 +16,15 @@ use super::scenario::ScenarioArguments;
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
+    #[command(flatten)]
+    output: Output,
+    #[command(flatten)]
+    sweep: super::sweep::Options,
+}
+
+/// What is written, and where.
+#[derive(Debug, Args)]
+pub struct Output {
     /// Output directory [default: plots/<scenario name>]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -28,14 +37,15 @@ pub struct Arguments {
     /// Neither table nor progress; warnings and errors only
     #[arg(long)]
     quiet: bool,
-    #[command(flatten)]
-    sweep: super::sweep::Options,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     match way(scenario.kind().map_err(Error::from)?).run {
-        Run::Once { what, run } => once(arguments, &scenario, what, run),
+        Run::Once { what, run } => {
+            arguments.sweep.refuse_for(what)?;
+            arguments.output.once(&arguments.scenario.scenario, &scenario, run)
+        }
         Run::Table => sweep(arguments, &scenario),
     }
 }
@@ -44,36 +54,15 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let plan = table::plan(scenario)?;
     let warnings = table::warnings(&plan);
     warn(&warnings);
-    heed(scenario, warnings.len(), arguments.strict)?;
+    let (output, file) = (&arguments.output, &arguments.scenario.scenario);
+    heed(scenario, warnings.len(), output.strict)?;
     let directory = if arguments.sweep.shard()?.is_none() {
-        arguments.prepare(scenario)?
+        output.prepare(file, scenario)?
     } else {
         // each shard is looked after by itself
-        OutputDirectory::shared(&arguments.directory()).map_err(Error::from)?
+        OutputDirectory::shared(&output.directory(file)).map_err(Error::from)?
     };
-    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, &command_line(), arguments.quiet)
-}
-
-/// Warnings and where the files are to standard error, the files to the directory, the table to standard output.
-fn once(
-    arguments: &Arguments,
-    scenario: &Scenario,
-    what: &str,
-    run: fn(&Scenario, &str) -> Result<Outcome, Error>,
-) -> anyhow::Result<()> {
-    arguments.sweep.refuse_for(what)?;
-    let directory = arguments.prepare(scenario)?;
-    let Outcome { warnings, text, files } = run(scenario, &command_line())?;
-    warn(&warnings);
-    heed(scenario, warnings.len(), arguments.strict)?;
-    let out = directory.path().to_owned();
-    directory.write(&files).map_err(Error::from)?;
-    if !arguments.quiet {
-        super::terminal::print(&text).context("standard output")?;
-        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
-        super::terminal::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
-    }
-    Ok(())
+    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, &command_line(), output.quiet)
 }
 
 /// Says that results without a list of files are there.
@@ -93,19 +82,41 @@ pub fn warn(warnings: &[String]) {
     }
 }
 
-impl Arguments {
+impl Output {
+    /// Runs a scenario at once. Warnings and where the files are to standard error, the files to the directory, the table to
+    /// standard output.
+    pub fn once(
+        &self,
+        file: &Path,
+        scenario: &Scenario,
+        run: fn(&Scenario, &str) -> Result<Outcome, Error>,
+    ) -> anyhow::Result<()> {
+        let directory = self.prepare(file, scenario)?;
+        let Outcome { warnings, text, files, contradiction } = run(scenario, &command_line())?;
+        warn(&warnings);
+        heed(scenario, warnings.len(), self.strict)?;
+        let out = directory.path().to_owned();
+        directory.write(&files).map_err(Error::from)?;
+        if !self.quiet {
+            super::terminal::print(&text).context("standard output")?;
+            let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+            super::terminal::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
+        }
+        let name = || scenario.document.name().to_owned();
+        contradiction.map_or(Ok(()), |reason| Err(Error::Contradicted { scenario: name(), reason }.into()))
+    }
+
     /// Where the outputs go.
-    fn directory(&self) -> PathBuf {
-        let scenario = &self.scenario.scenario;
-        let default = || Path::new("plots").join(scenario.file_stem().unwrap_or(scenario.as_os_str()));
+    fn directory(&self, file: &Path) -> PathBuf {
+        let default = || Path::new("plots").join(file.file_stem().unwrap_or(file.as_os_str()));
         self.out.clone().unwrap_or_else(default)
     }
 
     /// The same, ready to be written to.
-    fn prepare(&self, scenario: &Scenario) -> anyhow::Result<OutputDirectory> {
+    fn prepare(&self, file: &Path, scenario: &Scenario) -> anyhow::Result<OutputDirectory> {
         let hash = scenario.sha256().map_err(Error::from)?;
-        let origin = Origin::File(&self.scenario.scenario, &hash);
-        let directory = OutputDirectory::prepare(&self.directory(), origin, self.force).map_err(Error::from)?;
+        let origin = Origin::File(file, &hash);
+        let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force).map_err(Error::from)?;
         say_what_is_replaced(&directory);
         Ok(directory)
     }

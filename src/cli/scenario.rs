@@ -18,6 +18,11 @@ pub struct ScenarioArguments {
 
 impl ScenarioArguments {
     pub fn load(&self) -> Result<Scenario, ScenarioError> {
-        Scenario::load(&self.scenario, &self.overrides)
+        self.load_with(&[])
+    }
+
+    /// The same with more overrides.
+    pub fn load_with(&self, more: &[String]) -> Result<Scenario, ScenarioError> {
+        Scenario::load(&self.scenario, &[&self.overrides, more].concat())
     }
 }

@@ -4,7 +4,7 @@ use super::axis::{Axis, FittedAxis};
 use super::canvas::Canvas;
 use super::frame::Frame;
 use super::key::{self, Entry};
-use super::style::{GREY, Mark, Stroke, series};
+use super::style::{GREY, Mark, Stroke, series, tinted};
 use super::{PlotError, SIZE};
 
 use crate::math::functions::{hypot, pow};
@@ -29,7 +29,7 @@ pub struct Lines {
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// In the key.
+    /// In the key; without a name it is not there.
     pub name: String,
     /// In the units of the axes. A point that is not finite, or not positive on a logarithmic axis, breaks the curve.
     pub points: Vec<(f64, f64)>,
@@ -50,6 +50,8 @@ pub enum Look {
     Points,
     /// A line without markers, for one that lies on points of its own colour.
     Bare,
+    /// The inside of a closed line, in a pale colour.
+    Band,
 }
 
 impl Series {
@@ -63,6 +65,12 @@ impl Series {
     #[must_use]
     pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Bare, ..Self::line(name, points) }
+    }
+
+    /// The inside of a closed line.
+    #[must_use]
+    pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
+        Self { look: Look::Band, ..Self::line(name, outline) }
     }
 
     /// A curve through few points, each with a marker.
@@ -145,6 +153,8 @@ impl Guide {
 
 /// Markers along a curve that has none on its points.
 const SPARSE_MARKS: u32 = 6;
+/// Share of the colour in a band.
+const PALE: f64 = 0.35;
 /// Radius of markers \[px\].
 const MARK: f64 = 9.0;
 
@@ -166,11 +176,15 @@ impl Lines {
         let mut canvas = Canvas::try_new(SIZE)?;
         let frame = Frame { bounds: key::bounds(&entries)?, x, y };
         frame.draw_axes(&mut canvas)?;
+        for (i, band) in self.series.iter().enumerate().filter(|(_, one)| one.look == Look::Band) {
+            let corners: Vec<_> = band.points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
+            canvas.polygon(&corners, tinted(series(band.style.unwrap_or(i)).0.color, PALE))?;
+        }
         for guide in guides {
             frame.curve(&mut canvas, guide.points(&frame.x, &frame.y).into_iter(), guide.stroke())?;
         }
         frame.draw_outline(&mut canvas)?;
-        for (i, curve) in self.series.iter().enumerate() {
+        for (i, curve) in self.series.iter().enumerate().filter(|(_, one)| one.look != Look::Band) {
             let (stroke, mark) = series(curve.style.unwrap_or(i));
             if curve.look != Look::Points {
                 frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
@@ -178,7 +192,7 @@ impl Lines {
             let marked = match curve.look {
                 Look::Line => self.sparse_marks(&frame, i),
                 Look::MarkedLine | Look::Points => curve.points.clone(),
-                Look::Bare => Vec::new(),
+                Look::Bare | Look::Band => Vec::new(),
             };
             for point in marked {
                 frame.mark(&mut canvas, point, mark, MARK, stroke.color)?;
@@ -215,8 +229,12 @@ impl Lines {
             .series
             .iter()
             .enumerate()
+            .filter(|(_, curve)| !curve.name.is_empty())
             .map(|(i, curve)| {
                 let (stroke, mark): (Stroke, Mark) = series(curve.style.unwrap_or(i));
+                if curve.look == Look::Band {
+                    return Entry::mark(&curve.name, Mark::Square, 2.0 * MARK, tinted(stroke.color, PALE));
+                }
                 let entry = if curve.look == Look::Points {
                     Entry::mark(&curve.name, mark, MARK, stroke.color)
                 } else {
@@ -233,8 +251,8 @@ impl Lines {
             if guide.label().is_empty() || guides[..i].iter().any(same) {
                 continue;
             }
-            let is_shared = guides.iter().filter(|other| same(other)).count() > 1;
             let stroke = guide.stroke();
+            let is_shared = guides.iter().any(|other| same(other) && other.stroke().color != stroke.color);
             let color = if is_shared { GREY } else { stroke.color };
             entries.push(Entry::line(guide.label(), Stroke { color, ..stroke }));
         }

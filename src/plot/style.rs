@@ -18,6 +18,13 @@ pub(super) const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x00, 0x00),
 ];
 
+/// So much of a colour, the rest paper.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
+pub(super) fn tinted(color: RGBColor, share: f64) -> RGBColor {
+    let mixed = |paper: u8, ink: u8| (f64::from(paper) + share * (f64::from(ink) - f64::from(paper))).round() as u8;
+    RGBColor(mixed(PAPER.0, color.0), mixed(PAPER.1, color.1), mixed(PAPER.2, color.2))
+}
+
 /// Text sizes \[px\].
 pub(super) const TITLE_SIZE: f64 = 38.0;
 pub(super) const AXIS_SIZE: f64 = 32.0;

@@ -1,5 +1,6 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, how random e is spread.
 
+use super::of_key;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting};
 use crate::plan::{Cases, Plan, label};
@@ -75,7 +76,7 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
 
 /// "half-space yield strength".
 fn words(axis: &Axis) -> String {
-    axis.path().replace(['.', '_'], " ").replace("half space", "half-space")
+    of_key::words(axis.path())
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {

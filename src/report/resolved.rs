@@ -53,6 +53,12 @@ impl Entry {
         Self { key, value: Given::Count(count as u64) }
     }
 
+    /// Whether it is a number that the scene does not have.
+    #[must_use]
+    pub fn is_nan(&self) -> bool {
+        matches!(self.value, Given::Number(value, _) if value.is_nan())
+    }
+
     /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
     #[must_use]
     pub fn column(&self) -> String {

@@ -27,7 +27,7 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
         file("comparison.csv", report::csv(&rows)?),
         file("unloading.png", plot::compare::picture(&comparison)?),
     ];
-    Ok(Outcome { warnings, text: report::table(&comparison), files })
+    Ok(Outcome::done(warnings, report::table(&comparison), files))
 }
 
 fn texts(comparison: &Comparison) -> Vec<String> {

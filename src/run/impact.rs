@@ -82,7 +82,7 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
         file("force_indentation.png", plot::force_indentation(&impact)?),
         file("history.png", plot::history(&impact)?),
     ];
-    Ok(Outcome { warnings: texts(&impact), text: table(&contact, &impact), files })
+    Ok(Outcome::done(texts(&impact), table(&contact, &impact), files))
 }
 
 fn texts(impact: &Impact) -> Vec<String> {

@@ -77,7 +77,7 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
         file("force_indentation.png", plot::indentation(&tested)?),
     ];
     let text = report::table(&tested);
-    Ok(Outcome { warnings, text, files })
+    Ok(Outcome::done(warnings, text, files))
 }
 
 /// No result for this scenario; a bad step is pointed at.

@@ -15,12 +15,19 @@ pub struct Outcome {
     pub text: String,
     /// What goes into the output directory; empty for a check.
     pub files: Vec<OutputFile>,
+    /// Why measurements contradict the law, where they do: all is written, and the exit code is 3.
+    pub contradiction: Option<String>,
 }
 
 impl Outcome {
     /// What a check says: nothing is written.
     pub(super) fn checked(warnings: Vec<String>, text: String) -> Self {
-        Self { warnings, text, files: Vec::new() }
+        Self::done(warnings, text, Vec::new())
+    }
+
+    /// What a run gives.
+    pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
+        Self { warnings, text, files, contradiction: None }
     }
 }
 

@@ -70,5 +70,5 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
         files.push(file("height.png", picture?));
     }
     let text = report::table(&repeat, &sequence);
-    Ok(Outcome { warnings, text, files })
+    Ok(Outcome::done(warnings, text, files))
 }

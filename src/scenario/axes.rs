@@ -11,7 +11,7 @@ use crate::law::LawChoice;
 use crate::plan::axis::Values;
 use crate::plan::random::Distribution;
 use crate::scene::quantity::{Quantity, SAMPLED, SEED};
-use crate::scene::words::{LAWS, METHODS};
+use crate::scene::words::{LAWS, METHODS, SCALES};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
 
@@ -40,6 +40,9 @@ pub(super) struct RandomKeys {
     /// Random keys in the order of the file.
     pub(super) variables: Vec<(&'static str, Distribution)>,
 }
+
+/// A key that is wanted: its path, both ends of its range, and whether that is logarithmic.
+pub(super) type FreeEntry = (&'static str, f64, f64, bool);
 
 /// A refusal of a key of the table, or of the table itself.
 type Refused = (Option<String>, Fault);
@@ -101,6 +104,43 @@ pub(super) fn variables(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Ran
         return Ok(read_table);
     };
     Err((None, Fault::at(whole, problem)))
+}
+
+/// `calibrate.free`: keys with ranges.
+pub(super) fn free(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<FreeEntry>, Refused> {
+    const FORM: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
+    if table.is_empty() || table.len() > 2 {
+        let message = format!("{} keys are given, expected one or two, each with {FORM}", table.len());
+        return Err((None, Fault::at(whole, message)));
+    }
+    let entry = |(name, value): (&Spanned<_>, &Spanned<DeValue>)| {
+        let path: &std::borrow::Cow<str> = name.get_ref();
+        let read = || {
+            let key = known(path, false, name.span())?;
+            let DeValue::Table(table) = value.get_ref() else {
+                return Err(Fault::at(value, format!("found {}, expected {FORM}", described(value.get_ref()))));
+            };
+            let (mut from, mut to, mut scale) = (None, None, None);
+            for (name, inner) in table {
+                match name.get_ref().as_ref() {
+                    "from" => from = Some(number(key.quantity, None, inner)?),
+                    "to" => to = Some(number(key.quantity, None, inner)?),
+                    "scale" => scale = Some(word(&SCALES, inner)? == "log"),
+                    other => return Err(Fault { span: name.span(), message: format!("`{other}`: a range is {FORM}") }),
+                }
+            }
+            let ends = from.zip(to).filter(|(from, to)| from < to);
+            let (from, to) =
+                ends.ok_or_else(|| Fault::at(value, format!("needs two ends, the lower first: {FORM}")))?;
+            let is_logarithmic = scale.unwrap_or(from > 0.0);
+            if is_logarithmic && from <= 0.0 {
+                return Err(Fault::at(value, "a logarithmic range begins above 0; write scale = \"linear\""));
+            }
+            Ok((key.path, from, to, is_logarithmic))
+        };
+        read().map_err(|fault| (Some(path.to_string()), fault))
+    };
+    table.iter().map(entry).collect()
 }
 
 /// A whole number of 64 bits, which a floating number could not hold.

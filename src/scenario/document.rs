@@ -111,6 +111,11 @@ impl Document {
         self.overrides.iter().map(|given| given.text.clone()).collect()
     }
 
+    /// The same as TOML.
+    pub fn settings(&self) -> impl Iterator<Item = &str> {
+        self.overrides.iter().map(|given| given.toml.as_str())
+    }
+
     /// Reads every key of the merged tables.
     ///
     /// # Errors

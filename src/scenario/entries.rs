@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::axes::{self, AxisEntry, RandomKeys};
+use super::axes::{self, AxisEntry, FreeEntry, RandomKeys};
 use super::values::{Fault, Value, described, read};
 use crate::law::LawChoice;
 use crate::plan::random::Distribution;
@@ -26,6 +26,8 @@ pub(super) struct Entries {
     pub(super) axes: Option<Vec<(&'static str, AxisEntry)>>,
     /// `[monte_carlo]`.
     pub(super) variables: Option<RandomKeys>,
+    /// `calibrate.free`.
+    pub(super) free: Option<Vec<FreeEntry>>,
 }
 
 /// A key that is refused, its value or its name, and why.
@@ -112,14 +114,18 @@ impl Entries {
     /// The keys that vary.
     pub(super) fn varied(&self) -> impl Iterator<Item = &'static str> {
         let axes = self.axes.iter().flatten().map(|(path, _)| *path);
-        axes.chain(self.variables.iter().flat_map(|table| &table.variables).map(|(path, _)| *path))
+        let variables = self.variables.iter().flat_map(|table| &table.variables).map(|(path, _)| *path);
+        axes.chain(variables).chain(self.free.iter().flatten().map(|(path, ..)| *path))
     }
 
-    /// The first value of a key that varies: of its axis, or the mean or lower end of its distribution.
+    /// The first value of a key that varies: of its axis or range, or the mean or lower end of its distribution.
     pub(super) fn first(&self, path: &str) -> Option<f64> {
         let axis = self.axes.iter().flatten().find(|(varied, _)| *varied == path);
         if let Some((_, AxisEntry::Numbers(values))) = axis {
             return Some(values.at(0));
+        }
+        if let Some((_, from, ..)) = self.free.iter().flatten().find(|(free, ..)| *free == path) {
+            return Some(*from);
         }
         let table = self.variables.as_ref()?;
         table.variables.iter().find(|(varied, _)| *varied == path).map(|(_, distribution)| match *distribution {
@@ -145,7 +151,11 @@ impl Entries {
                     self.variables =
                         Some(axes::variables(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
                 }
-                (Some((_, Form::Axes | Form::Variables)), _) => return Err(refused(not_a_table(value))),
+                (Some((_, Form::Free)), DeValue::Table(inner)) => {
+                    self.free = Some(axes::free(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                }
+                (Some((_, Form::Axes | Form::Variables | Form::Free)), _) => return Err(refused(not_a_table(value))),
+                (Some((_, Form::WordOrTable(_))), DeValue::Table(inner)) => self.table(inner, &place, &pattern)?,
                 (Some((_, form)), _) => {
                     let value = read(&form, value).map_err(refused)?;
                     self.values.insert(place, value);

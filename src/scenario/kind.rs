@@ -16,6 +16,8 @@ pub enum Kind {
     Repeat,
     /// `[compare]`: unloading laws from one peak.
     Compare,
+    /// `[calibrate]`: keys that are found from measurements.
+    Calibrate,
     /// `[indentation]`: loads and indentations without any impact.
     Indentation,
 }
@@ -36,6 +38,7 @@ impl Kind {
         ("repeat", Self::Repeat),
         ("compare", Self::Compare),
         ("indentation", Self::Indentation),
+        ("calibrate", Self::Calibrate),
     ];
 
     /// The tables that this kind has no use for, and why.

@@ -1,5 +1,7 @@
 //! A scenario as texts, and read from texts.
 
+use std::path::PathBuf;
+
 use super::document::{LARGEST_SCENARIO, read_text};
 use super::law::COEFFICIENTS;
 use super::{Scenario, ScenarioError};
@@ -43,6 +45,12 @@ impl Scenario {
     /// [`ScenarioError`] if that file cannot be read.
     pub fn sha256(&self) -> Result<String, ScenarioError> {
         Ok(self.source()?.sha256())
+    }
+
+    /// The keys that name files, and these files.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, PathBuf)> {
+        let keys = [COEFFICIENTS, "half_space.flow_stress.table"].into_iter();
+        keys.filter_map(|key| Some((key, self.directory.join(self.entries.text(key)?))))
     }
 
     /// The text of the file of coefficients, if the scenario names one.

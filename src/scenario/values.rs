@@ -45,7 +45,7 @@ pub(super) fn read(form: &Form, value: &Spanned<DeValue>) -> Result<Value, Fault
         Form::Count(quantity) => count(quantity, value).map(Value::Number),
         Form::Numbers(quantity) => numbers(quantity, value).map(Value::Numbers),
         Form::Pairs(first, second) => pairs(first, second, value).map(Value::Pairs),
-        Form::Word(words) => word(words, value).map(Value::Text),
+        Form::Word(words) | Form::WordOrTable(words) => word(words, value).map(Value::Text),
         Form::WordList(words) => {
             let example = (words.known)().first().cloned().unwrap_or_default();
             list(value, &format!("[\"{example}\"]"))?
@@ -55,7 +55,7 @@ pub(super) fn read(form: &Form, value: &Spanned<DeValue>) -> Result<Value, Fault
                 .map(Value::Texts)
         }
         Form::Text(example) => text(value, example).map(Value::Text),
-        Form::Axes | Form::Variables => Err(Fault::at(value, "is read by itself")),
+        Form::Axes | Form::Variables | Form::Free => Err(Fault::at(value, "is read by itself")),
     }
 }
 

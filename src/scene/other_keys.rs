@@ -5,10 +5,12 @@
 
 use super::key::{Form, OtherKey};
 use super::quantity::{
-    DEPTH_RATIO, ENERGY, FORCE, IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, SAMPLES, SHOT_SPEED,
-    SPEED, STEPS, STRAIN, STRENGTH,
+    DEPTH_RATIO, DEVIATION, ENERGY, FORCE, IMPACTS, INDENTATION, LEEB, LENGTH, LOAD, MODEL_ERROR, MODULUS,
+    POISSONS_RATIO, RESTITUTION, SAMPLES, SHOT_SPEED, SPEED, STEPS, STRAIN, STRENGTH, TIME,
 };
-use super::words::{COLUMNS, HARDNESSES, JUMPS, LOADINGS, METHODS, OWN_UNLOADINGS, SPOTS, UNLOADINGS};
+use super::words::{
+    COLUMNS, HARDNESSES, JUMPS, LAWS, LOADINGS, METHODS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS, UNLOADINGS,
+};
 
 /// A list of keys from their entries.
 macro_rules! keys {
@@ -76,6 +78,52 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     "compare.spent_work": Number(&ENERGY, None) = "of the PLM";
     /// Laws to compare, in the order of table and picture.
     "compare.laws": WordList(&OWN_UNLOADINGS) = "all but walton_braun";
+    /// File of measurements (CSV), relative to the scenario.
+    "calibrate.data": Text("drops.csv");
+    /// One or two numeric keys that are wanted, each with its range and, if need be, its scale.
+    "calibrate.free": Free = "half_space.yield_strength, from 1e-5 to 0.1 of the modulus";
+    /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
+    "calibrate.robust": Word(&ROBUSTS) = "\"none\"";
+    /// Laws that are fitted too, and ranked.
+    "calibrate.laws": WordList(&LAWS) = "none";
+    /// Standard deviations of the measurements, or estimate: from the scatter about the fitted law.
+    "calibrate.noise": WordOrTable(&NOISES) = "columns `_sd` of the data, else \"estimate\"";
+    /// Error of the law as a share of each value, added in quadrature, independent from value to value.
+    "calibrate.noise.model": Number(&MODEL_ERROR, None) = "0";
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.restitution": Number(&DEVIATION, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.rebound_speed": Number(&SPEED, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.rebound_height": Number(&LENGTH, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.leeb": Number(&DEVIATION, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.dent_diameter": Number(&LENGTH, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.dent_depth": Number(&LENGTH, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.contact_time": Number(&TIME, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.peak_force": Number(&FORCE, None);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.force": Number(&FORCE, None);
+    /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.restitution": Number(&RESTITUTION, None);
+    /// Speed of the rebound, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.rebound_speed": Number(&SPEED, None);
+    /// Height of the rebound, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.rebound_height": Number(&LENGTH, None);
+    /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.leeb": Number(&LEEB, None);
+    /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.dent_diameter": Number(&LENGTH, None);
+    /// Depth of the dent, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.dent_depth": Number(&LENGTH, None);
+    /// Time in contact, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.contact_time": Number(&TIME, None);
+    /// Largest force, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.peak_force": Number(&FORCE, None);
     /// Load that the step goes to.
     "indentation.steps[].load": Number(&LOAD, None);
     /// Indentation that the step goes to, in place of the load.

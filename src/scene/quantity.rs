@@ -170,6 +170,17 @@ pub const SHOT_SPEED: Quantity =
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
 
+/// A measured restitution.
+pub const RESTITUTION: Quantity = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
+/// A measured rebound hardness: 1000 times the restitution.
+pub const LEEB: Quantity = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
+/// A measured time.
+pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
+/// The standard deviation of a plain number.
+pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");
+/// The error of the law as a share of what it predicts.
+pub const MODEL_ERROR: Quantity = number("a share", Bound::Closed(0.0), Bound::Open(1.0), "0.02");
+
 /// Random cases of a table.
 pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
 /// Which random numbers.

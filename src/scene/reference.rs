@@ -96,7 +96,8 @@ fn written(form: &Form) -> String {
         Form::Word(words) => quoted(&(words.known)()),
         Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),
-        Form::Axes | Form::Variables => "a table, see below".to_owned(),
+        Form::Axes | Form::Variables | Form::Free => "a table, see below".to_owned(),
+        Form::WordOrTable(words) => format!("{}, or a table", quoted(&(words.known)())),
     }
 }
 

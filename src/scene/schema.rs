@@ -6,7 +6,7 @@ use super::key::Form;
 use super::keys::KEYS;
 use super::other_keys::OTHER_KEYS;
 use super::quantity::{Bound, Quantity};
-use super::words::{METHODS, Words};
+use super::words::{METHODS, SCALES, Words};
 use crate::law::LawChoice;
 
 /// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys
@@ -76,6 +76,14 @@ fn of_form(form: &Form) -> Value {
         Form::Text(_) => json!({ "type": "string" }),
         Form::Axes => axes(),
         Form::Variables => variables(),
+        Form::Free => free(),
+        // the keys of the table are put there after it
+        Form::WordOrTable(words) => {
+            let mut schema = table();
+            schema["type"] = json!(["string", "object"]);
+            schema["pattern"] = json!(format!("^({})$", (words.known)().join("|")));
+            schema
+        }
     }
 }
 
@@ -125,6 +133,23 @@ fn axes() -> Value {
     let words = |item: Value| json!({ "type": "array", "items": item, "minItems": 1 });
     schema["properties"]["solver.method"] = words(one_of(&METHODS));
     schema["properties"]["law"] = words(json!({ "type": "string" }));
+    schema
+}
+
+/// `calibrate.free`: numeric keys with ranges.
+fn free() -> Value {
+    let mut schema = table();
+    for key in KEYS {
+        let end = number(key.quantity, None);
+        schema["properties"][key.path] = json!({
+            "type": "object",
+            "additionalProperties": false,
+            "required": ["from", "to"],
+            "properties": { "from": end, "to": end, "scale": one_of(&SCALES) }
+        });
+    }
+    schema["minProperties"] = json!(1);
+    schema["maxProperties"] = json!(2);
     schema
 }
 

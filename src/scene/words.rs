@@ -40,6 +40,12 @@ pub static JUMPS: Words = Words { one: "word", several: "words here", known: || 
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words =
     Words { one: "word", several: "words here", known: || words(&["exponential", "cosine"]) };
+/// What is known of the noise of measurements, where it is no number.
+pub static NOISES: Words = Words { one: "word", several: "words here", known: || words(&["estimate"]) };
+/// How the range of a key is searched.
+pub static SCALES: Words = Words { one: "scale", several: "scales", known: || words(&["log", "linear"]) };
+/// What is done about outliers.
+pub static ROBUSTS: Words = Words { one: "word", several: "words here", known: || words(&["student-t", "none"]) };
 /// Names of the results that a table may have.
 pub static COLUMNS: Words = Words {
     one: "result",

@@ -71,6 +71,7 @@ fn understood(text: &str, change: &str) -> Result<(), ScenarioError> {
         Kind::Indentation => scenario.indentation().map(drop),
         Kind::Compare => scenario.comparison().map(drop),
         Kind::Sweep | Kind::MonteCarlo => scenario.plan().map(drop),
+        Kind::Calibrate => scenario.wanted().map(drop),
         Kind::Impact => scenario.resolve().map(drop),
         Kind::Repeat => scenario.resolve().and_then(|scene| scenario.repeat(&scene)).map(drop),
     }

@@ -1,0 +1,269 @@
+//! Measurements: a CSV file, read and checked line by line.
+//!
+//! Every line is one impact, or one point of an indentation curve. The columns name what they hold, with the unit at the end:
+//! `speed_m_per_s`, `drop_height_mm`, `restitution`, `dent_diameter_um`. A column may be
+//!
+//! * a measured quantity (see [`MEASURED`]); an empty field is one that was not measured;
+//! * the standard deviation of one, in the same unit: its name with `_sd` at the end;
+//! * any numeric key of the scenario that changes from line to line, such as `sphere_radius_mm`; `speed` and `drop_height`
+//!   stand for those of `[impact]`;
+//! * `indentation` and `force`: an indentation curve, point after point. Loading and unloading follow from the order;
+//! * `note`, which is not read.
+//!
+//! Lines that begin with `#` are comments.
+
+use super::error::CalibrateError;
+use super::quantity::{CURVE, MEASURED, Measured};
+use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
+use crate::scene::{KEYS, Key};
+use crate::units::nearest::did_you_mean;
+use crate::units::{Dimension, parse};
+
+/// A measured value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Value {
+    /// The row that it stands in.
+    pub row: usize,
+    /// Its place in [`MEASURED`].
+    pub what: usize,
+    /// SI.
+    pub value: f64,
+    /// Standard deviation, SI, if the data give it.
+    pub deviation: Option<f64>,
+}
+
+/// One line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Row {
+    /// In the file, from 1.
+    pub line: u64,
+    /// Values of the keys that are columns, SI.
+    pub keys: Vec<f64>,
+    /// Of a point of an indentation curve \[m\].
+    pub indentation: Option<f64>,
+}
+
+/// The measurements.
+#[derive(Debug, Clone, Default)]
+pub struct Data {
+    /// The file.
+    pub name: String,
+    /// The keys that are columns.
+    pub keys: Vec<&'static Key>,
+    /// In the order of the file.
+    pub rows: Vec<Row>,
+    /// Row after row.
+    pub values: Vec<Value>,
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Role {
+    Key(usize),
+    Measured(usize),
+    Deviation(usize),
+    Indentation,
+    Note,
+}
+
+struct Column {
+    name: String,
+    role: Role,
+    quantity: Quantity,
+    /// As `units` spells it; empty for SI.
+    unit: String,
+}
+
+impl Data {
+    /// One impact with these measured values, by name.
+    #[must_use]
+    pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
+        let value = |(name, value): &(String, f64)| {
+            Some(Value { row: 0, what: Measured::find(name)?, value: *value, deviation: None })
+        };
+        let values = numbers.iter().filter_map(value).collect();
+        Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
+    }
+
+    /// Whether they are points of an indentation curve, and not impacts.
+    #[must_use]
+    pub fn is_curve(&self) -> bool {
+        self.values.iter().any(|value| value.what == CURVE)
+    }
+
+    /// The quantities that were measured, in the order of [`MEASURED`].
+    #[must_use]
+    pub fn measured(&self) -> Vec<usize> {
+        (0..MEASURED.len()).filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
+    }
+
+    /// Reads a text; `name` stands for the file in messages.
+    ///
+    /// # Errors
+    /// [`CalibrateError::Data`] with the line, what is wrong and what is allowed.
+    pub fn parse(name: &str, text: &str) -> Result<Self, CalibrateError> {
+        let refuse = |line: Option<u64>, message: String| CalibrateError::Data { name: name.to_owned(), line, message };
+        // spreadsheets put a byte order mark first
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let header = reader.headers().map_err(|error| refuse(None, error.to_string()))?.clone();
+        let first_line = header.position().map(csv::Position::line);
+        let mut data = Self { name: name.to_owned(), ..Self::default() };
+        let columns = data.columns(&header).map_err(|message| refuse(first_line, message))?;
+        for record in reader.records() {
+            let record = record.map_err(|error| {
+                let message = format!("has not as many values as there are columns ({})", columns.len());
+                refuse(error.position().map(csv::Position::line), message)
+            })?;
+            let line = record.position().map_or(0, csv::Position::line);
+            data.row(line, &record, &columns).map_err(|message| refuse(Some(line), message))?;
+        }
+        if data.values.is_empty() {
+            return Err(refuse(None, "has no measured value below the names of the columns".to_owned()));
+        }
+        Ok(data)
+    }
+
+    fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Column>, String> {
+        if header.len() == 1 && header[0].contains([';', '\t']) {
+            return Err("the columns are not separated by commas: write a,b,c, with decimal points".to_owned());
+        }
+        let mut columns: Vec<Column> = Vec::new();
+        for name in header {
+            let column = self.column(name)?;
+            if columns.iter().any(|other| other.role == column.role && column.role != Role::Note) {
+                return Err(format!("the column `{name}` is there twice, or says the same as another; leave one out"));
+            }
+            columns.push(column);
+        }
+        let has = |role: Role| columns.iter().any(|column| column.role == role);
+        for column in &columns {
+            if let Role::Deviation(what) = column.role
+                && !has(Role::Measured(what))
+            {
+                return Err(format!("the column `{}` has no column `{}` beside it", column.name, MEASURED[what].name));
+            }
+        }
+        let is_impact = columns.iter().any(|column| matches!(column.role, Role::Measured(what) if what != CURVE));
+        match (has(Role::Indentation), has(Role::Measured(CURVE))) {
+            (true, true) | (false, false) if is_impact != has(Role::Indentation) => Ok(columns),
+            (false, false) => Err(format!("no column is a measured quantity; {}", all())),
+            (true, true) => Err("a file holds impacts or an indentation curve, not both; make two files".to_owned()),
+            _ => Err("an indentation curve has the columns indentation_m and force_N".to_owned()),
+        }
+    }
+
+    fn column(&mut self, name: &str) -> Result<Column, String> {
+        if name == "note" {
+            let quantity = *MEASURED[0].quantity;
+            return Ok(Column { name: name.to_owned(), role: Role::Note, quantity, unit: String::new() });
+        }
+        let (base, is_deviation) = name.strip_suffix("_sd").map_or((name, false), |base| (base, true));
+        let measured =
+            MEASURED.iter().enumerate().map(|(what, one)| (one.name.to_owned(), Role::Measured(what), one.quantity));
+        let alias = |key: &Key| match key.path.split_once('.') {
+            Some(("impact", short)) => short.to_owned(),
+            _ => key.path.replace('.', "_"),
+        };
+        let keys = KEYS.iter().enumerate().map(|(at, key)| (alias(key), Role::Key(at), key.quantity));
+        let known = measured.chain([("indentation".to_owned(), Role::Indentation, &INDENTATION)]).chain(keys);
+        let plain = base.replace('.', "_");
+        let plain = plain.strip_prefix("impact_").unwrap_or(&plain);
+        // the longest name, as one may begin like another
+        let fitting = known.filter_map(|(known, role, quantity)| {
+            let unit = plain.strip_prefix(known.as_str()).filter(|unit| unit.is_empty() || unit.starts_with('_'))?;
+            Some((known.len(), role, quantity, unit.trim_start_matches('_').replace("_per_", "/")))
+        });
+        let Some((_, role, quantity, unit)) = fitting.max_by_key(|(length, ..)| *length) else {
+            let names: Vec<&str> = MEASURED.iter().map(|one| one.name).chain(["speed", "drop_height"]).collect();
+            return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
+        };
+        let dimension = quantity.dimension;
+        let example = format!("{}{}", plain.trim_end_matches(&format!("_{unit}")), dimension.suffix());
+        if unit.is_empty() && dimension != Dimension::Ratio {
+            return Err(format!("the column `{name}` has no unit: write {example}"));
+        }
+        if !unit.is_empty() && parse(&format!("1 {unit}"), dimension).is_err() {
+            let message = format!("the column `{name}` ends in `{unit}`, which is no unit of {}", dimension.name());
+            return Err(format!("{message}: write {example}, or another unit"));
+        }
+        let quantity = match role {
+            Role::Measured(CURVE) => LOAD,
+            _ if is_deviation => crate::scene::quantity::positive_of(dimension),
+            _ => *quantity,
+        };
+        let role = match role {
+            Role::Measured(what) if is_deviation => Role::Deviation(what),
+            _ if is_deviation => return Err(format!("the column `{name}`: only measured quantities have an sd")),
+            Role::Key(at) => {
+                self.keys.push(&KEYS[at]);
+                Role::Key(at)
+            }
+            role => role,
+        };
+        let unit = if unit == dimension.si_unit() { String::new() } else { unit };
+        Ok(Column { name: name.to_owned(), role, quantity, unit })
+    }
+
+    fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Column]) -> Result<(), String> {
+        let row = self.rows.len();
+        let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), indentation: None };
+        let first = self.values.len();
+        for (number, (field, column)) in (1..).zip(record.iter().zip(columns)) {
+            let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
+            let is_optional = matches!(column.role, Role::Measured(what) if what != CURVE)
+                || matches!(column.role, Role::Deviation(_) | Role::Note);
+            if field.is_empty() && !is_optional {
+                return Err(refuse("is empty; give a value, or leave the line out".to_owned()));
+            }
+            if field.is_empty() || column.role == Role::Note {
+                continue;
+            }
+            let value = column.read(field).map_err(refuse)?;
+            match column.role {
+                Role::Key(_) => read.keys.push(value),
+                Role::Indentation => read.indentation = Some(value),
+                Role::Measured(what) => self.values.push(Value { row, what, value, deviation: None }),
+                Role::Deviation(_) | Role::Note => {}
+            }
+        }
+        for (field, column) in record.iter().zip(columns).filter(|(field, _)| !field.is_empty()) {
+            let Role::Deviation(what) = column.role else { continue };
+            if let Some(value) = self.values[first..].iter_mut().find(|value| value.what == what) {
+                let message = |message: String| format!("`{}`: {message}", column.name);
+                value.deviation = Some(column.read(field).map_err(message)?);
+            }
+        }
+        if self.values.len() == first {
+            return Err("no quantity was measured in this line; leave it out".to_owned());
+        }
+        self.rows.push(read);
+        Ok(())
+    }
+}
+
+impl Column {
+    fn read(&self, field: &str) -> Result<f64, String> {
+        let number: f64 = field.parse().map_err(|_| {
+            let hint = if field.contains(',') { "; write a decimal point, not a comma" } else { "" };
+            format!("\"{field}\" is no number{hint}")
+        })?;
+        let value = if self.unit.is_empty() {
+            number
+        } else {
+            parse(&format!("{field} {}", self.unit), self.quantity.dimension).map_err(|error| error.to_string())?
+        };
+        self.quantity.check(value).map_err(|error| error.to_string())
+    }
+}
+
+/// What columns may be called.
+fn all() -> String {
+    let names = MEASURED.iter().map(|one| format!("{}{}", one.name, one.quantity.dimension.suffix()));
+    let names: Vec<String> = names.collect();
+    format!(
+        "columns are speed_m_per_s, drop_height_m, {}, indentation_m, each of the measured ones with _sd at the end, the numeric keys of a scenario such as sphere_radius_m, and note",
+        names.join(", ")
+    )
+}

@@ -1,0 +1,165 @@
+//! Whether measurements tell the keys that are wanted, and if not, which measurement would.
+//!
+//! A law is itself off by one or two per cent. Where the keys can be moved together so that all predictions stay the same
+//! within that, the data do not tell them apart, however many they are and however small their noise is.
+
+use nalgebra::DMatrix;
+
+use super::data::{Data, Value};
+use super::minimum::Place;
+use super::problem::Problem;
+use super::quantity::{CURVE, MEASURED};
+use crate::math::functions::{exp, ln};
+use crate::units::rounded::{number, percent};
+
+/// What laws are off by, as a share of a prediction.
+const LAW: f64 = 0.02;
+/// Impacts that are enough to say what would help.
+const ENOUGH: usize = 100;
+
+/// What the measurements tell of the keys together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identifiability {
+    /// Singular values of the derivatives of ln prediction by ln key, root mean square over the values; the largest first.
+    pub singular_values: Vec<f64>,
+    /// By how much the predictions change along the direction they tell least of, where the key that moves most doubles.
+    pub change: f64,
+    /// Exponents of the combination of the keys that the measurements tell best; the first is 1.
+    pub exponents: Vec<f64>,
+    /// Standard deviation of that combination, as a share of it.
+    pub deviation: f64,
+    /// Why the keys get no interval, and what would help; `None` where they get one.
+    pub refusal: Option<String>,
+}
+
+/// Derivatives of the predictions by the logarithms of the keys: a column for every key.
+fn by_logarithms(problem: &Problem, place: &Place) -> Option<Vec<Vec<f64>>> {
+    let columns = problem.jacobian(&place.shares).ok()?;
+    let scaled = columns.into_iter().zip(problem.free).zip(&place.shares).map(|((column, free), share)| {
+        let value = free.at(*share);
+        // a key at 0 has no logarithm: its whole range counts as a doubling
+        let scale = if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
+        column.into_iter().map(|slope| slope * scale).collect()
+    });
+    Some(scaled.collect())
+}
+
+/// The right singular vectors with the singular values, the largest first.
+fn decomposed(columns: &[Vec<f64>]) -> Option<Vec<(f64, Vec<f64>)>> {
+    let matrix = DMatrix::from_fn(columns[0].len(), columns.len(), |i, j| columns[j][i]);
+    // of the small product, as there may be many rows
+    let eigen = (matrix.transpose() * matrix).symmetric_eigen();
+    let vectors = eigen.eigenvectors.column_iter().map(|vector| vector.iter().copied().collect());
+    let mut all: Vec<(f64, Vec<f64>)> =
+        eigen.eigenvalues.iter().map(|square| square.max(0.0).sqrt()).zip(vectors).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.iter().all(|(value, _)| value.is_finite()).then_some(all)
+}
+
+/// By how much a unit step along a direction goes where the key that moves most doubles.
+fn doubling(direction: &[f64]) -> f64 {
+    ln(2.0) / direction.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()))
+}
+
+/// What the measurements tell of the keys at their best place.
+#[must_use]
+pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
+    let columns = by_logarithms(problem, place)?;
+    #[allow(clippy::cast_precision_loss)] // counts of measurements
+    let root = (problem.counted.len() as f64).sqrt();
+    let sizes = sizes(problem);
+    let relative: Vec<Vec<f64>> = columns
+        .iter()
+        .map(|column| {
+            let scaled = column.iter().zip(&problem.counted);
+            scaled
+                .map(|(slope, at)| slope * problem.deviations[*at] / sizes[problem.data.values[*at].what] / root)
+                .collect()
+        })
+        .collect();
+    let relative = decomposed(&relative)?;
+    let (least, direction) = relative.last()?;
+    let change = least * doubling(direction);
+    let (strongest, combination) = decomposed(&columns)?.swap_remove(0);
+    let refusal = (change < LAW).then(|| refusal(problem, place, direction, change));
+    Some(Identifiability {
+        singular_values: relative.iter().map(|(value, _)| *value).collect(),
+        change,
+        exponents: combination.iter().map(|part| part / combination[0]).collect(),
+        deviation: 1.0 / (strongest * combination[0].abs()),
+        refusal,
+    })
+}
+
+/// Root mean square of the values of every quantity.
+fn sizes(problem: &Problem) -> Vec<f64> {
+    let of = |what: usize| {
+        let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.what == what);
+        let (count, sum) =
+            values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
+        f64::sqrt(sum / count)
+    };
+    (0..MEASURED.len()).map(of).collect()
+}
+
+fn refusal(problem: &Problem, place: &Place, direction: &[f64], change: f64) -> String {
+    let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
+    let off = percent(LAW);
+    let what = if let [name] = names[..] {
+        format!(
+            "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
+            percent(change)
+        )
+    } else {
+        let step = doubling(direction);
+        let factors: Vec<String> = names
+            .iter()
+            .zip(direction)
+            .map(|(name, part)| format!("{name} times {}", number(exp(step * part))))
+            .collect();
+        format!(
+            "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",
+            factors.join(" with "),
+            percent(change)
+        )
+    };
+    let mut helpful = helpful(problem, place, direction);
+    helpful.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let helpful: Vec<String> = helpful.iter().map(|(name, change)| format!("{name} ({})", percent(*change))).collect();
+    let way_out = if problem.data.is_curve() {
+        "; measure the unloading too, or give one of the keys its known value".to_owned()
+    } else if helpful.is_empty() {
+        "; give one of the keys its known value".to_owned()
+    } else {
+        format!(
+            "; what would change, and is worth measuring: {}; or give one of the keys its known value",
+            helpful.join(", ")
+        )
+    };
+    what + &way_out
+}
+
+/// Quantities that were not measured and that change along a direction, each with its change.
+fn helpful(problem: &Problem, place: &Place, direction: &[f64]) -> Vec<(&'static str, f64)> {
+    let measured = problem.data.measured();
+    let has_restitution = measured.iter().any(|what| MEASURED[*what].is_of_restitution);
+    let is_new = |what: &usize| !(measured.contains(what) || has_restitution && MEASURED[*what].is_of_restitution);
+    let change = |what: usize| {
+        let rows = 0..problem.data.rows.len();
+        let values = rows.map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
+        let data = Data { values, ..problem.data.clone() };
+        let ones = vec![1.0; data.values.len()];
+        let problem = Problem::new(&problem.scene, problem.free, &data, ones, false).thinned(ENOUGH);
+        let predicted = problem.predict(&place.shares).ok()?;
+        let columns = by_logarithms(&problem, place)?;
+        let (mut moved, mut size) = (0.0, 0.0);
+        for (i, at) in problem.counted.iter().enumerate() {
+            let slope: f64 = columns.iter().zip(direction).map(|(column, part)| column[i] * part).sum();
+            moved += slope * slope;
+            size += predicted[*at] * predicted[*at];
+        }
+        Some((MEASURED[what].name, doubling(direction) * (moved / size).sqrt()))
+            .filter(|(_, change)| *change > 2.0 * LAW)
+    };
+    if problem.data.is_curve() { Vec::new() } else { (0..CURVE).filter(is_new).filter_map(change).collect() }
+}

@@ -1,0 +1,179 @@
+//! The least sum: a grid over the ranges finds all basins, and Levenberg-Marquardt goes to the bottom of each.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+use super::problem::{Problem, STEP};
+use crate::math::functions::{asin, sin};
+
+/// Impacts that are enough to find the basins.
+const ENOUGH: usize = 1000;
+/// Basins whose bottom is looked for.
+const MOST_BASINS: usize = 8;
+/// Rise of the sum between two basins, over its mean for a value.
+const RISE: f64 = 1.0;
+
+/// A place and the sum there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    /// Shares of the ranges.
+    pub shares: Vec<f64>,
+    /// −2 ln of the likelihood.
+    pub sum: f64,
+}
+
+/// Sums on a grid over the ranges: of the thinned data, over so many places along every range.
+#[derive(Debug, Clone)]
+pub struct Grid {
+    side: usize,
+    sums: Vec<f64>,
+    n_keys: usize,
+}
+
+impl Grid {
+    /// Evaluates it.
+    #[must_use]
+    pub fn of(problem: &Problem) -> Self {
+        let problem = problem.thinned(ENOUGH);
+        let n_keys = problem.free.len();
+        let side = if n_keys == 1 { 64 } else { 32 };
+        let mut grid = Self { side, sums: Vec::new(), n_keys };
+        grid.sums = (0..if n_keys == 1 { side } else { side * side }).map(|at| problem.sum(&grid.shares(at))).collect();
+        grid
+    }
+
+    /// The middle of a cell.
+    #[allow(clippy::cast_precision_loss)] // a few cells
+    fn shares(&self, at: usize) -> Vec<f64> {
+        let share = |place: usize| (place as f64 + 0.5) / self.side as f64;
+        if self.n_keys == 1 { vec![share(at)] } else { vec![share(at / self.side), share(at % self.side)] }
+    }
+
+    /// Cells that are lower than all neighbours, the lowest first.
+    fn basins(&self) -> Vec<Vec<f64>> {
+        let side = self.side.cast_signed();
+        let rows = if self.n_keys == 1 { 1 } else { side };
+        let is_lowest = |at: usize| {
+            let (row, column) = (at.cast_signed() / side, at.cast_signed() % side);
+            let inside = |&(row, column): &(isize, isize)| (0..rows).contains(&row) && (0..side).contains(&column);
+            let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (row + i, column + j)));
+            let mut around =
+                around.filter(inside).map(|(row, column)| self.sums[(row * side + column).cast_unsigned()]);
+            self.sums[at].is_finite() && around.all(|other| other >= self.sums[at])
+        };
+        let mut lowest: Vec<usize> = (0..self.sums.len()).filter(|at| is_lowest(*at)).collect();
+        lowest.sort_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
+        lowest.truncate(MOST_BASINS);
+        lowest.into_iter().map(|at| self.shares(at)).collect()
+    }
+
+    /// The best cell with the key `held` nearest to `share`.
+    pub(super) fn best_beside(&self, held: usize, share: f64) -> Option<Vec<f64>> {
+        #[allow(clippy::cast_precision_loss)] // a few cells
+        let near = |at: &usize| (self.shares(*at)[held] - share).abs() <= 0.5 / self.side as f64 + 1e-12;
+        let best = (0..self.sums.len()).filter(near).min_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
+        best.map(|at| self.shares(at))
+    }
+}
+
+/// The bottoms of all basins, the lowest first; empty where the law has no answer anywhere.
+#[must_use]
+pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
+    let starts = grid.basins();
+    let mut places: Vec<Place> = starts.iter().map(|start| polished(problem, start, None)).collect();
+    places.retain(|place| place.sum.is_finite());
+    places.sort_by(|a, b| a.sum.total_cmp(&b.sum));
+    let mut found: Vec<Place> = Vec::new();
+    for place in places {
+        if found.iter().all(|other| is_apart(problem, other, &place)) {
+            found.push(place);
+        }
+    }
+    found
+}
+
+/// Whether the sum rises between two places: else they are ends of one flat basin, or of a plateau.
+fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
+    #[allow(clippy::cast_precision_loss)] // counts of measurements
+    let least = RISE * upper.sum / problem.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
+    (1..8).any(|i| {
+        let way = f64::from(i) / 8.0;
+        let between = lower.shares.iter().zip(&upper.shares).map(|(from, to)| from + way * (to - from));
+        problem.sum(&between.collect::<Vec<_>>()) > upper.sum + least
+    })
+}
+
+/// The bottom of the basin that `start` is in, with one key held if asked for.
+#[must_use]
+pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place {
+    let moving: Vec<usize> = (0..start.len()).filter(|at| Some(*at) != held).collect();
+    let first = Place { shares: start.to_vec(), sum: problem.sum(start) };
+    let angles = moving.iter().map(|at| asin(2.0 * start[*at].clamp(1e-9, 1.0 - 1e-9) - 1.0));
+    let descent =
+        Descent { problem, shares: start.to_vec(), angles: DVector::from_iterator(moving.len(), angles), moving };
+    let (descent, _) = LevenbergMarquardt::new().with_patience(40).minimize(descent);
+    let mut shares = descent.shares_at(&descent.angles);
+    // an end is come near to as a square root
+    for share in &mut shares {
+        if *share < 1e-9 || *share > 1.0 - 1e-9 {
+            *share = share.round();
+        }
+    }
+    let sum = problem.sum(&shares);
+    if sum <= first.sum { Place { shares, sum } } else { first }
+}
+
+/// The sum as a sum of squares. Shares are (1 + sin a)/2, so that every angle a is within the range.
+struct Descent<'a, 'p> {
+    problem: &'a Problem<'p>,
+    shares: Vec<f64>,
+    angles: DVector<f64>,
+    moving: Vec<usize>,
+}
+
+impl Descent<'_, '_> {
+    fn shares_at(&self, angles: &DVector<f64>) -> Vec<f64> {
+        let mut shares = self.shares.clone();
+        self.moving.iter().zip(angles.iter()).for_each(|(at, angle)| shares[*at] = 0.5 + 0.5 * sin(*angle));
+        shares
+    }
+
+    fn at(&self, angles: &DVector<f64>) -> Option<DVector<f64>> {
+        let residuals = self.problem.residuals(&self.shares_at(angles)).ok()?;
+        // each squared is what the residual adds to the sum
+        let root = |residual: &f64| self.problem.loss(*residual).sqrt().copysign(*residual);
+        let roots: Vec<f64> = residuals.iter().map(root).collect();
+        roots.iter().all(|root| root.is_finite()).then(|| DVector::from_vec(roots))
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Descent<'_, '_> {
+    type ParameterStorage = Owned<f64, Dyn>;
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+
+    fn set_params(&mut self, angles: &DVector<f64>) {
+        self.angles.copy_from(angles);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.angles.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        self.at(&self.angles)
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let column = |i: usize| {
+            let moved = |by: f64| {
+                let mut angles = self.angles.clone();
+                angles[i] += by;
+                self.at(&angles)
+            };
+            Some((moved(STEP)? - moved(-STEP)?) / (2.0 * STEP))
+        };
+        let columns: Option<Vec<DVector<f64>>> = (0..self.angles.len()).map(column).collect();
+        columns.map(|columns| DMatrix::from_columns(&columns))
+    }
+}

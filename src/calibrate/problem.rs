@@ -1,0 +1,230 @@
+//! What the law predicts for every measured value, and how far that is from the measurement.
+
+use std::collections::HashMap;
+
+use rayon::prelude::*;
+
+use super::data::Data;
+use super::error::NoAnswer;
+use super::quantity::MEASURED;
+use crate::indentation::{Indenter, StaticContact, Target};
+use crate::math::functions::{ln, ln_1p};
+use crate::plan::axis::keeps_contact;
+use crate::plan::free::Free;
+use crate::scene::Scene;
+
+/// Degrees of freedom of the likelihood with long tails.
+pub const TAILS: f64 = 4.0;
+
+/// Rows that one thread takes at once.
+const CHUNK: usize = 512;
+
+/// Keys that are wanted, a law, and measurements with their noise. A place in the ranges of the keys is given by shares:
+/// 0 is the lower end, 1 the upper one.
+#[derive(Debug, Clone)]
+pub struct Problem<'a> {
+    /// The scene, with its law.
+    pub scene: Scene,
+    /// The keys that are wanted.
+    pub free: &'a [Free],
+    /// The measurements.
+    pub data: &'a Data,
+    /// Standard deviation of each value of the data.
+    pub deviations: Vec<f64>,
+    /// Whether the likelihood has long tails.
+    pub is_robust: bool,
+    /// Rows of the same contact, or points of one curve, in pieces.
+    pieces: Vec<Vec<usize>>,
+    /// Values that count; all, but for a search.
+    pub counted: Vec<usize>,
+    /// Of every row, its values.
+    ranges: Vec<std::ops::Range<usize>>,
+}
+
+impl<'a> Problem<'a> {
+    /// All rows of the data.
+    #[must_use]
+    pub fn new(scene: &Scene, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
+        let mut ranges = vec![0..0; data.rows.len()];
+        for (at, value) in data.values.iter().enumerate() {
+            let range = &mut ranges[value.row];
+            *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
+        }
+        let rows = 0..data.rows.len();
+        let problem = Self {
+            scene: scene.clone(),
+            free,
+            data,
+            deviations,
+            is_robust,
+            pieces: Vec::new(),
+            counted: Vec::new(),
+            ranges,
+        };
+        problem.of_rows(rows)
+    }
+
+    /// The same with at most so many impacts, evenly taken from all of them.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Self {
+        let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
+        self.clone().of_rows((0..self.data.rows.len()).step_by(step))
+    }
+
+    fn of_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {
+        let contacts: Vec<usize> =
+            (0..self.data.keys.len()).filter(|at| !keeps_contact(self.data.keys[*at].path)).collect();
+        let most = if self.data.is_curve() { usize::MAX } else { CHUNK };
+        let mut places: HashMap<Vec<u64>, usize> = HashMap::new();
+        (self.pieces, self.counted) = (Vec::new(), Vec::new());
+        for row in rows {
+            let keys = &self.data.rows[row].keys;
+            let contact: Vec<u64> = contacts.iter().map(|at| keys[*at].to_bits()).collect();
+            let place = places.entry(contact).or_insert(usize::MAX);
+            if *place == usize::MAX || self.pieces[*place].len() >= most {
+                *place = self.pieces.len();
+                self.pieces.push(Vec::new());
+            }
+            self.pieces[*place].push(row);
+            self.counted.extend(self.ranges[row].clone());
+        }
+        self
+    }
+
+    /// Values of the keys at these shares, SI.
+    #[must_use]
+    pub fn values(&self, shares: &[f64]) -> Vec<f64> {
+        self.free.iter().zip(shares).map(|(free, share)| free.at(*share)).collect()
+    }
+
+    /// What is predicted for every value of the data; NaN for those that do not count.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] of the first row that has none.
+    pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
+        let mut scene = self.scene.clone();
+        for (free, share) in self.free.iter().zip(shares) {
+            (free.key.set)(&mut scene, free.at(*share));
+        }
+        let of = |piece: &Vec<usize>| {
+            if self.data.is_curve() { self.curve(&scene, piece) } else { self.impacts(&scene, piece) }
+        };
+        let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
+            self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(of).collect()
+        } else {
+            self.pieces.iter().map(of).collect()
+        };
+        let mut all = vec![f64::NAN; self.data.values.len()];
+        for (piece, values) in self.pieces.iter().zip(found?) {
+            let places = piece.iter().flat_map(|row| self.ranges[*row].clone());
+            places.zip(values).for_each(|(place, value)| all[place] = value);
+        }
+        Ok(all)
+    }
+
+    /// The impact speed of every row \[m/s\]; not a number where there is none.
+    #[must_use]
+    pub fn speeds(&self) -> Vec<f64> {
+        let mut scene = self.scene.clone();
+        let speed = |row| {
+            self.with_row(&mut scene, row);
+            scene.speed
+        };
+        (0..self.data.rows.len()).map(speed).collect()
+    }
+
+    /// Puts the keys of a row into a scene.
+    fn with_row(&self, scene: &mut Scene, row: usize) {
+        for (key, value) in self.data.keys.iter().zip(&self.data.rows[row].keys) {
+            (key.set)(scene, *value);
+        }
+    }
+
+    fn impacts(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+        let mut scene = scene.clone();
+        rows.iter().take(1).for_each(|row| self.with_row(&mut scene, *row));
+        let contact = scene.contact()?;
+        let mut predicted = Vec::with_capacity(rows.len());
+        for row in rows {
+            self.with_row(&mut scene, *row);
+            let result = contact.essentials_by(scene.speed, &scene.solver)?;
+            for value in &self.data.values[self.ranges[*row].clone()] {
+                let found = (MEASURED[value.what].predict)(&result, &scene).filter(|value| value.is_finite());
+                predicted.push(found.ok_or(NoAnswer::Captured)?);
+            }
+        }
+        Ok(predicted)
+    }
+
+    /// A point where the sphere stays is no step of its own, and neither is the first touch.
+    fn curve(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+        let mut scene = scene.clone();
+        rows.iter().take(1).for_each(|row| self.with_row(&mut scene, *row));
+        let indenter = Indenter { radius: scene.sphere.radius, material: scene.sphere.material, yield_strength: None };
+        let contact = StaticContact::try_new(indenter, &scene.half_space, scene.law.get())?;
+        let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);
+        for row in rows {
+            let indentation = self.data.rows[*row].indentation.unwrap_or(0.0);
+            if (indentation - last).abs() > 1e-9 * indentation.max(last) {
+                targets.push(Target::Indentation(indentation));
+                last = indentation;
+            }
+            steps.push(targets.len());
+        }
+        let indentation = contact.indent(&targets, None)?;
+        Ok(steps.into_iter().map(|step| if step == 0 { 0.0 } else { indentation.steps[step - 1].force }).collect())
+    }
+
+    /// Measured less predicted, over the standard deviation, of every value that counts.
+    ///
+    /// # Errors
+    /// [`NoAnswer`].
+    pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
+        let predicted = self.predict(shares)?;
+        let residual = |at: &usize| (self.data.values[*at].value - predicted[*at]) / self.deviations[*at];
+        Ok(self.counted.iter().map(residual).collect())
+    }
+
+    /// What a residual adds to −2 ln of the likelihood.
+    #[must_use]
+    pub fn loss(&self, residual: f64) -> f64 {
+        let square = residual * residual;
+        if self.is_robust { (TAILS + 1.0) * ln_1p(square / TAILS) } else { square }
+    }
+
+    /// −2 ln of the likelihood but for a constant; infinite where the law has no answer.
+    #[must_use]
+    pub fn sum(&self, shares: &[f64]) -> f64 {
+        let residuals = self.residuals(shares);
+        let sum = residuals.map_or(f64::INFINITY, |all| all.into_iter().map(|residual| self.loss(residual)).sum());
+        if f64::is_nan(sum) { f64::INFINITY } else { sum }
+    }
+
+    /// −2 ln of the likelihood at a known sum, with its constants: what laws are compared by.
+    #[must_use]
+    pub fn full(&self, sum: f64) -> f64 {
+        let tau = 2.0 * std::f64::consts::PI;
+        let constant = if self.is_robust { 0.980_829_253_011_726_3 } else { 0.5 * ln(tau) };
+        self.counted.iter().map(|at| 2.0 * ln(self.deviations[*at]) + 2.0 * constant).sum::<f64>() + sum
+    }
+
+    /// Derivatives of the predictions over the standard deviations by the shares: a column for every key.
+    ///
+    /// # Errors
+    /// [`NoAnswer`].
+    pub fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, NoAnswer> {
+        let column = |i: usize| {
+            let moved = |by: f64| {
+                let mut moved = shares.to_vec();
+                moved[i] = (shares[i] + by).clamp(0.0, 1.0);
+                (moved[i], self.residuals(&moved))
+            };
+            let ((low, before), (high, after)) = (moved(-STEP), moved(STEP));
+            Ok(before?.iter().zip(after?).map(|(before, after)| (before - after) / (high - low)).collect())
+        };
+        (0..shares.len()).map(column).collect()
+    }
+}
+
+/// Step of differences, as a share of the range of a key.
+pub const STEP: f64 = 1e-6;

@@ -1,0 +1,61 @@
+//! What can be measured of an impact, and what the law predicts for it.
+
+use crate::impact::Essentials;
+use crate::scene::Scene;
+use crate::scene::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
+
+/// A measured quantity.
+#[derive(Debug, Clone, Copy)]
+pub struct Measured {
+    /// Its name, without the unit.
+    pub name: &'static str,
+    /// Dimension and allowed range.
+    pub quantity: &'static Quantity,
+    /// Its value in an impact of this scene; `None` where it has none.
+    pub predict: fn(&Essentials, &Scene) -> Option<f64>,
+    /// Whether it tells of the restitution alone.
+    pub is_of_restitution: bool,
+}
+
+/// All of them; the last is that of indentation curves, which has no impact.
+pub const MEASURED: [Measured; 9] = [
+    of("restitution", &RESTITUTION, true, |row, _| Some(restitution(row))),
+    of("rebound_speed", &SPEED, true, |row, scene| Some(restitution(row) * scene.speed)),
+    of("rebound_height", &LENGTH, true, |row, scene| {
+        let speed = restitution(row) * scene.speed;
+        Some(0.5 * speed * speed / scene.forces.gravity?)
+    }),
+    of("leeb", &LEEB, true, |row, _| Some(1000.0 * restitution(row))),
+    of("dent_diameter", &LENGTH, false, |row, _| {
+        Some(if row.has_dent() { 2.0 * row.peak_contact_radius } else { 0.0 })
+    }),
+    of("dent_depth", &LENGTH, false, |row, _| Some(row.residual_indentation)),
+    of("contact_time", &TIME, false, |row, _| Some(row.contact_time)),
+    of("peak_force", &FORCE, false, |row, _| Some(row.peak_force)),
+    of("force", &FORCE, false, |_, _| None),
+];
+
+/// The place of the force of an indentation curve.
+pub const CURVE: usize = 8;
+
+const fn of(
+    name: &'static str,
+    quantity: &'static Quantity,
+    is_of_restitution: bool,
+    predict: fn(&Essentials, &Scene) -> Option<f64>,
+) -> Measured {
+    Measured { name, quantity, predict, is_of_restitution }
+}
+
+/// What comes back is less by the elastic waves where the half-space has a density.
+fn restitution(row: &Essentials) -> f64 {
+    row.restitution_with_waves().unwrap_or(row.restitution)
+}
+
+impl Measured {
+    /// The place of the quantity of that name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<usize> {
+        MEASURED.iter().position(|measured| measured.name == name)
+    }
+}

@@ -1,0 +1,79 @@
+//! The distributions and tests of a fit.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
+use statrs::function::factorial::ln_binomial;
+
+use crate::math::functions::exp;
+
+/// The two levels of every interval.
+pub const LEVELS: [f64; 2] = [0.682_689_492_137_085_9, 0.95];
+
+/// To twelve digits: the crate takes its logarithms from the C library of the machine, where the last one differs.
+fn settled(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// How many standard deviations an interval of this level reaches, with so many degrees of freedom of an estimated noise;
+/// `None` for a noise that is known.
+#[must_use]
+pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
+    let below = 0.5 + 0.5 * level;
+    let student = freedom.and_then(|freedom| StudentsT::new(0.0, 1.0, freedom).ok());
+    student
+        .map_or_else(|| crate::math::functions::normal_quantile(below), |student| settled(student.inverse_cdf(below)))
+}
+
+/// The chance of a chi-square that is no smaller; `None` without a degree of freedom.
+#[must_use]
+pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
+    #[allow(clippy::cast_precision_loss)] // counts of measurements
+    ChiSquared::new(freedom as f64).ok().map(|distribution| settled(distribution.sf(chi_square)))
+}
+
+/// The chance of so few runs of equal signs, or fewer, in residuals of random order (Wald and Wolfowitz 1940, exact);
+/// `None` where all signs are equal and few.
+#[must_use]
+pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
+    let signs: Vec<bool> =
+        residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
+    let above = signs.iter().filter(|sign| **sign).count() as u64;
+    let below = signs.len() as u64 - above;
+    if above == 0 || below == 0 {
+        // all on one side: as likely as so many equal throws of a coin
+        let halvings = i32::try_from(signs.len().saturating_sub(1)).unwrap_or(i32::MAX);
+        return (signs.len() > 1).then(|| crate::math::functions::powi(0.5, halvings));
+    }
+    let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
+    let ways = |n: u64, k: u64| if k > n { f64::NEG_INFINITY } else { ln_binomial(n, k) };
+    let all = ways(above + below, above);
+    let chance = |runs: u64| {
+        let half = runs / 2;
+        let of = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
+        if runs.is_multiple_of(2) { 2.0 * of(half - 1, half - 1) } else { of(half, half - 1) + of(half - 1, half) }
+    };
+    Some(settled((2..=runs).map(chance).sum::<f64>().min(1.0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distributions_are_those_of_scipy() {
+        // scipy 1.15: stats.chi2.sf(12.3, 7), stats.t.ppf(0.975, 5), stats.norm.ppf(0.975)
+        approx::assert_relative_eq!(chance(12.3, 7).unwrap(), 0.091_090_345_962_951_65, max_relative = 1e-11);
+        approx::assert_relative_eq!(reach(0.95, Some(5.0)), 2.570_581_835_636_314, max_relative = 1e-9);
+        approx::assert_relative_eq!(reach(0.95, None), 1.959_963_984_540_054, max_relative = 1e-14);
+        assert_eq!(chance(1.0, 0), None);
+    }
+
+    #[test]
+    fn runs_are_counted_as_all_orders_say() {
+        // of the 20 orders of three + and three -, 2 have two runs, 4 have three, 8 have four
+        let order = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
+        approx::assert_relative_eq!(chance_of_runs(&order("+++---")).unwrap(), 0.1, max_relative = 1e-11);
+        approx::assert_relative_eq!(chance_of_runs(&order("++---+")).unwrap(), 0.3, max_relative = 1e-11);
+        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap(), 0.7, max_relative = 1e-11);
+        assert_eq!((chance_of_runs(&order("+++")), chance_of_runs(&order("+"))), (Some(0.25), None));
+    }
+}

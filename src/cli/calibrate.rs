@@ -1,0 +1,94 @@
+//! `plm-impact calibrate`
+
+use std::path::{PathBuf, absolute};
+
+use anyhow::Context as _;
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::run::{Run, way};
+use plm_impact::scenario::Kind;
+use plm_impact::scene::words::LAWS;
+
+use super::run::Output;
+use super::scenario::ScenarioArguments;
+
+/// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
+///
+/// [calibrate] in the scenario says which keys are wanted and what is known of the noise. Without it, the yield strength
+/// of the half-space is. DATA is a CSV file whose columns name what they hold, with the unit: speed_m_per_s or
+/// drop_height_m; restitution, rebound_speed_m_per_s, rebound_height_m, leeb, dent_diameter_m, dent_depth_m,
+/// contact_time_s, peak_force_N, each with a column of standard deviations (restitution_sd) if known; other keys of the
+/// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// Measurements, in place of calibrate.data
+    #[arg(value_name = "DATA.csv", conflicts_with_all = ["restitution", "rebound_speed", "leeb", "dent_diameter"])]
+    data: Option<PathBuf>,
+    /// One measured restitution, in place of a file
+    #[arg(long, value_name = "E")]
+    restitution: Option<String>,
+    /// One measured rebound: --rebound-speed "1.5 m/s"
+    #[arg(long, value_name = "SPEED")]
+    rebound_speed: Option<String>,
+    /// One measured Leeb hardness
+    #[arg(long, value_name = "HL")]
+    leeb: Option<String>,
+    /// One measured dent: --dent-diameter "1.2 mm"
+    #[arg(long, value_name = "LENGTH")]
+    dent_diameter: Option<String>,
+    /// Impact speed of that measurement: --speed "3 m/s"
+    #[arg(long, value_name = "SPEED")]
+    speed: Option<String>,
+    /// Law to fit, or "all" to fit every law and rank them
+    #[arg(long, value_name = "LAW")]
+    law: Option<String>,
+    #[command(flatten)]
+    output: Output,
+}
+
+pub fn calibrate(arguments: &Arguments) -> anyhow::Result<()> {
+    let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(Error::from)?;
+    scenario.wanted().map_err(Error::from)?;
+    match way(Kind::Calibrate).run {
+        Run::Once { run, .. } => arguments.output.once(&arguments.scenario.scenario, &scenario, run),
+        Run::Table => Ok(()),
+    }
+}
+
+impl Arguments {
+    /// The options as keys of the scenario.
+    fn settings(&self) -> anyhow::Result<Vec<String>> {
+        let mut settings = Vec::new();
+        if let Some(data) = &self.data {
+            // a path of the command line is not relative to the scenario
+            let path = absolute(data).with_context(|| data.display().to_string())?;
+            settings.push(format!("calibrate.data={}", quoted(&path.to_string_lossy())));
+        }
+        let numbers = [
+            ("calibrate.measured.restitution", &self.restitution),
+            ("calibrate.measured.rebound_speed", &self.rebound_speed),
+            ("calibrate.measured.leeb", &self.leeb),
+            ("calibrate.measured.dent_diameter", &self.dent_diameter),
+            ("impact.speed", &self.speed),
+        ];
+        settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
+        match self.law.as_deref() {
+            Some("all") => {
+                // under the law of Hertz nothing yields
+                let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
+                let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
+                settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
+            }
+            Some(law) => settings.push(format!("law={}", quoted(law))),
+            None => {}
+        }
+        Ok(settings)
+    }
+}
+
+/// As TOML.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.escape_debug())
+}

@@ -1,0 +1,40 @@
+//! A numeric key that is wanted: the range it lies in, and the scale that the range is searched on.
+
+use crate::math::functions::{exp, ln};
+use crate::scene::Key;
+
+/// A key that is to be found.
+#[derive(Debug, Clone, Copy)]
+pub struct Free {
+    /// Which.
+    pub key: &'static Key,
+    /// The lower end of its range, SI.
+    pub from: f64,
+    /// The upper end of its range, SI.
+    pub to: f64,
+    /// Whether equal ratios count the same, and not equal differences.
+    pub is_logarithmic: bool,
+}
+
+impl Free {
+    /// The value at a share of the way from the lower end to the upper one; the ends are exact.
+    #[must_use]
+    pub fn at(&self, share: f64) -> f64 {
+        let Self { from, to, is_logarithmic, .. } = *self;
+        if share <= 0.0 {
+            from
+        } else if share >= 1.0 {
+            to
+        } else if is_logarithmic {
+            exp(ln(from) + share * ln(to / from))
+        } else {
+            from + share * (to - from)
+        }
+    }
+
+    /// How fast the value rises with the share.
+    #[must_use]
+    pub fn slope(&self, share: f64) -> f64 {
+        if self.is_logarithmic { self.at(share) * ln(self.to / self.from) } else { self.to - self.from }
+    }
+}

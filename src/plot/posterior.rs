@@ -1,0 +1,202 @@
+//! The posterior of two keys: a map with its contours, and the posterior of each key beside it.
+
+use super::axis::Axis;
+use super::canvas::Canvas;
+use super::frame::{Bounds, Frame};
+use super::key::{self, Entry};
+use super::of_key::axis_of;
+use super::style::{DASHED, Mark, PALETTE, SOLID, Stroke, tinted};
+use super::{PlotError, SIZE};
+use crate::calibrate::profile::{Marginal, Sheet};
+use crate::calibrate::statistics::LEVELS;
+use crate::calibrate::{Calibration, Found};
+
+/// Height and width of the margins, and their distance from the map \[px\].
+const MARGIN: f64 = 150.0;
+const GAP: f64 = 14.0;
+/// Densities below this share of the highest are white.
+const VISIBLE: f64 = 2e-3;
+
+/// Steps of colour between two places.
+const STEPS: u32 = 5;
+
+/// A line of the map: the first key, and the second with the density.
+type Line = (f64, Vec<(f64, f64)>);
+
+/// The picture.
+///
+/// # Errors
+/// What drawing and encoding report.
+pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Vec<u8>, PlotError> {
+    let [first, second] = &of.keys[..] else { return Err(PlotError::Data("a map needs two keys".to_owned())) };
+    let lines: Vec<Line> = sheet
+        .iter()
+        .map(|(x, line)| (first.free.at(*x), line.iter().map(|(y, density)| (second.free.at(*y), *density)).collect()))
+        .collect();
+    let highest = lines.iter().flat_map(|(_, line)| line).map(|(_, density)| *density).fold(0.0, f64::max);
+    let is_seen = |line: &&Line| line.1.iter().any(|(_, density)| *density > VISIBLE * highest);
+    let xs: Vec<f64> = lines.iter().filter(is_seen).map(|(x, _)| *x).collect();
+    let seen = lines.iter().flat_map(|(_, line)| line).filter(|(_, density)| *density > VISIBLE * highest);
+    let ys: Vec<f64> = seen.map(|(y, _)| *y).collect();
+    let axis = |found: &Found, values: &[f64]| {
+        let (low, high) = (
+            values.iter().copied().fold(f64::INFINITY, f64::min),
+            values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        );
+        axis_of(found.free.key, found.free.is_logarithmic && high > 5.0 * low).between(low, high)
+    };
+    let (x_axis, y_axis) = (axis(first, &xs), axis(second, &ys));
+    let levels = levels(sheet);
+    let contours =
+        [Stroke { color: PALETTE[1], width: 3.0, dash: SOLID }, Stroke { color: PALETTE[1], width: 3.0, dash: DASHED }];
+    let mut entries: Vec<Entry> = ["68 % lies inside", "95 % lies inside"]
+        .iter()
+        .zip(contours)
+        .map(|(name, stroke)| Entry::line(name, stroke))
+        .collect();
+    entries.push(Entry::mark("best", Mark::Cross, 9.0, PALETTE[6]));
+    let correlation = of.correlation().filter(|_| of.refusal.is_none());
+    entries.extend(correlation.map(|correlation| Entry::text(&format!("correlation {correlation:.2}"))));
+    entries.extend(
+        of.refusal.iter().map(|_| Entry::text("no interval: the data do not tell").and("the keys apart".to_owned())),
+    );
+    let all = key::bounds(&entries)?;
+    let empty = std::iter::empty;
+    let main = Frame {
+        bounds: Bounds { top: all.top + MARGIN + GAP, right: all.right - MARGIN - GAP, ..all },
+        x: x_axis.fitted(empty()),
+        y: y_axis.fitted(empty()),
+    };
+    let density = Axis::linear("", "").between(0.0, 1.05);
+    let above = Frame {
+        bounds: Bounds { bottom: all.top + MARGIN, top: all.top, ..main.bounds },
+        x: x_axis.fitted(empty()),
+        y: density.fitted(empty()),
+    };
+    let right = Frame {
+        bounds: Bounds { left: all.right - MARGIN, right: all.right, ..main.bounds },
+        x: density.fitted(empty()),
+        y: y_axis.fitted(empty()),
+    };
+    let mut canvas = Canvas::try_new(SIZE)?;
+    main.draw_axes(&mut canvas)?;
+    let inside = |(x, y): (f64, f64)| {
+        (x.clamp(main.bounds.left, main.bounds.right), y.clamp(main.bounds.top, main.bounds.bottom))
+    };
+    let x_edges = edges(lines.iter().map(|(x, _)| *x));
+    for (line, (_, places)) in x_edges.windows(2).zip(&lines) {
+        for pair in places.windows(2) {
+            // straight between two places, in steps that the eye does not see
+            for step in 0..STEPS {
+                let [below, at, above] = [0.0, 0.5, 1.0].map(|part| (f64::from(step) + part) / f64::from(STEPS));
+                let between = |share: f64| pair[0].0 + share * (pair[1].0 - pair[0].0);
+                let density = pair[0].1 + at * (pair[1].1 - pair[0].1);
+                if density > VISIBLE * highest {
+                    let from = inside(main.place(line[0], between(above)));
+                    let to = inside(main.place(line[1], between(below)));
+                    canvas.rectangle(from, to, tinted(PALETTE[0], density / highest))?;
+                }
+            }
+        }
+    }
+    for (level, stroke) in levels.into_iter().zip(contours) {
+        for contour in contour(&lines, level) {
+            main.curve(&mut canvas, contour.into_iter(), stroke)?;
+        }
+    }
+    main.mark(&mut canvas, (first.estimate, second.estimate), Mark::Cross, 9.0, PALETTE[6])?;
+    main.draw_outline(&mut canvas)?;
+    let curve = Stroke::solid(PALETTE[0], 3.0);
+    let heights = |marginal: &Marginal, found: &Found| {
+        let highest = marginal.density.iter().copied().fold(0.0, f64::max);
+        let points = marginal
+            .shares
+            .iter()
+            .zip(&marginal.density)
+            .map(|(share, density)| (found.free.at(*share), density / highest));
+        points.collect::<Vec<_>>()
+    };
+    for (frame, found, is_turned) in [(&above, first, false), (&right, second, true)] {
+        let points = heights(found.posterior.as_ref().unwrap_or(&Marginal::default()), found);
+        let points = points.into_iter().map(|(x, y)| if is_turned { (y, x) } else { (x, y) });
+        frame.curve(&mut canvas, points, curve)?;
+        frame.draw_outline(&mut canvas)?;
+    }
+    above.draw_title(&mut canvas, "What the measurements say of both keys")?;
+    key::draw(&mut canvas, &entries, &Frame { bounds: all, ..above })?;
+    canvas.to_png()
+}
+
+/// Half-way between neighbours; the outer ones as far as the inner.
+fn edges(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let n = values.len();
+    let inner = values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    [values[0]].into_iter().chain(inner).chain([values[n - 1]]).collect()
+}
+
+/// The densities above which the shares of [`LEVELS`] lie.
+fn levels(sheet: &Sheet) -> [f64; 2] {
+    let x_edges = edges(sheet.iter().map(|(x, _)| *x));
+    let mut cells: Vec<(f64, f64)> = Vec::new();
+    for (i, (_, line)) in sheet.iter().enumerate() {
+        let y_edges = edges(line.iter().map(|(y, _)| *y));
+        let width = x_edges[i + 1] - x_edges[i];
+        cells.extend(
+            line.iter()
+                .enumerate()
+                .map(|(j, (_, density))| (*density, density * width * (y_edges[j + 1] - y_edges[j]))),
+        );
+    }
+    cells.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let all: f64 = cells.iter().map(|(_, mass)| mass).sum();
+    LEVELS.map(|level| {
+        let mut mass = 0.0;
+        let last = cells.iter().find(|(_, part)| {
+            mass += part;
+            mass >= level * all
+        });
+        last.map_or(0.0, |(density, _)| *density)
+    })
+}
+
+/// The border of the region above a density: on every line from where it rises above to where it falls below, the lower
+/// side and the upper one, with a tip between the last line and the next that has none; there a new region may begin.
+fn contour(lines: &[Line], level: f64) -> Vec<Vec<(f64, f64)>> {
+    let top = |line: &Line| line.1.iter().copied().fold((f64::NAN, 0.0), |top, at| if at.1 > top.1 { at } else { top });
+    let crossing = |from: (f64, f64), to: (f64, f64)| from.0 + (to.0 - from.0) * (level - from.1) / (to.1 - from.1);
+    // between a line with nothing above the level and one with something
+    let tip = |outer: &Line, inner: &Line| (crossing((outer.0, top(outer).1), (inner.0, top(inner).1)), top(inner).0);
+    let mut regions: Vec<[Vec<(f64, f64)>; 2]> = Vec::new();
+    let mut before: Option<&Line> = None;
+    for line in lines {
+        let (x, places) = line;
+        let first = places.iter().position(|(_, density)| *density >= level);
+        let last = places.iter().rposition(|(_, density)| *density >= level);
+        let was_inside = before.is_some_and(|before| top(before).1 >= level);
+        match (first.zip(last), before) {
+            (None, Some(before)) if was_inside => {
+                regions.last_mut().into_iter().for_each(|[lower, _]| lower.push(tip(line, before)));
+            }
+            (Some((first, last)), _) => {
+                if !was_inside {
+                    let start = before.map(|before| tip(before, line));
+                    regions.push([start.into_iter().collect(), Vec::new()]);
+                }
+                let low = if first == 0 { places[0].0 } else { crossing(places[first - 1], places[first]) };
+                let high = places.get(last + 1).map_or(places[last].0, |after| crossing(*after, places[last]));
+                if let Some([lower, upper]) = regions.last_mut() {
+                    lower.push((*x, low));
+                    upper.push((*x, high));
+                }
+            }
+            (None, _) => {}
+        }
+        before = Some(line);
+    }
+    let closed = regions.into_iter().map(|[lower, upper]| {
+        let start = lower[0];
+        lower.into_iter().chain(upper.into_iter().rev()).chain([start]).collect()
+    });
+    closed.collect()
+}

@@ -1,0 +1,131 @@
+//! Keys that are found from measurements.
+
+use std::path::absolute;
+
+use toml_edit::{DocumentMut, Item, Table, value};
+
+use super::outcome::{self, Outcome, file};
+use crate::calibrate::{Calibration, Measurements};
+use crate::error::Error;
+use crate::plot::calibrate::pictures;
+use crate::report::calibrate as report;
+use crate::scenario::Scenario;
+
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let measured = Measurements::of(scenario)?;
+    let found = measured.calibrate()?;
+    Ok(Outcome {
+        contradiction: found.contradiction.clone(),
+        ..Outcome::checked(warnings(&measured, &found), report::table(&found))
+    })
+}
+
+pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+    let measured = Measurements::of(scenario)?;
+    let found = measured.calibrate()?;
+    let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, command)?;
+    let mut files = vec![
+        file("summary.json", report::summary(&measured, &found, &provenance)?),
+        file("calibrated.toml", calibrated(scenario, &measured, &found)),
+        file("residuals.csv", report::residuals(&found)?),
+    ];
+    files.extend(report::posterior(&found)?.map(|csv| file("posterior.csv", csv)));
+    if !found.laws.is_empty() {
+        files.push(file("laws.csv", report::laws(&found)?));
+    }
+    files.extend(pictures(&found)?.into_iter().map(|(name, png)| file(&name, png)));
+    Ok(Outcome {
+        warnings: warnings(&measured, &found),
+        text: report::table(&found),
+        files,
+        contradiction: found.contradiction.clone(),
+    })
+}
+
+fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
+    let unbounded = |key: &crate::calibrate::Found| {
+        key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
+            format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
+        })
+    };
+    let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
+    let of_scene = measured.wanted.scene.warnings.iter().map(ToString::to_string);
+    of_scene.chain(refusal).chain(found.keys.iter().filter_map(unbounded)).collect()
+}
+
+/// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay.
+fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
+    // both were read before
+    let mut document: DocumentMut = scenario.document.text().parse().unwrap_or_default();
+    for text in scenario.document.settings() {
+        if let Ok(change) = text.parse::<DocumentMut>() {
+            merge(document.as_table_mut(), change.as_table());
+        }
+    }
+    document.remove("calibrate");
+    for key in &found.keys {
+        set(&mut document, key.free.key.path, value(key.estimate));
+    }
+    for (key, path) in scenario.files() {
+        if let Ok(path) = absolute(path) {
+            set(&mut document, key, value(path.display().to_string()));
+        }
+    }
+    let data = &measured.data;
+    if data.is_curve() {
+        let deepest = data.rows.iter().filter_map(|row| row.indentation).fold(0.0, f64::max);
+        let steps = format!("[{{ indentation = {deepest:?} }}, {{ load = 0.0 }}]");
+        document.remove("impact");
+        set(&mut document, "indentation.steps", steps.parse::<toml_edit::Value>().map_or(Item::None, value));
+    } else if found.fit.problem.scene.speed.is_nan() {
+        let mut speeds = found.fit.problem.speeds();
+        speeds.sort_by(f64::total_cmp);
+        set(&mut document, "impact.speed", value(speeds[speeds.len() / 2]));
+    }
+    document.to_string()
+}
+
+/// Puts a value where its path says; what stood there loses its place, not its comment.
+fn set(document: &mut DocumentMut, path: &str, new: Item) {
+    let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
+    for part in tables.split('.').filter(|part| !part.is_empty()) {
+        let inner = table.entry(part).or_insert_with(|| Item::Table(Table::new()));
+        let Some(inner) = inner.as_table_like_mut() else { return };
+        table = inner;
+    }
+    let decor = table.get(name).and_then(Item::as_value).map(|old| old.decor().clone());
+    let mut new = new;
+    if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
+        *value.decor_mut() = decor;
+    }
+    table.insert(name, new);
+}
+
+/// What the command line changes. A scenario has one law: another one takes its place.
+fn merge(into: &mut dyn toml_edit::TableLike, from: &dyn toml_edit::TableLike) {
+    for (name, item) in from.iter() {
+        if name == "law" {
+            let mut law = Table::new();
+            law.set_implicit(true);
+            match item.as_str() {
+                Some(name) => {
+                    let mut keys = Table::new();
+                    let halves = name.split_once('+');
+                    for (half, name) in halves.into_iter().flat_map(|(one, two)| [("loading", one), ("unloading", two)])
+                    {
+                        keys.insert(half, value(name.trim()));
+                    }
+                    law.insert(halves.map_or(name.trim(), |_| "combined"), Item::Table(keys));
+                }
+                None => merge(&mut law, item.as_table_like().unwrap_or(&Table::new())),
+            }
+            into.insert(name, Item::Table(law));
+            continue;
+        }
+        match (into.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
+            (Some(old), Some(new)) => merge(old, new),
+            _ => drop(into.insert(name, item.clone())),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! `[calibrate]`: keys that are found from measurements.
+
+use std::path::PathBuf;
+
+use super::{Kind, NEEDED, Scenario, ScenarioError};
+use crate::impact::Method;
+use crate::law::LawChoice;
+use crate::plan::axis::{Axis, Values};
+use crate::plan::free::Free;
+use crate::plan::{Cases, Plan};
+use crate::scene::{Key, Scene};
+
+/// Where the measurements are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// In a file.
+    File(PathBuf),
+    /// In `[calibrate.measured]`: names and values, SI, of one impact.
+    Numbers(Vec<(String, f64)>),
+}
+
+/// What a `[calibrate]` comes to. Plain numbers in SI, all of them checked.
+#[derive(Debug, Clone)]
+pub struct Wanted {
+    /// The scene, with the lower ends of the keys that are wanted; without a speed where the scenario gives none.
+    pub scene: Scene,
+    /// The keys that are wanted: one or two.
+    pub free: Vec<Free>,
+    /// The measurements.
+    pub source: Source,
+    /// Standard deviations by the name of the measurement.
+    pub deviations: Vec<(String, f64)>,
+    /// Error of the law, as a share of each value.
+    pub model_error: f64,
+    /// Whether the noise is to be estimated, whatever the data say of it.
+    pub is_estimated: bool,
+    /// Whether outliers are expected.
+    pub is_robust: bool,
+    /// Laws that are fitted too.
+    pub laws: Vec<LawChoice>,
+}
+
+/// The key that is wanted where the scenario names none, and its range over the modulus of the half-space.
+const STRENGTH: (&str, [f64; 2]) = ("half_space.yield_strength", [1e-5, 0.1]);
+
+impl Scenario {
+    /// What is to be found, and from what.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] where keys contradict each other or something is missing.
+    pub fn wanted(&self) -> Result<Wanted, ScenarioError> {
+        self.refuse_columns("a calibration")?;
+        if self.kind()? != Kind::Calibrate {
+            return Err(self.document.refuse("", NO_TABLE.to_owned()));
+        }
+        let mut scene = self.put_together(BODIES)?;
+        if self.method().is_none() {
+            scene.solver.method = Method::Auto;
+        }
+        let free = self.free(&scene);
+        for free in &free {
+            (free.key.set)(&mut scene, free.from);
+        }
+        let own = |name: &String| match LawChoice::from_name(name) {
+            Some(law) if law.name() != scene.law.name() => law,
+            // the law that the scenario names has its parameters from there
+            _ => scene.law.clone(),
+        };
+        let laws: Vec<LawChoice> = self.entries.texts("calibrate.laws").unwrap_or_default().iter().map(own).collect();
+        if self.flow()?.is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
+            let message = "only the law plm knows hardening: leave out half_space.flow_stress, or the other laws";
+            return Err(self.document.refuse("calibrate.laws", message.to_owned()));
+        }
+        let numbers = |table: &str| {
+            let number = |name: &str| Some((name.to_owned(), self.entries.number(&format!("{table}.{name}"))?));
+            self.entries.keys_in(table).filter_map(number).collect::<Vec<_>>()
+        };
+        let (model, deviations) = numbers("calibrate.noise").into_iter().partition(|(name, _)| name == "model");
+        let (model, deviations): (Vec<_>, Vec<_>) = (model, deviations);
+        Ok(Wanted {
+            source: self.measurements(numbers("calibrate.measured"))?,
+            free,
+            deviations,
+            model_error: model.first().map_or(0.0, |(_, share)| *share),
+            is_estimated: self.entries.text("calibrate.noise").is_some(),
+            is_robust: self.entries.text("calibrate.robust") == Some("student-t"),
+            laws,
+            scene,
+        })
+    }
+
+    fn measurements(&self, measured: Vec<(String, f64)>) -> Result<Source, ScenarioError> {
+        match (self.entries.text("calibrate.data"), measured.is_empty()) {
+            (Some(path), true) => Ok(Source::File(self.directory.join(path))),
+            (Some(_), false) => {
+                let message = "[calibrate.measured] is given too; write only one of the two";
+                Err(self.document.refuse("calibrate.data", message.to_owned()))
+            }
+            (None, false) => Ok(Source::Numbers(measured)),
+            (None, true) => {
+                let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";
+                Err(self.document.refuse("calibrate", message.to_owned()))
+            }
+        }
+    }
+
+    fn free(&self, scene: &Scene) -> Vec<Free> {
+        let given = self.entries.free.iter().flatten();
+        let given = given.filter_map(|&(path, from, to, is_logarithmic)| {
+            Some(Free { key: Key::find(path)?, from, to, is_logarithmic })
+        });
+        let given: Vec<Free> = given.collect();
+        if !given.is_empty() {
+            return given;
+        }
+        let (path, [low, high]) = STRENGTH;
+        let modulus = scene.half_space.material.youngs_modulus;
+        let key = Key::find(path).into_iter();
+        key.map(|key| Free { key, from: low * modulus, to: high * modulus, is_logarithmic: true }).collect()
+    }
+
+    /// Refuses keys that are wanted, or columns of the data, that change nothing, and impacts that lack a speed or a mass.
+    ///
+    /// # Errors
+    /// [`ScenarioError`].
+    pub fn check_varied(
+        &self,
+        wanted: &Wanted,
+        columns: &[&'static Key],
+        is_of_impacts: bool,
+    ) -> Result<(), ScenarioError> {
+        let refuse = |path: &str, message: String| {
+            let free = format!("calibrate.free.{path}");
+            let is_column = columns.iter().any(|key| key.path == path);
+            let (place, what) =
+                if is_column { ("calibrate.data", format!("its column {path} ")) } else { (&*free, String::new()) };
+            Err(self.document.refuse(if self.document.has(place) { place } else { path }, what + &message))
+        };
+        let axis = |key: &'static Key, value: f64| Axis::of_number(key, Values::List(vec![value]));
+        let axes = wanted.free.iter().map(|free| axis(free.key, free.from));
+        let axes: Vec<Axis> = axes.chain(columns.iter().map(|key| axis(key, 1.0))).collect();
+        let plan = Plan { scene: wanted.scene.clone(), cases: Cases::Grid(axes), columns: None };
+        let paths = plan.paths();
+        if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
+            return refuse(free.key.path, "is wanted, and the data give it: leave one of the two out".to_owned());
+        }
+        // a speed of the scenario is replaced by that of the data
+        let is_speed = |path: &str| path.starts_with("impact.");
+        if let Some((path, problem)) = self.contradicted(&paths).filter(|(path, _)| !is_speed(path)) {
+            return refuse(path, problem);
+        }
+        if let Some((path, problem)) = plan.unused() {
+            return refuse(path, problem.to_owned());
+        }
+        let has_speed = paths.iter().any(|path| is_speed(path));
+        if is_of_impacts {
+            self.need(&NEEDED[BODIES..if has_speed { NEEDED.len() - 1 } else { NEEDED.len() }])
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// How many of what an impact needs are of the bodies; mass and speed follow.
+const BODIES: usize = 5;
+const NO_TABLE: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";
