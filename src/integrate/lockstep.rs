@@ -6,6 +6,9 @@
 pub mod conservative;
 pub mod damped;
 
+use pulp::{Simd, WithSimd};
+
+use super::lanes::Wide;
 use super::{IntegrationError, Landing, Path, State};
 
 /// Motions that step together.
@@ -52,18 +55,64 @@ pub trait Lanes {
     fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed>;
 }
 
-/// The registers of a row from `$first` on.
-macro_rules! load {
-    ($row:expr, $simd:ident, $first:ident) => {
-        $crate::integrate::lanes::Wide::<S, { $crate::integrate::lockstep::REGISTERS }>::load(
-            $simd,
-            &S::as_simd_f64s(&$row).0[$first..],
-        )
-    };
+/// The numbers of one lane.
+#[inline(always)]
+fn of_lane<const N: usize>(rows: &[Row; N], lane: usize) -> [f64; N] {
+    std::array::from_fn(|part| rows[part][lane])
 }
-macro_rules! store {
-    ($value:expr, $row:expr, $first:ident) => {
-        $value.store(&mut S::as_mut_simd_f64s(&mut $row).0[$first..])
-    };
+
+#[inline(always)]
+fn put<const N: usize>(rows: &mut [Row; N], lane: usize, numbers: [f64; N]) {
+    for (row, number) in rows.iter_mut().zip(numbers) {
+        row[lane] = number;
+    }
 }
-use {load, store};
+
+/// What is done to the rows of all lanes, some registers of each at a time.
+trait Kernel {
+    fn run<S: Simd>(&mut self, at: At<S>);
+}
+
+/// A kernel on all lanes.
+struct AllLanes<K>(K);
+
+impl<K: Kernel> WithSimd for AllLanes<K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) {
+        let mut first = 0;
+        while first + REGISTERS <= LANES / S::F64_LANES {
+            self.0.run(At { simd, first });
+            first += REGISTERS;
+        }
+    }
+}
+
+/// Which registers of each row.
+#[derive(Clone, Copy)]
+struct At<S> {
+    simd: S,
+    first: usize,
+}
+
+impl<S: Simd> At<S> {
+    #[inline(always)]
+    fn load(self, row: &Row) -> Wide<S, REGISTERS> {
+        Wide::load(self.simd, &S::as_simd_f64s(row).0[self.first..])
+    }
+
+    #[inline(always)]
+    fn load_all<const N: usize>(self, rows: &[Row; N]) -> [Wide<S, REGISTERS>; N] {
+        let mut loaded = [self.load(&rows[0]); N];
+        for i in 1..N {
+            loaded[i] = self.load(&rows[i]);
+        }
+        loaded
+    }
+
+    #[inline(always)]
+    fn store(self, value: Wide<S, REGISTERS>, row: &mut Row) {
+        value.store(&mut S::as_mut_simd_f64s(row).0[self.first..]);
+    }
+}

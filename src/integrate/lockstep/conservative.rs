@@ -1,9 +1,9 @@
 //! Lanes of rk8 without drag and pull, on straight and Hertz pieces. Tables use them with `method = "rk8"` only: the closed
 //! forms are 4 to 10 times faster.
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Simd};
 
-use super::{LANES, Landed, Lanes, REGISTERS, Row, Started, load, store};
+use super::{AllLanes, At, Kernel, LANES, Landed, Lanes, Row, Started, of_lane, put};
 use crate::integrate::landing::{AT_END, Node, Target};
 use crate::integrate::lanes::Lane;
 use crate::integrate::piece::NoPull;
@@ -19,25 +19,22 @@ const LOOK: u64 = 1024;
 /// The state and the constants of every lane.
 #[derive(Debug, Clone, Default)]
 struct Rows {
-    y: Row,
-    u: Row,
-    g: Row,
-    t: Row,
+    /// y, u, g, t.
+    node: [Row; 4],
     h: Row,
-    a: Row,
-    b: Row,
-    c: Row,
-    is_straight: Row,
-    end: Row,
-    target_y: Row,
-    target_u: Row,
-    target_g: Row,
-    direction: Row,
-    inverse_y: Row,
-    inverse_u: Row,
-    left_out_squared: Row,
+    /// The parts of [`Mixed`].
+    field: [Row; 4],
+    /// The parts of [`Target`], and then the others of [`Constants`].
+    leg: [Row; 8],
     /// 0 on the way, else the kind of landing.
     landed: Row,
+}
+
+impl Rows {
+    fn node(&self, lane: usize) -> Node<f64> {
+        let [y, u, g, t] = of_lane(&self.node, lane);
+        Node { y, u, g, t }
+    }
 }
 
 /// The lanes.
@@ -69,31 +66,28 @@ impl Lanes for Conservative {
             return Started::Foreign;
         }
         let rows = &mut *self.rows;
-        let (leg, node, h) = match path.restoring {
+        let (field, (leg, node, h)) = match path.restoring {
             Restoring::Straight { at_start: a, slope: b } => {
-                (rows.a[lane], rows.b[lane], rows.c[lane], rows.is_straight[lane]) = (a, b, 0.0, 1.0);
-                self.rk8.begin(Straight::new(a, b, NoPull), path, state)
+                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::new(a, b, NoPull), path, state))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 let hertz = Hertz::new(coefficient, NoPull);
-                (rows.a[lane], rows.b[lane], rows.c[lane], rows.is_straight[lane]) = (0.0, 0.0, hertz.c, 0.0);
-                self.rk8.begin(hertz, path, state)
+                ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, state))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
         };
-        (rows.y[lane], rows.u[lane], rows.g[lane], rows.t[lane], rows.h[lane]) = (node.y, node.u, node.g, node.t, h);
-        let target = leg.target;
-        (rows.end[lane], rows.target_y[lane], rows.target_u[lane]) = (target.end, target.y, target.u);
-        (rows.target_g[lane], rows.direction[lane]) = (target.g, target.direction);
-        (rows.inverse_y[lane], rows.inverse_u[lane], rows.left_out_squared[lane]) =
-            (leg.inverse_y, leg.inverse_u, leg.left_out_squared);
+        put(&mut rows.field, lane, field);
+        put(&mut rows.node, lane, [node.y, node.u, node.g, node.t]);
+        rows.h[lane] = h;
+        let Target { end, y, u, g, direction } = leg.target;
+        put(&mut rows.leg, lane, [end, y, u, g, direction, leg.inverse_y, leg.inverse_u, leg.left_out_squared]);
         self.begun[lane] = Some(self.steps);
         Started::UnderWay
     }
 
     #[inline]
     fn step(&mut self) -> bool {
-        self.arch.dispatch(Kernel(&mut self.rows));
+        self.arch.dispatch(AllLanes(Stepping(&mut self.rows)));
         self.steps += 1;
         self.steps.is_multiple_of(LOOK) || self.rows.landed.iter().any(|landed| *landed != 0.0)
     }
@@ -105,15 +99,15 @@ impl Lanes for Conservative {
             if !self.steps.is_multiple_of(LOOK) {
                 return None;
             }
-            let is_number =
-                [rows.y[lane], rows.u[lane], rows.t[lane], rows.h[lane]].iter().all(|part| part.is_finite());
+            let Node { y, u, t, .. } = rows.node(lane);
+            let is_number = [y, u, t, rows.h[lane]].iter().all(|part| part.is_finite());
             self.begun[lane].take_if(|begun| !is_number || self.steps - *begun >= MOST_STEPS)?;
             // by itself it says what is wrong, or does not fail
             let mut state = *begun;
             return Some(self.rk8.traverse(path, &mut state, None).map(|landing| (landing, state)));
         }
         self.begun[lane].take()?;
-        let node = Node { y: rows.y[lane], u: rows.u[lane], g: rows.g[lane], t: rows.t[lane] };
+        let node = rows.node(lane);
         let landing = if rows.landed[lane] == AT_END { Landing::End } else { Landing::Turning };
         let state = match path.restoring {
             Restoring::Straight { at_start, slope } => {
@@ -135,45 +129,26 @@ impl Lanes for Conservative {
 }
 
 /// One step of all lanes.
-struct Kernel<'a>(&'a mut Rows);
+struct Stepping<'a>(&'a mut Rows);
 
-impl WithSimd for Kernel<'_> {
-    type Output = ();
-
+impl Kernel for Stepping<'_> {
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let rows = self.0;
-        let mut first = 0;
-        while first + REGISTERS <= S::as_simd_f64s(&rows.h).0.len() {
-            macro_rules! row {
-                ($row:ident) => {
-                    load!(rows.$row, simd, first)
-                };
-            }
-            let now = Node { y: row!(y), u: row!(u), g: row!(g), t: row!(t) };
-            let field = Mixed { a: row!(a), b: row!(b), c: row!(c), is_straight: row!(is_straight) };
-            let target = Target {
-                end: row!(end),
-                y: row!(target_y),
-                u: row!(target_u),
-                g: row!(target_g),
-                direction: row!(direction),
-            };
-            let leg = Constants {
-                target,
-                inverse_y: row!(inverse_y),
-                inverse_u: row!(inverse_u),
-                left_out_squared: row!(left_out_squared),
-            };
-            let (node, next_h, kind) = step(field, &leg, &now, row!(h));
-            store!(node.y, rows.y, first);
-            store!(node.u, rows.u, first);
-            store!(node.g, rows.g, first);
-            store!(node.t, rows.t, first);
-            store!(next_h, rows.h, first);
-            store!(kind, rows.landed, first);
-            first += REGISTERS;
+    fn run<S: Simd>(&mut self, at: At<S>) {
+        let rows = &mut *self.0;
+        let [y, u, g, t] = at.load_all(&rows.node);
+        let [a, b, c, is_straight] = at.load_all(&rows.field);
+        let [end, target_y, target_u, target_g, direction, inverse_y, inverse_u, left_out_squared] =
+            at.load_all(&rows.leg);
+        let target = Target { end, y: target_y, u: target_u, g: target_g, direction };
+        let leg = Constants { target, inverse_y, inverse_u, left_out_squared };
+        let field = Mixed { a, b, c, is_straight };
+        let (node, next_h, kind) = step(field, &leg, &Node { y, u, g, t }, at.load(&rows.h));
+        let parts = [node.y, node.u, node.g, node.t];
+        for part in 0..4 {
+            at.store(parts[part], &mut rows.node[part]);
         }
+        at.store(next_h, &mut rows.h);
+        at.store(kind, &mut rows.landed);
     }
 }
 

@@ -6,9 +6,9 @@ mod rows;
 
 use pulp::Arch;
 
-use super::{LANES, Landed, Lanes, Started};
+use super::{AllLanes, LANES, Landed, Lanes, Started, put};
 use crate::integrate::damped::finish;
-use crate::integrate::damped::run::{Progress, Run, Verdict, least_share};
+use crate::integrate::damped::run::{Limits, Progress, Run, Verdict, least_share};
 use crate::integrate::piece::power::DraggedHertz;
 use crate::integrate::piece::straight::DraggedStraight;
 use crate::integrate::{Drag, Landing, Path, Restoring, State};
@@ -85,19 +85,16 @@ impl<const M: u8> Lanes for Damped<M> {
         };
         rows.pull[lane] = path.pull;
         rows.put(lane, &run);
-        for (row, size) in rows.inverse_sizes.iter_mut().zip(run.inverse_sizes) {
-            row[lane] = size;
-        }
-        let limits = run.limits();
-        (rows.direction[lane], rows.end[lane]) = (limits.direction, limits.end);
-        (rows.lifts_off[lane], rows.rests[lane]) = (limits.lifts_off, limits.rests);
+        put(&mut rows.inverse_sizes, lane, run.inverse_sizes);
+        let Limits { direction, end, lifts_off, rests } = run.limits();
+        put(&mut rows.limits, lane, [direction, end, lifts_off, rests]);
         self.ways[lane] = Some((run, piece));
         Started::UnderWay
     }
 
     fn step(&mut self) -> bool {
         let rows = &mut *self.rows;
-        self.arch.dispatch(Stepping::<M>(rows));
+        self.arch.dispatch(AllLanes(Stepping::<M>(rows)));
         // the slow functions in loops of their own, so that those of one lane overlap those of the next
         let mut marching = [0; LANES];
         let mut count = 0;
@@ -115,7 +112,7 @@ impl<const M: u8> Lanes for Damped<M> {
         if self.steps.is_multiple_of(MOST_UNTOLD) {
             rows.clear = [0.0; LANES];
         } else {
-            self.arch.dispatch(Onward(rows));
+            self.arch.dispatch(AllLanes(Onward(rows)));
         }
         true
     }

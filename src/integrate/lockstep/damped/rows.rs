@@ -1,13 +1,12 @@
 //! The numbers of every lane side by side, and what is done to all of them at once.
 
-use pulp::{Simd, WithSimd};
+use pulp::Simd;
 
-use super::super::{REGISTERS, Row, load, store};
+use super::super::{At, Kernel, Row, of_lane, put};
 use crate::integrate::Drag;
 use crate::integrate::damped::run::{Limits, Run, longer};
 use crate::integrate::dop853::{self, Step};
 use crate::integrate::lanes::Lane;
-use crate::integrate::piece::Quad;
 use crate::integrate::piece::mixed::DraggedMixed;
 use crate::integrate::piece::power::DraggedHertz;
 use crate::integrate::piece::straight::DraggedStraight;
@@ -32,10 +31,8 @@ pub(super) struct Rows {
     pub(super) third: Row,
     pub(super) error: Row,
     pub(super) pace: Row,
-    pub(super) direction: Row,
-    pub(super) end: Row,
-    pub(super) lifts_off: Row,
-    pub(super) rests: Row,
+    /// The parts of [`Limits`].
+    pub(super) limits: [Row; 4],
     /// 1 in a lane whose next step is under error control, else 0.
     pub(super) marches: Row,
     /// 1 if no event lies in the step; after [`Onward`], 1 if it was also accepted, and the lane need not be told.
@@ -48,10 +45,8 @@ impl Rows {
     /// From where a lane steps next, and how far.
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, run: &Run) {
-        for part in 0..4 {
-            self.node[part][lane] = run.node[part];
-            self.rates[part][lane] = run.rates[part];
-        }
+        put(&mut self.node, lane, run.node);
+        put(&mut self.rates, lane, run.rates);
         self.put_length(lane, run);
     }
 
@@ -67,107 +62,63 @@ impl Rows {
     pub(super) fn catch_up(&self, lane: usize, run: &mut Run) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count
         let untold = self.untold[lane] as u64;
-        run.has_gone_on(at(&self.node, lane), at(&self.rates, lane), self.h[lane], untold);
+        run.has_gone_on(of_lane(&self.node, lane), of_lane(&self.rates, lane), self.h[lane], untold);
     }
 
     #[inline(always)]
     pub(super) fn step_of(&self, lane: usize) -> Step {
-        let (node, rates) = (at(&self.next, lane), at(&self.next_rates, lane));
+        let (node, rates) = (of_lane(&self.next, lane), of_lane(&self.next_rates, lane));
         Step { node, rates, fifth: self.fifth[lane], third: self.third[lane] }
     }
-}
-
-#[inline(always)]
-fn at(rows: &[Row; 4], lane: usize) -> Quad {
-    [rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]]
-}
-
-macro_rules! load4 {
-    ($rows:expr, $simd:ident, $first:ident) => {
-        [
-            load!($rows[0], $simd, $first),
-            load!($rows[1], $simd, $first),
-            load!($rows[2], $simd, $first),
-            load!($rows[3], $simd, $first),
-        ]
-    };
 }
 
 /// One step of all lanes.
 pub(super) struct Stepping<'a, const M: u8>(pub(super) &'a mut Rows);
 
-impl<const M: u8> WithSimd for Stepping<'_, M> {
-    type Output = ();
-
+impl<const M: u8> Kernel for Stepping<'_, M> {
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let rows = self.0;
-        let mut first = 0;
-        while first + REGISTERS <= S::as_simd_f64s(&rows.h).0.len() {
-            macro_rules! row {
-                ($row:expr) => {
-                    load!($row, simd, first)
-                };
-            }
-            let (drag, pull) = (Drag { chi: row!(rows.chi), eta: row!(rows.c) }, row!(rows.pull));
-            let motion = DraggedMixed {
-                straight: DraggedStraight { a: row!(rows.a), b: row!(rows.b), drag, pull },
-                hertz: DraggedHertz::<M, _> { k: row!(rows.k), drag, pull },
-                is_straight: row!(rows.is_straight),
-            };
-            let sizes = [row!(rows.inverse_sizes[0]), row!(rows.inverse_sizes[1]), row!(rows.inverse_sizes[2])];
-            let (node, rates) = (load4!(rows.node, simd, first), load4!(rows.rates, simd, first));
-            let next = dop853::step(motion, &node, &rates, row!(rows.h), &sizes);
-            let limits = Limits {
-                direction: row!(rows.direction),
-                end: row!(rows.end),
-                lifts_off: row!(rows.lifts_off),
-                rests: row!(rows.rests),
-            };
-            let is_clear =
-                limits.is_clear(&next, motion.contact(&node, &rates), motion.contact(&next.node, &next.rates));
-            store!(is_clear * row!(rows.marches), rows.clear, first);
-            for part in 0..4 {
-                store!(next.node[part], rows.next[part], first);
-                store!(next.rates[part], rows.next_rates[part], first);
-            }
-            store!(next.fifth, rows.fifth, first);
-            store!(next.third, rows.third, first);
-            first += REGISTERS;
+    fn run<S: Simd>(&mut self, at: At<S>) {
+        let rows = &mut *self.0;
+        let (drag, pull) = (Drag { chi: at.load(&rows.chi), eta: at.load(&rows.c) }, at.load(&rows.pull));
+        let motion = DraggedMixed {
+            straight: DraggedStraight { a: at.load(&rows.a), b: at.load(&rows.b), drag, pull },
+            hertz: DraggedHertz::<M, _> { k: at.load(&rows.k), drag, pull },
+            is_straight: at.load(&rows.is_straight),
+        };
+        let (node, rates) = (at.load_all(&rows.node), at.load_all(&rows.rates));
+        let next = dop853::step(motion, &node, &rates, at.load(&rows.h), &at.load_all(&rows.inverse_sizes));
+        let [direction, end, lifts_off, rests] = at.load_all(&rows.limits);
+        let limits = Limits { direction, end, lifts_off, rests };
+        let is_clear = limits.is_clear(&next, motion.contact(&node, &rates), motion.contact(&next.node, &next.rates));
+        at.store(is_clear * at.load(&rows.marches), &mut rows.clear);
+        for part in 0..4 {
+            at.store(next.node[part], &mut rows.next[part]);
+            at.store(next.rates[part], &mut rows.next_rates[part]);
         }
+        at.store(next.fifth, &mut rows.fifth);
+        at.store(next.third, &mut rows.third);
     }
 }
 
 /// Takes the steps that are accepted and have passed nothing.
 pub(super) struct Onward<'a>(pub(super) &'a mut Rows);
 
-impl WithSimd for Onward<'_> {
-    type Output = ();
-
+impl Kernel for Onward<'_> {
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let rows = self.0;
-        let mut first = 0;
-        while first + REGISTERS <= S::as_simd_f64s(&rows.h).0.len() {
-            macro_rules! row {
-                ($row:expr) => {
-                    load!($row, simd, first)
-                };
-            }
-            let h = row!(rows.h);
-            let (zero, one) = (h.all(0.0), h.all(1.0));
-            let goes_on = row!(rows.error).if_less(one, row!(rows.clear), zero);
-            for part in 0..4 {
-                let node = zero.if_less(goes_on, row!(rows.next[part]), row!(rows.node[part]));
-                let rates = zero.if_less(goes_on, row!(rows.next_rates[part]), row!(rows.rates[part]));
-                store!(node, rows.node[part], first);
-                store!(rates, rows.rates[part], first);
-            }
-            let length = zero.if_less(goes_on, longer(h, row!(rows.pace)), h);
-            store!(length, rows.h, first);
-            store!(row!(rows.untold) + goes_on, rows.untold, first);
-            store!(goes_on, rows.clear, first);
-            first += REGISTERS;
+    fn run<S: Simd>(&mut self, at: At<S>) {
+        let rows = &mut *self.0;
+        let h = at.load(&rows.h);
+        let (zero, one) = (h.all(0.0), h.all(1.0));
+        let goes_on = at.load(&rows.error).if_less(one, at.load(&rows.clear), zero);
+        for part in 0..4 {
+            let node = zero.if_less(goes_on, at.load(&rows.next[part]), at.load(&rows.node[part]));
+            let rates = zero.if_less(goes_on, at.load(&rows.next_rates[part]), at.load(&rows.rates[part]));
+            at.store(node, &mut rows.node[part]);
+            at.store(rates, &mut rows.rates[part]);
         }
+        let length = zero.if_less(goes_on, longer(h, at.load(&rows.pace)), h);
+        at.store(length, &mut rows.h);
+        at.store(at.load(&rows.untold) + goes_on, &mut rows.untold);
+        at.store(goes_on, &mut rows.clear);
     }
 }
