@@ -139,7 +139,7 @@ impl Law {
     #[must_use]
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
-            ElasticApproach::Published(law) => law.elastic_approach(&self.loading, x, force),
+            ElasticApproach::Published(law) => law.elastic_approach(x, force),
             ElasticApproach::Reloaded(reloaded) => reloaded.elastic_approach(x, force),
             _ => self.plain_elastic_approach(x, force),
         }
@@ -179,7 +179,7 @@ impl Law {
     #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
         match &self.elastic {
-            ElasticApproach::Published(law) => law.unloading(&self.loading, peak),
+            ElasticApproach::Published(law) => law.unloading(peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.unloading(peak),
             _ => self.plain_unloading(peak, self.loading.work(peak.indentation)),
         }
@@ -223,7 +223,7 @@ impl Law {
         match &self.elastic {
             ElasticApproach::All => f64::INFINITY,
             ElasticApproach::Line(_) | ElasticApproach::Hardening(_) | ElasticApproach::FixedStiffness(_) => 1.0,
-            ElasticApproach::Published(law) => law.elastic_until,
+            ElasticApproach::Published(law) => law.loading.elastic_until,
             ElasticApproach::Reloaded(reloaded) => reloaded.branch.peak.indentation,
         }
     }
@@ -231,13 +231,11 @@ impl Law {
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
     #[must_use]
     pub fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
-        let law = match &self.elastic {
-            ElasticApproach::Published(law) => law,
-            ElasticApproach::Reloaded(reloaded) => return reloaded.outside_stated(peak),
-            _ => return None,
-        };
-        let is_inside = |(from, to): (f64, f64)| (from..=to).contains(&peak.indentation);
-        law.stated.filter(|range| peak.indentation > law.elastic_until && !is_inside(*range))
+        match &self.elastic {
+            ElasticApproach::Published(law) => law.outside_stated(peak),
+            ElasticApproach::Reloaded(reloaded) => reloaded.outside_stated(peak),
+            _ => None,
+        }
     }
 
     /// Largest a/R of the finite elements behind the law.
@@ -271,7 +269,7 @@ impl Law {
     #[inline]
     pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
         match &self.elastic {
-            ElasticApproach::Published(law) => law.accept(&self.loading, peak),
+            ElasticApproach::Published(law) => law.accept(peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.accept(peak),
             _ => Ok(()),
         }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Recovered, RecoveryRule};
 
 /// The unloading of Brake.
 ///
@@ -23,23 +23,17 @@ use super::published::{Loading, Recovered, RecoveryRule};
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Brake;
 
-static ABOUT: About = About {
-    name: "brake",
-    title: "Brake 2015",
-    source: "Int. J. Solids Struct. 62, 104",
-    loading: "none",
-    unloading: "Hertz with delta_m - delta_r = delta_m F_m/F_Hertz(delta_m)",
-    validity: "behind its own loading, which is not public in full",
-    confidence: "high (unloading)",
-};
-
 impl ContactLaw for Brake {
     fn about(&self) -> &'static About {
-        &ABOUT
-    }
-
-    fn loading(&self, _: &Bodies) -> Option<Loading> {
-        None
+        &About {
+            name: "brake",
+            title: "Brake 2015",
+            source: "Int. J. Solids Struct. 62, 104",
+            loading: "none",
+            unloading: "Hertz with delta_m - delta_r = delta_m F_m/F_Hertz(delta_m)",
+            validity: "behind its own loading, which is not public in full",
+            confidence: "high (unloading)",
+        }
     }
 
     fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {

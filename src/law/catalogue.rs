@@ -158,19 +158,17 @@ pub struct Combined {
     pub unloading: Box<LawChoice>,
 }
 
-static ABOUT: About = About {
-    name: "combined",
-    title: "Loading of one law, unloading of another",
-    source: "those of its halves",
-    loading: "named by `loading`",
-    unloading: "named by `unloading`",
-    validity: "those of its halves",
-    confidence: "the lower of its halves",
-};
-
 impl ContactLaw for Combined {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "combined",
+            title: "Loading of one law, unloading of another",
+            source: "those of its halves",
+            loading: "named by `loading`",
+            unloading: "named by `unloading`",
+            validity: "those of its halves",
+            confidence: "the lower of its halves",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -2,9 +2,8 @@
 
 use std::fmt::Debug;
 
-use super::plm::{RadiusGeometry, RadiusRatio};
 use super::published::{Loading, OutsideLaw, Published, RecoveryRule};
-use super::{ElasticApproach, Law, UnloadingExponent};
+use super::{ElasticApproach, Law};
 use crate::material::{HalfSpace, Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
@@ -90,7 +89,9 @@ pub trait ContactLaw: Debug {
     fn about(&self) -> &'static About;
 
     /// Its loading for these bodies, in units of δ_Y and F_Y by C_ν; `None` for a law of unloading only.
-    fn loading(&self, bodies: &Bodies) -> Option<Loading>;
+    fn loading(&self, _: &Bodies) -> Option<Loading> {
+        None
+    }
 
     /// Its unloading for these bodies; `None` for a law of loading only.
     fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule>;
@@ -112,13 +113,9 @@ pub trait ContactLaw: Debug {
 
 /// A law from two halves.
 fn assemble(loading: Loading, recovery: RecoveryRule) -> Law {
-    let Loading { curve, elastic_until, holds_until, stated, radius } = loading;
-    let published = Published { elastic_until, holds_until, stated, radius, recovery };
     Law {
-        loading: curve,
-        elastic: ElasticApproach::Published(Box::new(published)),
-        radius_ratio: RadiusRatio::default(),
-        radius_geometry: RadiusGeometry::default(),
-        exponent: UnloadingExponent::Paper,
+        loading: loading.curve.clone(),
+        elastic: ElasticApproach::Published(Box::new(Published { loading, recovery })),
+        ..Law::hertz()
     }
 }

@@ -26,19 +26,17 @@ use crate::math::functions::pow;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Hertz;
 
-static ABOUT: About = About {
-    name: "hertz",
-    title: "Hertz 1882",
-    source: "J. reine angew. Math. 92, 156",
-    loading: "f = x^1.5, elastic without end",
-    unloading: "Hertz with the radius of the sphere (as a half: Sathuvalli 2016)",
-    validity: "elastic bodies, a << R",
-    confidence: "high",
-};
-
 impl ContactLaw for Hertz {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "hertz",
+            title: "Hertz 1882",
+            source: "J. reine angew. Math. 92, 156",
+            loading: "f = x^1.5, elastic without end",
+            unloading: "Hertz with the radius of the sphere (as a half: Sathuvalli 2016)",
+            validity: "elastic bodies, a << R",
+            confidence: "high",
+        }
     }
 
     fn loading(&self, _: &Bodies) -> Option<Loading> {

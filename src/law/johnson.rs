@@ -32,16 +32,6 @@ pub struct Johnson {
     pub dynamic_pressure: Option<f64>,
 }
 
-static ABOUT: About = About {
-    name: "johnson",
-    title: "Johnson 1985",
-    source: "Contact Mechanics, Cambridge University Press, ch. 11.5",
-    loading: "rigid-plastic: constant pressure, a^2 = 2 R delta",
-    unloading: "Hertz from the contact radius: delta_m - delta_r = 3 F_m/(4 E* a_m)",
-    validity: "far beyond yield; refused where e would be above 1",
-    confidence: "medium-high",
-};
-
 /// Closed-form e.
 #[must_use]
 pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, radius: f64, speed: f64) -> f64 {
@@ -52,7 +42,15 @@ pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, rad
 
 impl ContactLaw for Johnson {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "johnson",
+            title: "Johnson 1985",
+            source: "Contact Mechanics, Cambridge University Press, ch. 11.5",
+            loading: "rigid-plastic: constant pressure, a^2 = 2 R delta",
+            unloading: "Hertz from the contact radius: delta_m - delta_r = 3 F_m/(4 E* a_m)",
+            validity: "far beyond yield; refused where e would be above 1",
+            confidence: "medium-high",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -47,16 +47,6 @@ pub struct KogutEtsion {
     pub jumps: Jumps,
 }
 
-static ABOUT: About = About {
-    name: "kogut_etsion",
-    title: "Kogut and Etsion 2002, Etsion, Kligerman and Kadin 2005",
-    source: "J. Appl. Mech. 69, 657; Int. J. Solids Struct. 42, 3716",
-    loading: "Hertz, two power fits, fully plastic beyond 110 (users' extension)",
-    unloading: "fitted residual indentation, exponent 1.5 x^-0.0331",
-    validity: "up to 110 yield indentations",
-    confidence: "high (loading), medium (unloading exponents from memory)",
-};
-
 /// H/σ_Y.
 const HARDNESS: f64 = 2.8;
 const PIECES: [(f64, f64); 2] = [(1.03, 1.425), (1.40, 1.263)];
@@ -71,7 +61,15 @@ impl KogutEtsion {
 
 impl ContactLaw for KogutEtsion {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "kogut_etsion",
+            title: "Kogut and Etsion 2002, Etsion, Kligerman and Kadin 2005",
+            source: "J. Appl. Mech. 69, 657; Int. J. Solids Struct. 42, 3716",
+            loading: "Hertz, two power fits, fully plastic beyond 110 (users' extension)",
+            unloading: "fitted residual indentation, exponent 1.5 x^-0.0331",
+            validity: "up to 110 yield indentations",
+            confidence: "high (loading), medium (unloading exponents from memory)",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

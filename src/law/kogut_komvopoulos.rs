@@ -40,16 +40,6 @@ pub struct KogutKomvopoulos {
     pub jumps: Jumps,
 }
 
-static ABOUT: About = About {
-    name: "kogut_komvopoulos",
-    title: "Kogut and Komvopoulos 2004",
-    source: "J. Mater. Res. 19, 3641",
-    loading: "Hertz, logarithmic pressure and area, fully plastic at 2.9 strength",
-    unloading: "not public; that of Xie et al. 2024 with the PLM's elastic approach instead",
-    validity: "rigid sphere on an elastic-perfectly plastic half-space, delta << R",
-    confidence: "medium (from memory, checked at its limits)",
-};
-
 const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
 
@@ -92,7 +82,15 @@ impl KogutKomvopoulos {
 
 impl ContactLaw for KogutKomvopoulos {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "kogut_komvopoulos",
+            title: "Kogut and Komvopoulos 2004",
+            source: "J. Mater. Res. 19, 3641",
+            loading: "Hertz, logarithmic pressure and area, fully plastic at 2.9 strength",
+            unloading: "not public; that of Xie et al. 2024 with the PLM's elastic approach instead",
+            validity: "rigid sphere on an elastic-perfectly plastic half-space, delta << R",
+            confidence: "medium (from memory, checked at its limits)",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -44,16 +44,6 @@ impl Default for MaLiu {
     }
 }
 
-static ABOUT: About = About {
-    name: "ma_liu",
-    title: "Ma and Liu 2015",
-    source: "J. Appl. Mech. 82, 121006",
-    loading: "Hertz, x (c1 + c2 ln x) + c3 joined with equal slopes, then straight",
-    unloading: "Hertz with Thornton's radius, constant from full plasticity on",
-    validity: "unknown: hardness and transition ratio are parameters",
-    confidence: "low (form from memory, constants by continuity)",
-};
-
 /// x (c_1 + c_2 ln x) + c_3.
 static MIXED: Formula = Formula::new("ma_liu", mixed::<f64>, mixed::<Jet>, Some(mixed_integral));
 
@@ -87,7 +77,15 @@ impl MaLiu {
 
 impl ContactLaw for MaLiu {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "ma_liu",
+            title: "Ma and Liu 2015",
+            source: "J. Appl. Mech. 82, 121006",
+            loading: "Hertz, x (c1 + c2 ln x) + c3 joined with equal slopes, then straight",
+            unloading: "Hertz with Thornton's radius, constant from full plasticity on",
+            validity: "unknown: hardness and transition ratio are parameters",
+            confidence: "low (form from memory, constants by continuity)",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -160,80 +160,80 @@ pub enum OutsideLaw {
     },
 }
 
-/// The rules of a published law.
+/// A published law: both halves.
 #[derive(Clone)]
 pub struct Published {
-    /// x up to which loading is elastic.
-    pub elastic_until: f64,
-    /// x up to which a peak can be on the law.
-    pub holds_until: f64,
-    /// The range of x that the authors state.
-    pub stated: Option<(f64, f64)>,
-    /// a/a_Y at (x, f).
-    pub radius: RadiusRule,
+    /// How it loads.
+    pub loading: Loading,
     /// What a peak gives back.
     pub recovery: RecoveryRule,
 }
 
 impl fmt::Debug for Published {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Published").field("elastic_until", &self.elastic_until).finish_non_exhaustive()
+        self.loading.fmt(f)
     }
 }
 
 impl PartialEq for Published {
     fn eq(&self, other: &Self) -> bool {
-        self.elastic_until == other.elastic_until
-            && Arc::ptr_eq(&self.radius, &other.radius)
-            && Arc::ptr_eq(&self.recovery, &other.recovery)
+        Arc::ptr_eq(&self.loading.radius, &other.loading.radius) && Arc::ptr_eq(&self.recovery, &other.recovery)
     }
 }
 
 impl Published {
+    fn is_elastic(&self, x: f64) -> bool {
+        x <= self.loading.elastic_until
+    }
+
     /// By the law's own formulas.
-    fn recovered(&self, loading: &Curve, indentation: f64, force: f64) -> Recovered {
-        if indentation <= self.elastic_until {
+    fn recovered(&self, indentation: f64, force: f64) -> Recovered {
+        if self.is_elastic(indentation) {
             return Recovered::hertzian(indentation);
         }
-        let radius = (self.radius)(indentation, force);
-        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None, spent: loading.work(indentation) })
+        let Loading { curve, radius, .. } = &self.loading;
+        let (radius, spent) = (radius(indentation, force), curve.work(indentation));
+        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None, spent })
     }
 
     /// ε, at most x and at most what the work of loading allows.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
-    pub(super) fn elastic_approach(&self, loading: &Curve, x: f64, force: f64) -> f64 {
-        if x <= self.elastic_until {
-            return x;
-        }
-        self.recovered(loading, x, force).bounded(x, force, loading.work(x))
+    pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        if self.is_elastic(x) { x } else { self.recovered(x, force).bounded(x, force, self.loading.curve.work(x)) }
     }
 
     /// The branch from a peak.
     #[cold]
-    pub(super) fn unloading(&self, loading: &Curve, peak: Peak) -> Unloading {
-        let Recovered { exponent, shape, .. } = self.recovered(loading, peak.indentation, peak.force);
+    pub(super) fn unloading(&self, peak: Peak) -> Unloading {
+        let Recovered { exponent, shape, .. } = self.recovered(peak.indentation, peak.force);
         Unloading::new(peak, exponent, shape)
     }
 
     /// a/a_Y at a peak.
     #[cold]
     pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
-        if peak.indentation <= self.elastic_until {
+        if self.is_elastic(peak.indentation) {
             return peak.indentation.sqrt();
         }
-        (self.radius)(peak.indentation, peak.force)
+        (self.loading.radius)(peak.indentation, peak.force)
+    }
+
+    /// The range that its authors state, where a plastic peak is outside of it.
+    pub(super) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        let is_inside = |(from, to): (f64, f64)| (from..=to).contains(&peak.indentation);
+        self.loading.stated.filter(|range| !self.is_elastic(peak.indentation) && !is_inside(*range))
     }
 
     /// Whether the law has an answer for a peak.
     #[cold]
-    pub(super) fn accept(&self, loading: &Curve, peak: &Peak) -> Result<(), OutsideLaw> {
+    pub(super) fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
         let &Peak { indentation, force, .. } = peak;
-        if indentation <= self.elastic_until {
+        if self.is_elastic(indentation) {
             return Ok(());
         }
-        if indentation > self.holds_until {
+        if indentation > self.loading.holds_until {
             return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
         }
-        self.recovered(loading, indentation, force).accept(indentation, force, loading.work(indentation))
+        self.recovered(indentation, force).accept(indentation, force, self.loading.curve.work(indentation))
     }
 }

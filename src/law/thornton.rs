@@ -35,16 +35,6 @@ pub struct Thornton {
     pub yield_pressure: Option<f64>,
 }
 
-static ABOUT: About = About {
-    name: "thornton",
-    title: "Thornton 1997",
-    source: "J. Appl. Mech. 64, 383; Thornton and Ning 1998, Powder Technol. 99, 154",
-    loading: "Hertz, then straight: pressure capped at yield_pressure",
-    unloading: "Hertz with radius R_p(F_m)",
-    validity: "near yield; far beyond it the force is about a third of what finite elements give",
-    confidence: "high",
-};
-
 /// Closed-form e at q = V_y/V ≤ 1.
 #[must_use]
 pub fn restitution(yield_speed_over_speed: f64) -> f64 {
@@ -75,7 +65,15 @@ impl Thornton {
 
 impl ContactLaw for Thornton {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "thornton",
+            title: "Thornton 1997",
+            source: "J. Appl. Mech. 64, 383; Thornton and Ning 1998, Powder Technol. 99, 154",
+            loading: "Hertz, then straight: pressure capped at yield_pressure",
+            unloading: "Hertz with radius R_p(F_m)",
+            validity: "near yield; far beyond it the force is about a third of what finite elements give",
+            confidence: "high",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

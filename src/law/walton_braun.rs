@@ -36,19 +36,17 @@ impl Default for WaltonBraun {
     }
 }
 
-static ABOUT: About = About {
-    name: "walton_braun",
-    title: "Walton and Braun 1986",
-    source: "J. Rheol. 30, 949",
-    loading: "straight from first touch",
-    unloading: "straight, steeper: e = sqrt(k1/k2) at all speeds",
-    validity: "a fitted spring, no material behind it",
-    confidence: "high",
-};
-
 impl ContactLaw for WaltonBraun {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "walton_braun",
+            title: "Walton and Braun 1986",
+            source: "J. Rheol. 30, 949",
+            loading: "straight from first touch",
+            unloading: "straight, steeper: e = sqrt(k1/k2) at all speeds",
+            validity: "a fitted spring, no material behind it",
+            confidence: "high",
+        }
     }
 
     fn loading(&self, _: &Bodies) -> Option<Loading> {

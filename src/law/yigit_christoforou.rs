@@ -35,16 +35,6 @@ pub struct YigitChristoforou {
     pub yield_factor: Option<f64>,
 }
 
-static ABOUT: About = About {
-    name: "yigit_christoforou",
-    title: "Yigit and Christoforou 1994 (ancestor of MYC 2012 and CYM 2013)",
-    source: "Compos. Eng. 4, 1143",
-    loading: "Hertz, then straight along the tangent at yield",
-    unloading: "the Hertz curve, moved: F_m - K_h (delta_m^1.5 - delta^1.5)",
-    validity: "near yield; far beyond it the dent is the largest of all laws",
-    confidence: "low (from memory)",
-};
-
 impl YigitChristoforou {
     fn yield_at(self, bodies: &Bodies) -> f64 {
         bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()))
@@ -53,7 +43,15 @@ impl YigitChristoforou {
 
 impl ContactLaw for YigitChristoforou {
     fn about(&self) -> &'static About {
-        &ABOUT
+        &About {
+            name: "yigit_christoforou",
+            title: "Yigit and Christoforou 1994 (ancestor of MYC 2012 and CYM 2013)",
+            source: "Compos. Eng. 4, 1143",
+            loading: "Hertz, then straight along the tangent at yield",
+            unloading: "the Hertz curve, moved: F_m - K_h (delta_m^1.5 - delta^1.5)",
+            validity: "near yield; far beyond it the dent is the largest of all laws",
+            confidence: "low (from memory)",
+        }
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
