@@ -133,6 +133,12 @@ impl Drag {
         Self { eta, ..Self::NONE }
     }
 
+    /// χ, if there is no other resistance.
+    #[must_use]
+    pub fn of_force_alone(self) -> Option<f64> {
+        (self == Self::of_force(self.chi)).then_some(self.chi)
+    }
+
     /// Whether the contact force can vanish before the restoring force does.
     #[must_use]
     pub fn lifts_off(self) -> bool {
@@ -144,6 +150,18 @@ impl Drag {
     #[must_use]
     pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> f64 {
         self.per_speed(force, if self.eta == 0.0 { 0.0 } else { root_of(slope()) })
+    }
+}
+
+impl<T> From<[T; 2]> for Drag<T> {
+    fn from([chi, eta]: [T; 2]) -> Self {
+        Self { chi, eta }
+    }
+}
+
+impl<T> From<Drag<T>> for [T; 2] {
+    fn from(Drag { chi, eta }: Drag<T>) -> Self {
+        [chi, eta]
     }
 }
 

@@ -5,10 +5,10 @@ pub mod free;
 pub mod random;
 mod source;
 
-use crate::impact::{Damping, Method};
+use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::scene::results::{Column, columns};
-use crate::scene::{Key, Scene};
+use crate::scene::{EITHER, Key, Scene};
 use axis::{Axis, Setting};
 use random::Variable;
 pub use source::Source;
@@ -107,34 +107,24 @@ impl Plan {
 
     /// A key that varies without any effect on the table, and why.
     #[must_use]
-    pub fn unused(&self) -> Option<(&'static str, &'static str)> {
+    pub fn unused(&self) -> Option<(&'static str, String)> {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
+        if let Some([other, path]) = EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path))) {
+            return Some((path, format!("stands in place of {other}, which varies too; keep one of the two")));
+        }
         let scene = &self.scene;
         let is_stepped = self.methods().iter().any(|method| self.is_stepped(*method));
         let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
         paths.iter().copied().find_map(|path| {
             let problem = match path {
-                "sphere.diameter" if varies("sphere.radius") => {
-                    "changes the same as \"sphere.radius\"; keep one of the two"
-                }
-                "sphere.mass" if varies("sphere.density") => "changes the same as \"sphere.density\"; keep one of the two",
-                "half_space.hardness" if varies("half_space.yield_strength") => {
-                    "changes the same as \"half_space.yield_strength\"; keep one of the two"
-                }
-                "impact.drop_height" if varies("impact.speed") => {
-                    "changes the same as \"impact.speed\"; keep one of the two"
-                }
                 "impact.drop_height" if scene.forces.gravity.is_none() => {
                     "needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\""
-                }
-                "damping.viscous" if varies("damping.hunt_crossley") => {
-                    "is a second damping beside \"damping.hunt_crossley\"; keep one of the two"
                 }
                 "half_space.density" if !scene.forces.is_none() => {
                     "is not used: elastic waves are computed without gravity and damping"
                 }
-                "gravity.acceleration" | "damping.viscous" | "damping.hunt_crossley" if self.has_waves() => {
+                _ if self.has_waves() && (path == "gravity.acceleration" || is_of_damping(path)) => {
                     "cannot vary beside half_space.density: elastic waves are computed without gravity and damping; leave one of the two out"
                 }
                 "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
@@ -151,24 +141,19 @@ impl Plan {
                 }
                 _ => return None,
             };
-            Some((path, problem))
+            Some((path, problem.to_owned()))
         })
     }
 
-    /// Whether the method `closed_form` is asked of a scene that has none: with viscous damping, or that of Hunt and Crossley
-    /// under gravity.
+    /// Whether the method `closed_form` is asked of a scene that has none.
     #[must_use]
     pub fn lacks_closed_form(&self) -> bool {
-        // a swept damping may begin at 0
-        let varies = |path: &str| self.paths().contains(&path);
-        let is_damped = match self.scene.forces.damping {
-            None => false,
-            Some(Damping::Viscous(zeta)) => zeta > 0.0 || varies("damping.viscous"),
-            Some(Damping::HuntCrossley(chi)) => {
-                (chi > 0.0 || varies("damping.hunt_crossley")) && self.scene.forces.gravity.is_some()
-            }
-        };
-        is_damped && self.methods().contains(&Method::ClosedForm)
+        let mut scene = self.scene.clone();
+        for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
+            // a swept damping may begin at 0
+            (key.set)(&mut scene, 1.0);
+        }
+        !scene.forces.have_closed_form() && self.methods().contains(&Method::ClosedForm)
     }
 
     /// Whether the last digits of the table are those of the machine: the steps of some methods are not our own.
@@ -236,6 +221,10 @@ impl Plan {
     pub fn is_monte_carlo(&self) -> bool {
         matches!(self.cases, Cases::MonteCarlo { .. })
     }
+}
+
+fn is_of_damping(path: &str) -> bool {
+    path.starts_with("damping.")
 }
 
 /// Where on each axis a case lies.

@@ -46,7 +46,7 @@ use std::path::{Path, PathBuf};
 
 use crate::impact::{Solver, Warning};
 use crate::material::{HalfSpace, Material};
-use crate::scene::{DEFAULT_SAMPLES, KEYS, Scene};
+use crate::scene::{DEFAULT_SAMPLES, EITHER, KEYS, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text};
 use entries::Entries;
 pub use error::ScenarioError;
@@ -83,16 +83,6 @@ const NEEDED: [&[&str]; 7] = [
 /// Why a law has no use.
 const ELASTIC: &str =
     "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
-
-/// Keys that say the same, each in place of the other.
-const EITHER: [[&str; 2]; 6] = [
-    ["sphere.radius", "sphere.diameter"],
-    ["sphere.density", "sphere.mass"],
-    ["half_space.yield_strength", "half_space.hardness"],
-    ["impact.speed", "impact.drop_height"],
-    ["damping.hunt_crossley", "damping.viscous"],
-    ["compare.peak_indentation_ratio", "compare.peak_indentation"],
-];
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
@@ -137,12 +127,11 @@ impl Scenario {
                 return Err(self.document.refuse(other, message));
             }
         }
-        if self.entries.has("damping") && self.entries.keys_in("damping").next().is_none() {
-            let message = "a key is missing: hunt_crossley = \"0.1 s/m\", or viscous = 0.05; or leave the table out";
-            return Err(self.document.refuse("damping", message.to_owned()));
-        }
-        if self.entries.has("gravity") && !self.entries.has("gravity.acceleration") {
-            return Err(self.document.missing("gravity", "acceleration"));
+        for table in ["gravity", "damping"] {
+            if self.entries.has(table) && self.entries.keys_in(table).next().is_none() {
+                let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+                return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
+            }
         }
         self.need(&NEEDED[..3])
     }
@@ -150,16 +139,16 @@ impl Scenario {
     /// Refuses a scenario that lacks one of these keys, unless it varies over the cases of a table.
     fn need(&self, groups: &[&[&str]]) -> Result<(), ScenarioError> {
         let is_there = |path: &&&str| self.entries.has(path) || self.entries.varies(path);
-        let Some([first, rest @ ..]) = groups.iter().find(|group| !group.iter().any(|path| is_there(&path))) else {
+        let Some(group) = groups.iter().find(|group| !group.iter().any(|path| is_there(&path))) else {
             return Ok(());
         };
-        let (table, name) = first.split_once('.').unwrap_or(("", first));
+        let (table, _) = group[0].split_once('.').unwrap_or_default();
         // bodies have more keys than the one that varies: a body without a table is an oversight
         let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
         if !self.entries.has(table) && !self.entries.varied().any(|path| table == "impact" && in_table(&path)) {
             return Err(self.document.missing("", table));
         }
-        Err(self.document.missing_one_of(table, name, rest))
+        Err(self.document.missing_one_of(table, group, ""))
     }
 
     /// The scene of an impact: defaults filled in, files read.

@@ -14,7 +14,7 @@ use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 pub use key::Key;
-pub use keys::KEYS;
+pub use keys::{EITHER, KEYS};
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
 pub const DEFAULT_SAMPLES: usize = 400;

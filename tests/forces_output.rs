@@ -140,7 +140,7 @@ fn rows_of_a_table_are_the_single_impacts() {
 fn axes_that_contradict_the_scene_are_refused() {
     let refusal = |more: &str| -> ScenarioError { scenario(more, &[]).plan().unwrap_err() };
     for (more, wanted) in [
-        ("[sweep]\n\"impact.speed\" = [1]\n", "says the same as impact.drop_height"),
+        ("[sweep]\n\"impact.speed\" = [1]\n", "stands in place of impact.drop_height"),
         ("[damping]\nviscous = 0.1\n[sweep]\n\"damping.hunt_crossley\" = [1]\n", "keep one of the two"),
         ("[sweep]\n\"damping.viscous\" = [0.1]\n\"damping.hunt_crossley\" = [1]\n", "keep one of the two"),
     ] {

@@ -87,6 +87,14 @@ impl Forces {
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none()
     }
+
+    /// Whether an impact under them can be solved without steps on a law of powers and straight lines: without damping, or
+    /// with that of Hunt and Crossley and no gravity.
+    #[must_use]
+    pub fn have_closed_form(&self) -> bool {
+        let drag = self.damping.map_or(Drag::NONE, Damping::drag);
+        drag.of_force_alone().is_some_and(|chi| chi == 0.0 || self.gravity.is_none())
+    }
 }
 
 /// Speed of a body \[m/s\] that has fallen from rest through `height` \[m\] under `gravity` \[m/s²\]: √(2 g h).

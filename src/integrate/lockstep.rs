@@ -115,4 +115,11 @@ impl<S: Simd> At<S> {
     fn store(self, value: Wide<S, REGISTERS>, row: &mut Row) {
         value.store(&mut S::as_mut_simd_f64s(row).0[self.first..]);
     }
+
+    #[inline(always)]
+    fn store_all<const N: usize>(self, values: [Wide<S, REGISTERS>; N], rows: &mut [Row; N]) {
+        for i in 0..N {
+            self.store(values[i], &mut rows[i]);
+        }
+    }
 }

@@ -144,12 +144,13 @@ impl Document {
         self.refuse(table, missing(key, table))
     }
 
-    /// The same for a key that others could stand in the place of.
-    pub(super) fn missing_one_of(&self, table: &str, key: &str, others: &[&str]) -> ScenarioError {
-        let others: Vec<String> =
-            others.iter().map(|path| format!("`{}`", path.rsplit('.').next().unwrap_or(path))).collect();
+    /// The same where one of these keys is needed, and there may be another `way_out`.
+    pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> ScenarioError {
+        let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
+        let first = missing(names.next().unwrap_or_default(), table);
+        let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
         let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
-        self.refuse(table, missing(key, table) + &or_others)
+        self.refuse(table, first + &or_others + way_out)
     }
 
     fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {

@@ -1,7 +1,7 @@
 //! `[gravity]` and `[damping]`: what they go with, and what not.
 
-use super::{EITHER, Scenario, ScenarioError};
-use crate::scene::Scene;
+use super::{Scenario, ScenarioError};
+use crate::scene::{EITHER, Scene};
 
 impl Scenario {
     /// Waves are those of the impact by the law alone.
@@ -39,11 +39,6 @@ impl Scenario {
         // a radius in the file is only the first of a swept diameter
         let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let (key, other) = pairs.into_iter().find(|(key, other)| swept.contains(key) && self.entries.has(other))?;
-        let problem = if key.starts_with("damping.") {
-            format!("is a second damping beside {other}; keep one of the two")
-        } else {
-            format!("says the same as {other}, which the scenario gives: leave one of the two out")
-        };
-        Some((key, problem))
+        Some((key, format!("stands in place of {other}, which the scenario gives; keep one of the two")))
     }
 }

@@ -58,9 +58,7 @@ impl Scenario {
         scene.warnings.extend(self.unused_law(&own_law, &cases));
         let mut plan = Plan { scene, cases, columns: None };
         self.choose_columns(&mut plan)?;
-        if let Some((path, problem)) =
-            self.contradicted(&plan.paths()).or_else(|| plan.unused().map(|(path, problem)| (path, problem.to_owned())))
-        {
+        if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
             return refuse(&format!("{table}.{path}"), problem);
         }
         if plan.lacks_closed_form() {

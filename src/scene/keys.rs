@@ -191,6 +191,16 @@ pub const KEYS: &[Key] = keys! {
     "solver.tolerance": TOLERANCE = "1e-10" => { scene.solver.tolerance };
 };
 
+/// Keys that stand in place of each other: a scene takes one of the two.
+pub const EITHER: [[&str; 2]; 6] = [
+    ["sphere.radius", "sphere.diameter"],
+    ["sphere.density", "sphere.mass"],
+    ["half_space.yield_strength", "half_space.hardness"],
+    ["impact.speed", "impact.drop_height"],
+    ["damping.hunt_crossley", "damping.viscous"],
+    ["compare.peak_indentation_ratio", "compare.peak_indentation"],
+];
+
 impl Key {
     /// The key of that path.
     #[must_use]

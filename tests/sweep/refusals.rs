@@ -40,7 +40,7 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
         "[sweep]\n\"law.thornton.yield_pressure\" = [1e9]\n",
         &["toml:15:33: sweep.law.thornton", "no case is under that law"],
     );
-    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:15:", "says the same as impact.speed"]);
+    says("[sweep]\n\"impact.drop_height\" = [1]\n", &["toml:15:", "stands in place of impact.speed"]);
     says("[sweep]\n\"law.plm.unloading_exponent\" = [\"steep\"]\n", &["an unloading exponent such as 1.5"]);
     says("[sweep]\nimpact.speed = [1]\n", &["in quotes", "\"impact.speed\""]);
     says("[sweep]\n\"law.plm.coefficients\" = [1]\n", &["no numeric key"]);

@@ -15,7 +15,6 @@
 //! So peak and rebound are roots in both, and the time is ∫ dx/u: in closed form on straight pieces under gravity, by a
 //! quadrature that knows the distances from both ends elsewhere.
 
-use crate::impact::forces::Damping;
 use crate::impact::outcome::{Fate, Outcome};
 use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
@@ -161,11 +160,7 @@ fn has_closed_loading(law: &Law) -> bool {
 
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
 pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
-    let chi = match forces.damping {
-        Some(Damping::HuntCrossley(chi)) if forces.weight == 0.0 || chi == 0.0 => chi,
-        None | Some(Damping::Viscous(0.0)) => 0.0,
-        Some(_) => return None,
-    };
+    let chi = forces.drag().of_force_alone().filter(|chi| *chi == 0.0 || forces.weight == 0.0)?;
     let (speeds, weight) = (Speeds { chi }, forces.weight);
     if !has_closed_loading(law) {
         return None;

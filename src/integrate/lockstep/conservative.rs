@@ -143,10 +143,7 @@ impl Kernel for Stepping<'_> {
         let leg = Constants { target, inverse_y, inverse_u, left_out_squared };
         let field = Mixed { a, b, c, is_straight };
         let (node, next_h, kind) = step(field, &leg, &Node { y, u, g, t }, at.load(&rows.h));
-        let parts = [node.y, node.u, node.g, node.t];
-        for part in 0..4 {
-            at.store(parts[part], &mut rows.node[part]);
-        }
+        at.store_all([node.y, node.u, node.g, node.t], &mut rows.node);
         at.store(next_h, &mut rows.h);
         at.store(kind, &mut rows.landed);
     }

@@ -47,7 +47,7 @@ impl<const M: u8> Damped<M> {
     /// Whether these are the lanes for this drag.
     #[must_use]
     pub fn fits(drag: Drag) -> bool {
-        if M == 2 { drag.chi != 0.0 && drag.eta == 0.0 } else { drag.eta != 0.0 }
+        drag != Drag::NONE && (drag.eta == 0.0) == (M == 2)
     }
 
     /// Makes a lane idle.
@@ -69,13 +69,13 @@ impl<const M: u8> Lanes for Damped<M> {
             Restoring::Straight { at_start, slope } => {
                 let piece = DraggedStraight::along(at_start, slope, path);
                 (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (piece.a, piece.b, 0.0, 1.0);
-                (rows.chi[lane], rows.c[lane]) = (piece.drag.chi, piece.drag.eta);
+                put(&mut rows.drag, lane, piece.drag.into());
                 (Run::begin(piece, path, state, self.tolerance), LanePiece::Straight(piece))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 let piece = DraggedHertz::<M>::along(coefficient, path);
                 (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (0.0, 0.0, piece.k, 0.0);
-                (rows.chi[lane], rows.c[lane]) = (piece.drag.chi, piece.drag.eta);
+                put(&mut rows.drag, lane, piece.drag.into());
                 (Run::begin(piece, path, state, self.tolerance), LanePiece::Hertz(piece))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,

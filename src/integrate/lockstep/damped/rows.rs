@@ -20,8 +20,8 @@ pub(super) struct Rows {
     pub(super) a: Row,
     pub(super) b: Row,
     pub(super) k: Row,
-    pub(super) chi: Row,
-    pub(super) c: Row,
+    /// The parts of [`Drag`].
+    pub(super) drag: [Row; 2],
     pub(super) pull: Row,
     pub(super) is_straight: Row,
     pub(super) inverse_sizes: [Row; 3],
@@ -79,7 +79,7 @@ impl<const M: u8> Kernel for Stepping<'_, M> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, at: At<S>) {
         let rows = &mut *self.0;
-        let (drag, pull) = (Drag { chi: at.load(&rows.chi), eta: at.load(&rows.c) }, at.load(&rows.pull));
+        let (drag, pull) = (Drag::from(at.load_all(&rows.drag)), at.load(&rows.pull));
         let motion = DraggedMixed {
             straight: DraggedStraight { a: at.load(&rows.a), b: at.load(&rows.b), drag, pull },
             hertz: DraggedHertz::<M, _> { k: at.load(&rows.k), drag, pull },
@@ -91,10 +91,8 @@ impl<const M: u8> Kernel for Stepping<'_, M> {
         let limits = Limits { direction, end, lifts_off, rests };
         let is_clear = limits.is_clear(&next, motion.contact(&node, &rates), motion.contact(&next.node, &next.rates));
         at.store(is_clear * at.load(&rows.marches), &mut rows.clear);
-        for part in 0..4 {
-            at.store(next.node[part], &mut rows.next[part]);
-            at.store(next.rates[part], &mut rows.next_rates[part]);
-        }
+        at.store_all(next.node, &mut rows.next);
+        at.store_all(next.rates, &mut rows.next_rates);
         at.store(next.fifth, &mut rows.fifth);
         at.store(next.third, &mut rows.third);
     }
