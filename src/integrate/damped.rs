@@ -1,8 +1,8 @@
 //! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
 //!
-//! **Landing.** A step that has passed an event is taken again with the length that the cubic through both its ends gives,
-//! and that length is mended by Newton's method on the step itself, whose derivative the rates are: two repeats, and what is
-//! then missing is less than the tolerance and is taken along the rates.
+//! **Landing.** A step that has passed an event is repeated with another length: first the one at which the cubic through
+//! both its ends is zero, then the one that Newton's method gives, with the rates at the end as derivative. After two repeats,
+//! as a rule, what is missing is far below the tolerance, and the end is moved along its rates.
 //!
 //! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
 //! [`super::lockstep`]).

@@ -17,12 +17,12 @@ use crate::math::functions::pow;
 
 /// Repeats of a landing step.
 const MOST_ROUNDS: u32 = 12;
-/// Repeats of a step to a lift-off: on a formula under weak damping the contact force goes with a high power of r until next to
-/// its zero, and Newton's method takes off only a part of what is left each time.
+/// Repeats of a step to a lift-off. Under weak damping, on a piece that is no power law, the contact force goes with a high
+/// power of r until close to its zero, and each step of Newton's method covers only a part of the way that is left.
 const MOST_ROUNDS_TO_LIFT_OFF: u32 = 60;
 
-/// A landing that Newton's method moves by less than this times √tolerance of its step is moved along its rates instead of being
-/// repeated: what that leaves out is 10⁻⁴ of the tolerance.
+/// Where Newton's method would change the length of a landing step by less than this times √tolerance, the end of the step is
+/// moved along its rates and the step is not repeated. What that leaves out is 10⁻⁴ of the tolerance.
 const NEAR: f64 = 1e-2;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
