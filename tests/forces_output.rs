@@ -4,7 +4,7 @@
 mod common;
 
 use common::STEEL;
-use plm_impact::impact::{Essentials, Method, Solver};
+use plm_impact::impact::{Method, Solver};
 use plm_impact::run::{Outcome, Run, impact, way};
 use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 use plm_impact::sweep::evaluator::{Evaluator, Rows};
@@ -122,7 +122,7 @@ fn rows_of_a_table_are_the_single_impacts() {
                     let scene = one.resolve().unwrap();
                     let method = if method.is_empty() { Method::Auto } else { Method::Rk8 };
                     let solver = Solver { method, ..scene.solver };
-                    let want = Essentials::from(&scene.contact().unwrap().impact(scene.speed, &solver, None).unwrap());
+                    let want = scene.contact().unwrap().impact(scene.speed, &solver, None).unwrap().essentials;
                     let got = rows.results[case].unwrap();
                     assert_eq!((got.restitution, got.contact_time), (want.restitution, want.contact_time));
                     assert_eq!(

@@ -13,7 +13,8 @@ use crate::material::{OutOfFloatRange, normal};
 pub struct Essentials {
     /// e \[1\].
     pub restitution: f64,
-    /// First touch to separation \[s\]; infinite for a captured sphere.
+    /// First touch to separation \[s\], by [`Method::Verlet`](super::Method::Verlet) within its last step; infinite for a
+    /// captured sphere.
     pub contact_time: f64,
     /// F_m \[N\].
     pub peak_force: f64,

@@ -1,5 +1,7 @@
 //! What an impact comes to in SI units, as every report and plot reads it.
 
+use std::ops::Deref;
+
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
@@ -83,45 +85,33 @@ pub struct InFixedSteps {
     pub drift_at_end: f64,
 }
 
-/// One impact: every report and every picture reads this. SI units.
+/// One impact: every report and every picture reads this. What a table holds of it, it holds too: an impact derefs to its
+/// [`Essentials`], as in `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
     /// Impact speed v \[m/s\].
     pub speed: f64,
     /// How it was computed: never `Auto`, but what that chose.
     pub method: Method,
-    /// e \[1\].
-    pub restitution: f64,
-    /// 2 W_rad/(m v²) \[1\]: share of the energy radiated as elastic waves, to first order; `None` where the half-space's
-    /// density is not known, under gravity or damping, and where the force of the law jumps on the way.
-    pub wave_loss_fraction: Option<f64>,
+    /// What a table holds of it.
+    pub essentials: Essentials,
     /// √(e² − loss) \[1\], not below 0; `None` as above.
     pub restitution_with_waves: Option<f64>,
     /// e v \[m/s\].
     pub rebound_speed: f64,
-    /// First touch to separation \[s\], by [`Method::Verlet`] within its last step; infinite for a captured sphere.
-    pub contact_time: f64,
     /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
     pub loading_time: f64,
-    /// F_m \[N\].
-    pub peak_force: f64,
-    /// δ_m \[m\].
-    pub peak_indentation: f64,
     /// δ_sm \[m\].
     pub peak_sphere_indentation: f64,
     /// δ_e = δ_m − δ_r \[m\].
     pub elastic_approach: f64,
     /// n of the unloading branch.
     pub unloading_exponent: f64,
-    /// δ_r \[m\]: depth of the dent; 0 without one.
-    pub residual_indentation: f64,
     /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24) also where the branch is no 3/2 power; R
     /// without a dent.
     pub unloading_radius: f64,
     /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
     pub residual_radius: Option<f64>,
-    /// a_m \[m\]: how good it is, [`Law::contact_radius`](crate::law::Law::contact_radius) says.
-    pub peak_contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
     /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
@@ -140,6 +130,14 @@ pub struct Impact {
     pub warnings: Vec<Warning>,
     /// The trace, empty if none was asked for; rows rise in time.
     pub trace: Vec<TraceRow>,
+}
+
+impl Deref for Impact {
+    type Target = Essentials;
+
+    fn deref(&self) -> &Essentials {
+        &self.essentials
+    }
 }
 
 impl Impact {
@@ -200,22 +198,16 @@ impl Impact {
         Ok(Self {
             speed,
             method,
-            restitution,
-            wave_loss_fraction: essentials.wave_loss_fraction,
+            essentials,
             restitution_with_waves: essentials.restitution_with_waves(),
             rebound_speed: restitution * speed,
-            contact_time: essentials.contact_time,
             loading_time: outcome.loading_time * scales.time(),
-            peak_force,
-            peak_indentation: essentials.peak_indentation,
             peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: outcome.unloading.exponent,
-            residual_indentation: essentials.residual_indentation,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
             residual_radius: (has_dent && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
-            peak_contact_radius,
             peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
             dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(&dent)),
             energy: Energy {
@@ -249,12 +241,6 @@ impl Impact {
     pub fn duration(&self) -> f64 {
         self.captured().map_or(self.contact_time, |under| under.end_time)
     }
-
-    /// Whether the impact left a dent.
-    #[must_use]
-    pub fn has_dent(&self) -> bool {
-        self.dent_radius.is_some()
-    }
 }
 
 /// A sample, or a peak, at the very time at which the run ends says nothing beside the end.
@@ -263,22 +249,5 @@ fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
         && before.time == end.time
     {
         trace.remove(trace.len() - 2);
-    }
-}
-
-impl From<&Impact> for Essentials {
-    fn from(impact: &Impact) -> Self {
-        let kinetic_in = impact.energy.kinetic_in;
-        Self {
-            restitution: impact.restitution,
-            contact_time: impact.contact_time,
-            peak_force: impact.peak_force,
-            peak_indentation: impact.peak_indentation,
-            residual_indentation: impact.residual_indentation,
-            peak_contact_radius: impact.peak_contact_radius,
-            kinetic_in,
-            plastic_fraction: impact.energy.plastic.unwrap_or(0.0) / kinetic_in,
-            wave_loss_fraction: impact.wave_loss_fraction,
-        }
     }
 }
