@@ -8,6 +8,7 @@ use common::STEEL;
 use common::command::{Desk, text};
 use plm_impact::scenario::Scenario;
 use plm_impact::scene::keys::forms;
+use plm_impact::scene::other_keys::List;
 use plm_impact::scene::reference::renewed;
 use plm_impact::scene::schema::schema;
 use serde_json::Value;
@@ -33,6 +34,15 @@ fn every_scenario_of_the_repository_keeps_to_the_schema() {
         }
     }
     assert!(count > 30, "{count}");
+}
+
+#[test]
+fn every_list_of_tables_says_how_it_is_written() {
+    for (path, _) in forms() {
+        if let Some((list, _)) = path.split_once("[].") {
+            assert!(List::find(list).is_some(), "{path}");
+        }
+    }
 }
 
 #[test]

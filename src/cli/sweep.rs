@@ -3,7 +3,8 @@
 use std::io::{self, IsTerminal as _};
 
 use anyhow::Context as _;
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
@@ -14,33 +15,15 @@ use plm_impact::report;
 use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::sidecar::table_name;
-use plm_impact::sweep::{self, Job, Progress, Shard};
+use plm_impact::sweep::{self, Format, Job, Progress, Shard};
 
 use super::interrupt::Interrupt;
-
-/// What a table is written as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Csv,
-    Json,
-    Parquet,
-}
-
-impl From<Format> for sweep::Format {
-    fn from(format: Format) -> Self {
-        match format {
-            Format::Csv => Self::Csv,
-            Format::Json => Self::Json,
-            Format::Parquet => Self::Parquet,
-        }
-    }
-}
 
 /// Options of sweeps.
 #[derive(Debug, Args)]
 pub struct Options {
     /// Sweeps: what the table is written as [default: csv]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = formats())]
     format: Option<Format>,
     /// Sweeps: write only this part of the table, counted from 0; `merge` puts the parts together
     #[arg(long, value_name = "I/N")]
@@ -80,6 +63,11 @@ impl Options {
     }
 }
 
+fn formats() -> impl TypedValueParser<Value = Format> {
+    let names = Format::ALL.map(Format::name);
+    PossibleValuesParser::new(names).map(|name| Format::from_name(&name).unwrap_or(Format::Csv))
+}
+
 /// Writes the table; for an undivided one also summary and pictures.
 pub fn run(
     options: &Options,
@@ -91,7 +79,7 @@ pub fn run(
     is_quiet: bool,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
-    let format = options.format.map_or(sweep::Format::Csv, sweep::Format::from);
+    let format = options.format.unwrap_or(Format::Csv);
     if shard.is_none() {
         let table = table_name(shard, format);
         directory.check([table.as_str(), SUMMARY].into_iter().chain(PICTURES)).map_err(Error::from)?;

@@ -1,16 +1,21 @@
-//! What is written about an indentation: `summary.json`, `trace.csv` and the table on the terminal.
+//! What is written about an indentation: its inputs, `summary.json`, `trace.csv` and what the terminal shows.
 
 use super::ReportError;
 use serde::Serialize;
 
 use super::inputs::Inputs;
+use super::overview;
+use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, words_of_strength};
 use super::rows::csv;
-use super::table::aligned;
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 use crate::provenance::Provenance;
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
 use crate::scene::results::indentation::{self as results, half_space, steps};
 use crate::scene::results::{Fields, fields};
+use crate::units::aligned::aligned;
 use crate::units::rounded::{number, quantity};
+use crate::units::{self, Dimension, describe, human};
 
 #[derive(Serialize)]
 struct Results<'a> {
@@ -73,7 +78,7 @@ pub fn table(tested: &[Tested]) -> String {
             let spans = one.spans.as_ref().and_then(|spans| spans.get(i));
             rows.push(row(i + 1, step, can_yield, spans));
         }
-        text.push_str(&aligned(&rows));
+        text.push_str(&aligned(&rows, |_| true));
     }
     text
 }
@@ -111,4 +116,49 @@ fn with_span(value: f64, span: Option<Span>, unit: &str) -> String {
         }
         None => text,
     }
+}
+
+/// What an indentation came to, but for its steps and half-spaces.
+#[must_use]
+pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
+    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
+    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
+    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
+        entries.push(Entry::word("law", scene.law.name()));
+        entries.extend(of_law(&scene.law));
+    }
+    entries.push(Entry::count("output.samples", scene.samples));
+    entries
+}
+
+/// What was understood of it, and the contact of every half-space.
+#[must_use]
+pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
+    let mut rows = overview::rows(&inputs(scenario, scene));
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
+    for (i, target) in (1..).zip(&scene.targets) {
+        let (what, value) = match *target {
+            Target::Load(load) => ("load", describe(load, Dimension::Force)),
+            Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
+        };
+        row(&format!("step {i}"), format!("{what} {value}"));
+    }
+    for Tested { specimen, pair, .. } in tested {
+        let half_space = &specimen.half_space;
+        row("", String::new());
+        row("half-space", specimen.name.clone().unwrap_or_default());
+        let pressure = |value: f64, uncertainty: Option<f64>| match uncertainty {
+            Some(by) => format!("{} ± {}", describe(value, Dimension::Pressure), human(by, Dimension::Pressure)),
+            None => describe(value, Dimension::Pressure),
+        };
+        row("youngs_modulus", pressure(half_space.material.youngs_modulus, specimen.modulus_uncertainty));
+        row("poissons_ratio", units::number(half_space.material.poissons_ratio));
+        if let Some(strength) = half_space.yield_strength {
+            row("yield_strength", pressure(strength, specimen.strength_uncertainty));
+        }
+        for [name, value] in overview::paired(pair) {
+            row(&name, value);
+        }
+    }
+    aligned(&rows, |_| true)
 }

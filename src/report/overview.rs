@@ -2,17 +2,13 @@
 //! before anything is run.
 
 use super::resolved::{self, Entry};
-use super::table::aligned;
-use crate::compare::Comparison;
 use crate::impact::Contact;
-use crate::indentation::{Target, Tested};
 use crate::law::LawChoice;
 use crate::material::Pair;
-use crate::scenario::Scenario;
-use crate::scenario::indentation::IndentationScene;
 use crate::scene::Scene;
 use crate::strength::hardness;
-use crate::units::{Dimension, describe, four_digits, human, number};
+use crate::units::aligned::aligned;
+use crate::units::{Dimension, describe, four_digits, number};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -23,58 +19,16 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = given(scene);
     rows.push([String::new(), String::new()]);
     rows.extend(derived(contact));
-    aligned(&rows)
+    aligned(&rows, |_| true)
 }
 
-/// The same for an indentation, with the contact of every half-space.
-#[must_use]
-pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
-    let mut rows = rows(&resolved::of_indentation(scenario, scene));
-    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-    for (i, target) in (1..).zip(&scene.targets) {
-        let (what, value) = match *target {
-            Target::Load(load) => ("load", describe(load, Dimension::Force)),
-            Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
-        };
-        row(&format!("step {i}"), format!("{what} {value}"));
-    }
-    for Tested { specimen, pair, .. } in tested {
-        let half_space = &specimen.half_space;
-        row("", String::new());
-        row("half-space", specimen.name.clone().unwrap_or_default());
-        let pressure = |value: f64, uncertainty: Option<f64>| match uncertainty {
-            Some(by) => format!("{} ± {}", describe(value, Dimension::Pressure), human(by, Dimension::Pressure)),
-            None => describe(value, Dimension::Pressure),
-        };
-        row("youngs_modulus", pressure(half_space.material.youngs_modulus, specimen.modulus_uncertainty));
-        row("poissons_ratio", number(half_space.material.poissons_ratio));
-        if let Some(strength) = half_space.yield_strength {
-            row("yield_strength", pressure(strength, specimen.strength_uncertainty));
-        }
-        for [name, value] in paired(pair) {
-            row(&name, value);
-        }
-    }
-    aligned(&rows)
-}
-
-/// The same for a comparison of unloading laws.
-#[must_use]
-pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> String {
-    let mut rows = rows(&resolved::of_comparison(scenario, comparison));
-    let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
-    rows.push(["laws".to_owned(), names.join(", ")]);
-    rows.push([String::new(), String::new()]);
-    rows.extend(paired(&comparison.bodies.pair));
-    aligned(&rows)
-}
-
-fn rows(entries: &[Entry]) -> Vec<Row> {
+/// Keys and values.
+pub(super) fn rows(entries: &[Entry]) -> Vec<Row> {
     entries.iter().map(|entry| [entry.key.to_owned(), entry.text()]).collect()
 }
 
 /// What follows from the pair alone.
-fn paired(pair: &Pair) -> Vec<Row> {
+pub(super) fn paired(pair: &Pair) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));

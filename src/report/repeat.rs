@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use super::ReportError;
 use super::rows::csv;
-use super::table::aligned_right;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Drive, End, Place, Repeat, Sequence};
 use crate::scene::results::impact::event_name;
 use crate::scene::results::series::{self as results, TraceRow, end_text};
+use crate::units::aligned::aligned;
 use crate::units::rounded::{number, quantity};
 
 /// `impacts.csv`: one row per impact.
@@ -140,7 +140,7 @@ fn rows(sequence: &Sequence) -> String {
         cells.push(if hit.is_captured { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
         lines.push(cells);
     }
-    aligned_right(&lines)
+    aligned(&lines, |_| false)
 }
 
 /// Speeds of a list that are shown one by one.

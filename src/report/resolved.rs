@@ -1,13 +1,10 @@
 //! All that a scenario came to, its defaults included: what `check` prints and what a summary lists as `inputs`.
 
-use crate::compare::Comparison;
 use crate::impact::Method;
 use crate::law::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
-use crate::plan::YIELD_STRENGTH;
 use crate::scenario::Scenario;
-use crate::scenario::indentation::IndentationScene;
 use crate::scene::{KEYS, Key, Scene};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
@@ -36,7 +33,7 @@ pub struct Entry {
 
 impl Entry {
     /// A number, or the word that stands in its place.
-    fn of(key: &Key, value: f64) -> Self {
+    pub(super) fn of(key: &Key, value: f64) -> Self {
         match key.word {
             Some(word) if value.is_infinite() => {
                 Self { key: key.path, value: Given::WordOf(word, key.quantity.dimension) }
@@ -45,11 +42,11 @@ impl Entry {
         }
     }
 
-    fn word(key: &'static str, word: impl Into<String>) -> Self {
+    pub(super) fn word(key: &'static str, word: impl Into<String>) -> Self {
         Self { key, value: Given::Word(word.into()) }
     }
 
-    fn count(key: &'static str, count: usize) -> Self {
+    pub(super) fn count(key: &'static str, count: usize) -> Self {
         Self { key, value: Given::Count(count as u64) }
     }
 
@@ -102,7 +99,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
 }
 
 /// Where a yield strength comes from that is not given, and the points of a measured flow curve.
-fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>) -> Vec<Entry> {
+pub(super) fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>) -> Vec<Entry> {
     let mut entries = Vec::new();
     if hardness.is_some() {
         let rule = if flow.is_some() {
@@ -148,7 +145,7 @@ fn words_of_law(law: &LawChoice) -> Vec<Entry> {
 }
 
 /// The law of a scene without an impact.
-fn of_law(law: &LawChoice) -> Vec<Entry> {
+pub(super) fn of_law(law: &LawChoice) -> Vec<Entry> {
     let scene = Scene::of_law(law.clone());
     let numbers = KEYS.iter().filter(|key| key.path.starts_with("law."));
     numbers.filter_map(|key| Some(Entry::of(key, (key.get)(&scene)?))).chain(words_of_law(law)).collect()
@@ -160,7 +157,7 @@ fn coefficients(plm: &Plm) -> Entry {
 }
 
 /// Numeric keys that a scenario without an impact gives, the radius also by the diameter.
-fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
+pub(super) fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
     let value = |path: &str| match path {
         "sphere.radius" => scenario.sphere_radius(),
         path => scenario.number_of(path),
@@ -169,42 +166,13 @@ fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
     keys.filter_map(|key| Some(Entry::of(key, value(key.path)?))).collect()
 }
 
-const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poissons_ratio"];
+pub(super) const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poissons_ratio"];
 
 /// Besides its yield strength, what says how strong a half-space is.
-const STRENGTH: [&str; 5] = [
+pub(super) const STRENGTH: [&str; 5] = [
     "half_space.hardness",
     "half_space.flow_stress.power.exponent",
     "half_space.flow_stress.voce.saturation",
     "half_space.flow_stress.voce.rate",
     "half_space.flow_stress.linear.slope",
 ];
-
-/// What an indentation came to, but for its steps and half-spaces.
-#[must_use]
-pub fn of_indentation(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
-    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
-    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
-    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
-        entries.push(Entry::word("law", scene.law.name()));
-        entries.extend(of_law(&scene.law));
-    }
-    entries.push(Entry::count("output.samples", scene.samples));
-    entries
-}
-
-/// What a comparison came to, but for its peak and its laws.
-#[must_use]
-pub fn of_comparison(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
-    let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
-    let mut entries = given(scenario, &[SPHERE, half_space].concat());
-    let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, comparison.bodies.yield_strength));
-    entries.extend(strength);
-    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), None));
-    for law in &comparison.laws {
-        if let LawChoice::Plm(_) = law {
-            entries.extend(of_law(law));
-        }
-    }
-    entries
-}

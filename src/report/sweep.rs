@@ -9,37 +9,20 @@ use super::inputs::Inputs;
 use crate::plan::random;
 use crate::plan::{Cases, Plan};
 use crate::provenance::Provenance;
+use crate::scene::results::table::{Drawn, Totals, drawn, totals};
+use crate::scene::results::{Fields, fields};
 use crate::sweep::sidecar::Tally;
-use crate::sweep::statistics::Distribution;
 
 #[derive(Serialize)]
 struct Results<'a> {
-    rows: u64,
-    failures: u64,
-    /// Rows that the law has no answer for; left out where there are none.
-    #[serde(skip_serializing_if = "is_zero")]
-    outside_law: u64,
+    #[serde(flatten)]
+    totals: Fields,
     #[serde(skip_serializing_if = "Option::is_none")]
-    restitution: Option<Distribution>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    random: Option<Vec<Random>>,
+    random: Option<Vec<Fields>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     /// Of the scene, and of rows in the table the worst of each kind.
     warnings: &'a [String],
-}
-
-/// A random key, as it was drawn.
-#[derive(Serialize)]
-struct Random {
-    key: &'static str,
-    distribution: &'static str,
-    /// Mean and standard deviation before truncation, or the two ends; SI.
-    parameters: [f64; 2],
-    /// In words.
-    truncated_to: String,
-    /// Share of the distribution that lies in the allowed range.
-    kept: f64,
 }
 
 /// `summary.json`.
@@ -53,35 +36,25 @@ pub fn summary(
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
     let (random, seed) = match &plan.cases {
-        Cases::MonteCarlo { seed, variables, .. } => (Some(variables.iter().map(random_key).collect()), Some(*seed)),
+        Cases::MonteCarlo { seed, variables, .. } => {
+            (Some(variables.iter().map(|one| fields(&drawn(), &random_key(one))).collect()), Some(*seed))
+        }
         Cases::Grid(_) => (None, None),
     };
-    let restitution = tally.statistics.distribution();
-    let results = Results {
-        rows: tally.rows,
-        failures: tally.failures,
-        outside_law: tally.outside_law,
-        restitution,
-        random,
-        seed,
-        warnings,
-    };
+    let Tally { rows, failures, outside_law, ref statistics, .. } = *tally;
+    let of = Totals { rows, failures, outside_law, restitution: statistics.distribution() };
+    let results = Results { totals: fields(&totals(), &of), random, seed, warnings };
     super::summary::of(results, &Inputs::of_plan(plan), provenance)
 }
 
-fn random_key(variable: &random::Variable) -> Random {
+fn random_key(variable: &random::Variable) -> Drawn {
     let (distribution, parameters) = match variable.distribution {
         random::Distribution::Uniform { from, to } => ("uniform", [from, to]),
         random::Distribution::Normal { mean, sd } => ("normal", [mean, sd]),
         random::Distribution::Lognormal { mean, sd } => ("lognormal", [mean, sd]),
     };
     let key = variable.key;
-    Random { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref)] // as serde asks
-fn is_zero(count: &u64) -> bool {
-    *count == 0
+    Drawn { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
 }
 
 /// What a person wants to know of a finished table.

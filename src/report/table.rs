@@ -1,16 +1,15 @@
 //! The short table a person reads on the terminal.
 
-use std::fmt::Write as _;
-
 use crate::impact::{Contact, Impact, UnderForces};
 use crate::math::power::max_or_nan;
+use crate::units::aligned::aligned;
 use crate::units::rounded::{number, percent, quantity};
 
 /// A few aligned lines: what came of the impact and how exact it is.
 #[must_use]
 pub fn table(contact: &Contact, impact: &Impact) -> String {
-    let mut rows: Vec<(&str, String, String)> = Vec::new();
-    let mut row = |name, value: String, remark: String| rows.push((name, value, remark));
+    let mut rows: Vec<[String; 3]> = Vec::new();
+    let mut row = |name: &str, value: String, remark: String| rows.push([name.to_owned(), value, remark]);
     let is_elastic = contact.pair().yield_point.is_none();
     let captured = impact.captured();
     let end = captured.map_or_else(String::new, |under| {
@@ -107,7 +106,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
         format!("{} steps", work.steps),
         format!("{} rejected, {} force evaluations", work.rejected, work.force_evaluations),
     );
-    aligned(&rows.into_iter().map(|(name, value, remark)| [name.to_owned(), value, remark]).collect::<Vec<_>>())
+    aligned(&rows, |_| true)
 }
 
 /// Where the energy went under gravity and damping, in joules: shares of a kinetic energy that may be zero say nothing.
@@ -128,28 +127,4 @@ fn of_forces(impact: &Impact, under: &UnderForces) -> String {
         part(stored, "left in the contact");
     }
     parts.join(", ")
-}
-
-/// Lines of cells, each column as wide as its widest cell; on the left of it.
-pub(super) fn aligned<R: AsRef<[String]>>(rows: &[R]) -> String {
-    lines(rows, |cell, width| format!("{cell:<width$}"))
-}
-
-/// The same, on the right of it.
-pub(super) fn aligned_right<R: AsRef<[String]>>(rows: &[R]) -> String {
-    lines(rows, |cell, width| format!("{cell:>width$}"))
-}
-
-fn lines<R: AsRef<[String]>>(rows: &[R], pad: fn(&str, usize) -> String) -> String {
-    let mut widths: Vec<usize> = Vec::new();
-    for row in rows {
-        let cells = row.as_ref();
-        widths.resize(widths.len().max(cells.len()), 0);
-        widths.iter_mut().zip(cells).for_each(|(widest, cell)| *widest = cell.chars().count().max(*widest));
-    }
-    rows.iter().fold(String::new(), |mut text, row| {
-        let cells: Vec<String> = row.as_ref().iter().zip(&widths).map(|(cell, width)| pad(cell, *width)).collect();
-        let _ = writeln!(text, "{}", cells.join("  ").trim_end());
-        text
-    })
 }

@@ -5,23 +5,23 @@ use crate::compare::Comparison;
 use crate::error::Error;
 use crate::plot;
 use crate::provenance::Provenance;
+use crate::report::compare as report;
 use crate::report::inputs::Inputs;
-use crate::report::overview::of_comparison;
-use crate::report::{compare as report, resolved};
 use crate::scenario::Scenario;
+use crate::scene::results::compare::rows;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
-    let text = report::state(&comparison) + "\n" + &of_comparison(scenario, &comparison);
+    let text = report::state(&comparison) + "\n" + &report::overview(scenario, &comparison);
     Ok(Outcome::checked(texts(&comparison), text))
 }
 
 pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
-    let inputs = Inputs(resolved::of_comparison(scenario, &comparison));
+    let inputs = Inputs(report::inputs(scenario, &comparison));
     let provenance = Provenance::new(scenario.sha256()?, command);
     let warnings = texts(&comparison);
-    let rows = report::rows(&comparison);
+    let rows = rows(&comparison);
     let files = vec![
         file("summary.json", report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
         file("comparison.csv", report::csv(&rows)?),

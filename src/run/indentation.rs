@@ -5,8 +5,7 @@ use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::plot;
 use crate::report::inputs::Inputs;
-use crate::report::resolved::of_indentation;
-use crate::report::{indentation as report, overview, strength};
+use crate::report::{indentation as report, strength};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 
@@ -63,12 +62,12 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
         let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;
         strength::which(&one.specimen.half_space, is_precise, depth)
     });
-    Ok(Outcome::checked(warnings, overview::of_indentation(scenario, &scene, &tested) + &strength.unwrap_or_default()))
+    Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested) + &strength.unwrap_or_default()))
 }
 
 pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
-    let inputs = Inputs(of_indentation(scenario, &scene));
+    let inputs = Inputs(report::inputs(scenario, &scene));
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, command)?;
     let files = vec![

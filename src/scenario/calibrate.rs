@@ -150,7 +150,7 @@ impl Scenario {
             return refuse(path, problem);
         }
         if let Some((path, problem)) = plan.unused() {
-            return refuse(path, problem.to_owned());
+            return refuse(path, problem);
         }
         let has_speed = paths.iter().any(|path| is_speed(path));
         if is_of_impacts {

@@ -11,6 +11,7 @@ use crate::law::LawChoice;
 use crate::plan::random::Distribution;
 use crate::scene::key::Form;
 use crate::scene::keys::forms;
+use crate::scene::other_keys::List;
 use crate::units::nearest::did_you_mean;
 
 /// What a scenario gives: values by their place in the file, with the number of the item in a list of tables
@@ -165,35 +166,36 @@ impl Entries {
                     self.table(inner, &place, &pattern)?;
                 }
                 (None, DeValue::Table(inner)) if is_table(&pattern) => self.table(inner, &place, &pattern)?,
-                (None, DeValue::Array(items)) if is_list(&pattern) => self.tables_of(items, &place, &pattern)?,
                 (None, _) if pattern == "law" => {
                     return Err(refused(Fault::at(value, format!("not a table; {ONE_LAW}"))));
                 }
                 (None, _) if is_table(&pattern) => return Err(refused(not_a_table(value))),
-                (None, _) if is_list(&pattern) => {
-                    let example =
-                        if pattern == STEPS { STEPS_EXAMPLE } else { "[[indentation.half_space]] with a name" };
-                    let message = format!("found {}, expected a list of tables: {example}", described(value.get_ref()));
-                    return Err(refused(Fault::at(value, message)));
-                }
-                (None, _) => {
-                    let fault = Fault { span: name.span(), message: unknown(&pattern) };
-                    return Err(Refused { key: place, fault });
-                }
+                (None, written) => match (List::find(&pattern), written) {
+                    (Some(list), DeValue::Array(items)) => self.tables_of(list, items, &place)?,
+                    (Some(list), _) => {
+                        let found = described(written);
+                        let message = format!("found {found}, expected a list of tables: {}", list.example);
+                        return Err(refused(Fault::at(value, message)));
+                    }
+                    (None, _) => {
+                        let fault = Fault { span: name.span(), message: unknown(&pattern) };
+                        return Err(Refused { key: place, fault });
+                    }
+                },
             }
         }
         Ok(())
     }
 
-    fn tables_of(&mut self, items: &[Spanned<DeValue>], place: &str, pattern: &str) -> Result<(), Refused> {
+    fn tables_of(&mut self, list: &List, items: &[Spanned<DeValue>], place: &str) -> Result<(), Refused> {
         self.lists.insert(place.to_owned(), items.len());
+        let pattern = format!("{}[]", list.path);
         for (i, item) in items.iter().enumerate() {
-            let (place, pattern) = (format!("{place}[{i}]"), format!("{pattern}[]"));
+            let place = format!("{place}[{i}]");
             match item.get_ref() {
                 DeValue::Table(inner) => self.table(inner, &place, &pattern)?,
                 other => {
-                    let example = if pattern == "indentation.steps[]" { STEP } else { "a table with a name" };
-                    let message = format!("found {}, expected {example}", described(other));
+                    let message = format!("found {}, expected {}", described(other), list.item);
                     return Err(Refused { key: place, fault: Fault::at(item, message) });
                 }
             }
@@ -202,10 +204,6 @@ impl Entries {
     }
 }
 
-const STEPS: &str = "indentation.steps";
-const STEP: &str = "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }";
-/// How the steps of an indentation are written.
-pub(super) const STEPS_EXAMPLE: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 
 fn named(table: &str, key: Option<String>, fault: Fault) -> Refused {
@@ -225,11 +223,6 @@ fn is_table(pattern: &str) -> bool {
     let dotted = format!("{pattern}.");
     let is_law = || pattern.strip_prefix("law.").is_some_and(|law| LawChoice::names().contains(&law));
     forms().any(|(path, _)| path.starts_with(&dotted)) || is_law()
-}
-
-fn is_list(pattern: &str) -> bool {
-    let list = format!("{pattern}[].");
-    forms().any(|(path, _)| path.starts_with(&list))
 }
 
 /// A scenario has one law.

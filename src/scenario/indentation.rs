@@ -1,10 +1,10 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
-use super::entries::STEPS_EXAMPLE;
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
+use crate::scene::other_keys::List;
 use crate::units::{Dimension, human};
 
 /// Rows of a trace that are held until they are written: some hundred megabytes.
@@ -66,11 +66,12 @@ impl Scenario {
     }
 
     fn targets(&self) -> Result<Vec<Target>, ScenarioError> {
+        let as_in = List::find(STEPS).map_or_else(String::new, |list| format!("as in {}", list.example));
         let Some(count) = self.entries.length(STEPS) else {
             return Err(self.document.missing("indentation", "steps"));
         };
         if count == 0 {
-            let message = format!("there is no step; give one at least, as in {STEPS_EXAMPLE}");
+            let message = format!("there is no step; give one at least, {as_in}");
             return Err(self.document.refuse(STEPS, message));
         }
         let target = |i: usize| {
@@ -80,8 +81,7 @@ impl Scenario {
                 (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
                 (both, _) => {
                     let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
-                    let message =
-                        format!("step {}: {what}; write exactly one of the two, as in {STEPS_EXAMPLE}", i + 1);
+                    let message = format!("step {}: {what}; write exactly one of the two, {as_in}", i + 1);
                     Err(self.document.refuse(STEPS, message))
                 }
             }

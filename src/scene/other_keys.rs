@@ -141,3 +141,36 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     /// Half of the width of the interval that the strength lies in.
     "indentation.half_space[].yield_strength_uncertainty": Number(&STRENGTH, None) = "none";
 };
+
+/// A list of tables: a key whose items have keys of their own.
+#[derive(Debug, Clone, Copy)]
+pub struct List {
+    /// As in the file, with dots.
+    pub path: &'static str,
+    /// How it is written.
+    pub example: &'static str,
+    /// What an item of it is.
+    pub item: &'static str,
+}
+
+/// The lists of tables.
+pub const LISTS: [List; 2] = [
+    List {
+        path: "indentation.steps",
+        example: "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]",
+        item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
+    },
+    List {
+        path: "indentation.half_space",
+        example: "[[indentation.half_space]] with a name",
+        item: "a table with a name",
+    },
+];
+
+impl List {
+    /// The list of that path.
+    #[must_use]
+    pub fn find(path: &str) -> Option<&'static Self> {
+        LISTS.iter().find(|list| list.path == path)
+    }
+}

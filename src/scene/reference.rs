@@ -6,7 +6,7 @@ use super::key::Form;
 use super::keys::KEYS;
 use super::other_keys::OTHER_KEYS;
 use super::quantity::Quantity;
-use super::results::{Reported, impact, indentation, series};
+use super::results::{Described, files};
 use crate::law::LawChoice;
 
 /// All keys as Markdown, a table for every table of a scenario.
@@ -140,24 +140,14 @@ pub fn renewed(page: &str) -> Result<String, [&'static str; 2]> {
 /// All results as Markdown, a table for every file, or part of one, that has them.
 #[must_use]
 pub fn results() -> String {
-    let mut text = String::new();
-    of_file(&mut text, "One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::results());
-    of_file(&mut text, "One impact: `trace.csv`", &impact::trace());
-    of_file(&mut text, "Repeated impacts: `summary.json`", &series::results());
-    of_file(&mut text, "Repeated impacts: `impacts.csv`", &series::impacts());
-    of_file(&mut text, "Repeated impacts: `trace.csv`", &series::trace());
-    of_file(&mut text, "Indentation: every half-space in `summary.json`", &indentation::half_space());
-    of_file(&mut text, "Indentation: every step of a half-space", &indentation::step());
-    of_file(&mut text, "Indentation: `trace.csv`", &indentation::trace());
-    text
-}
-
-fn of_file<T>(text: &mut String, title: &str, results: &[Reported<T>]) {
-    let _ = writeln!(text, "### {title}\n\n| name | meaning | when it is there |\n|---|---|---|");
-    for Reported { name, about, condition, column, .. } in results {
-        let mark = if column.is_some() { " \u{25a6}" } else { "" };
-        let condition = if condition.is_empty() { "always" } else { condition };
-        let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
-    }
-    text.push('\n');
+    files().iter().fold(String::new(), |mut text, (title, results)| {
+        let _ = writeln!(text, "### {title}\n\n| name | meaning | when it is there |\n|---|---|---|");
+        for Described { name, about, condition, is_column } in results {
+            let mark = if *is_column { " \u{25a6}" } else { "" };
+            let condition = if condition.is_empty() { "always" } else { condition };
+            let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
+        }
+        text.push('\n');
+        text
+    })
 }

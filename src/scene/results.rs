@@ -6,12 +6,20 @@
 //! too, what the column needs and how a row gives it (`[..]`); and its value. A value without a condition is always there,
 //! as `null` (in CSV an empty field) where it is not finite or `None`.
 
+pub mod compare;
 mod entry;
 pub mod impact;
 pub mod indentation;
 pub mod series;
+pub mod table;
 
-pub use entry::{Column, Fields, Needs, Reported, fields};
+pub use entry::{Column, Described, Fields, File, Needs, Reported, fields};
+
+/// The files, or parts of them, that hold results, in the order of the reference page.
+#[must_use]
+pub fn files() -> Vec<File> {
+    [impact::files(), series::files(), indentation::files(), compare::files(), table::files()].concat()
+}
 
 /// The columns of results that a table may have, in their order: those of elastic waves come last.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Mean, standard deviation and quantiles of e over any number of rows, in bounded memory and in the order of the cases,
 //! so that threads and shards change nothing.
 
-use serde::Serialize;
+use crate::scene::results::table::Distribution;
 
 /// Up to so many samples the quantiles are exact; beyond, they come from bins.
 const EXACT: usize = 1_000_000;
@@ -21,25 +21,6 @@ pub struct Statistics {
     values: Vec<f64>,
     /// Counts a bin, once they are many.
     bins: Vec<u64>,
-}
-
-/// What the samples come to.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Distribution {
-    /// Samples with a result.
-    pub samples: u64,
-    /// Mean of e.
-    pub mean: f64,
-    /// Standard deviation of e (n − 1 in the denominator).
-    pub standard_deviation: f64,
-    /// A twentieth of the samples lies below.
-    pub quantile_05: f64,
-    /// Half of the samples lies below.
-    pub quantile_50: f64,
-    /// A twentieth of the samples lies above.
-    pub quantile_95: f64,
-    /// 0 where the quantiles are exact (up to 10⁶ samples), or the width of the bins they come from.
-    pub quantile_resolution: f64,
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // negative and NaN go to the first bin

@@ -21,6 +21,9 @@ pub enum Format {
 }
 
 impl Format {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Csv, Self::Json, Self::Parquet];
+
     /// File name extension, and the word on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -34,7 +37,7 @@ impl Format {
     /// The format of that name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
-        [Self::Csv, Self::Json, Self::Parquet].into_iter().find(|format| format.name() == name)
+        Self::ALL.into_iter().find(|format| format.name() == name)
     }
 }
 

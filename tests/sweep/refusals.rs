@@ -47,7 +47,7 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     says("[sweep]\n\"solver.method\" = [\"dop835\"]\n", &["dop835", "did you mean \"dop853\""]);
     says("[sweep]\n\"solver.tolerance\" = [1e-6, 1e-9]\n", &["solver.tolerance", "not used", "solver.method"]);
     says("[sweep]\n\"sphere.yield_strength\" = [1e9]\n", &["sphere.yield_strength", "not used"]);
-    says("[sweep]\n\"sphere.radius\" = [0.1]\n\"sphere.diameter\" = [0.2]\n", &["the same as \"sphere.radius\""]);
+    says("[sweep]\n\"sphere.radius\" = [0.1]\n\"sphere.diameter\" = [0.2]\n", &["stands in place of sphere.radius"]);
     says("[sweep]\n\"impact.speed\" = [1]\n\"impact.speed\" = [2]\n", &["duplicate"]);
     says("[sweep]\n", &["no axis"]);
     let long = "{ linspace = [1, 2], points = 4000000000 }";

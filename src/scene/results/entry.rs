@@ -21,6 +21,31 @@ pub struct Reported<T> {
     pub column: Option<Column>,
 }
 
+/// What the reference page says of a result.
+#[derive(Debug, Clone, Copy)]
+pub struct Described {
+    /// Its name, with the unit.
+    pub name: &'static str,
+    /// What it is, in one sentence.
+    pub about: &'static str,
+    /// Under which condition it is there; empty: always.
+    pub condition: &'static str,
+    /// Whether it is a column of tables too.
+    pub is_column: bool,
+}
+
+/// A file, or a part of one, with its results.
+pub type File = (&'static str, Vec<Described>);
+
+/// The results of a file, for the reference page.
+pub(super) fn file<T>(title: &'static str, results: &[Reported<T>]) -> File {
+    let described = |result: &Reported<T>| {
+        let Reported { name, about, condition, column, .. } = *result;
+        Described { name, about, condition, is_column: column.is_some() }
+    };
+    (title, results.iter().map(described).collect())
+}
+
 /// What a scene must have for a column to be there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
@@ -98,6 +123,8 @@ pub(super) const GRAVITY: &str = "there is gravity";
 pub(super) const DAMPING: &str = "there is damping";
 pub(super) const VISCOUS: &str = "there is viscous damping";
 pub(super) const TABLES: &str = "in tables only";
+pub(super) const OUTSIDE: &str = "there are such rows";
+pub(super) const RANDOM: &str = "the cases are random";
 pub(super) const VERLET: &str = "the method is verlet";
 pub(super) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(super) const CAPTURED: &str = "the sphere stays in its dent";

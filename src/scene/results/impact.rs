@@ -1,6 +1,6 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
-use super::entry::{Reported, results};
+use super::entry::{File, Reported, file, results};
 use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, UnderForces};
 
 /// One impact.
@@ -172,4 +172,12 @@ pub fn event_name(event: Option<Event>) -> &'static str {
         Some(Event::Separation) => "separation",
         Some(Event::Captured) => "captured",
     }
+}
+
+/// The files with these results.
+pub(super) fn files() -> Vec<File> {
+    vec![
+        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
+        file("One impact: `trace.csv`", &trace()),
+    ]
 }

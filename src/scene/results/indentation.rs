@@ -1,6 +1,6 @@
 //! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
 
-use super::entry::{Fields, Reported, fields, results};
+use super::entry::{Fields, File, Reported, fields, file, results};
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.
@@ -146,4 +146,13 @@ pub fn trace<'a>() -> Vec<Reported<Traced<'a>>> {
         /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": row.1.branch.name();
     }
+}
+
+/// The files with these results.
+pub(super) fn files() -> Vec<File> {
+    vec![
+        file("Indentation: every half-space in `summary.json`", &half_space()),
+        file("Indentation: every step of a half-space", &step()),
+        file("Indentation: `trace.csv`", &trace()),
+    ]
 }

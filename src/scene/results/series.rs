@@ -1,6 +1,6 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
-use super::entry::{Reported, results};
+use super::entry::{File, Reported, file, results};
 use crate::impact::Contact;
 use crate::math::power::max_or_nan;
 use crate::repeat::{Drive, End, Hit, Repeat, Sequence};
@@ -222,4 +222,13 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         /// The event, if the row is one, as in the trace of one impact; `release` where a fall begins.
         "event": row.event;
     }
+}
+
+/// The files with these results.
+pub(super) fn files() -> Vec<File> {
+    vec![
+        file("Repeated impacts: `summary.json`", &results()),
+        file("Repeated impacts: `impacts.csv`", &impacts()),
+        file("Repeated impacts: `trace.csv`", &trace()),
+    ]
 }

@@ -1,0 +1,99 @@
+//! The results of a whole table, beside its rows.
+
+use super::entry::{File, Reported, file, results};
+
+/// What the rows of a table come to.
+#[derive(Debug, Clone, Copy)]
+pub struct Totals {
+    /// How many there are.
+    pub rows: u64,
+    /// Those without a result.
+    pub failures: u64,
+    /// Those that the law has no answer for.
+    pub outside_law: u64,
+    /// The restitutions of random cases.
+    pub restitution: Option<Distribution>,
+}
+
+/// What the restitutions of random cases come to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Distribution {
+    /// How many there are.
+    pub samples: u64,
+    /// Their mean.
+    pub mean: f64,
+    /// Their standard deviation, with n − 1 in the denominator.
+    pub standard_deviation: f64,
+    /// A twentieth of them lies below.
+    pub quantile_05: f64,
+    /// Half of them lies below.
+    pub quantile_50: f64,
+    /// A twentieth of them lies above.
+    pub quantile_95: f64,
+    /// 0 where the quantiles are exact, else the width of the bins that they come from.
+    pub quantile_resolution: f64,
+}
+
+/// A random key, as it was drawn.
+#[derive(Debug, Clone)]
+pub struct Drawn {
+    /// Its path.
+    pub key: &'static str,
+    /// The name of its distribution.
+    pub distribution: &'static str,
+    /// Mean and standard deviation before truncation, or the two ends; SI.
+    pub parameters: [f64; 2],
+    /// The allowed range, in words.
+    pub truncated_to: String,
+    /// Share of the distribution that lies in it.
+    pub kept: f64,
+}
+
+/// The results of the rows, in the order of `summary.json`.
+#[must_use]
+pub fn totals() -> Vec<Reported<Totals>> {
+    results! { |of: Totals|
+        /// Rows of the table.
+        "rows": of.rows;
+        /// Rows without a result.
+        "failures": of.failures;
+        /// Rows that the law has no answer for.
+        "outside_law" if OUTSIDE: (of.outside_law > 0).then_some(of.outside_law);
+        /// Restitutions that the distribution is made of.
+        "restitution.samples" if RANDOM: of.restitution.map(|e| e.samples);
+        /// Mean of the restitution.
+        "restitution.mean" if RANDOM: of.restitution.map(|e| e.mean);
+        /// Standard deviation of the restitution, with n - 1 in the denominator.
+        "restitution.standard_deviation" if RANDOM: of.restitution.map(|e| e.standard_deviation);
+        /// A twentieth of the restitutions lies below.
+        "restitution.quantile_05" if RANDOM: of.restitution.map(|e| e.quantile_05);
+        /// Half of the restitutions lies below.
+        "restitution.quantile_50" if RANDOM: of.restitution.map(|e| e.quantile_50);
+        /// A twentieth of the restitutions lies above.
+        "restitution.quantile_95" if RANDOM: of.restitution.map(|e| e.quantile_95);
+        /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
+        "restitution.quantile_resolution" if RANDOM: of.restitution.map(|e| e.quantile_resolution);
+    }
+}
+
+/// What is said of every random key.
+#[must_use]
+pub fn drawn() -> Vec<Reported<Drawn>> {
+    results! { |of: Drawn|
+        /// Path of the key.
+        "key": of.key;
+        /// Name of its distribution: `uniform`, `normal` or `lognormal`.
+        "distribution": of.distribution;
+        /// Mean and standard deviation before truncation, or the two ends; SI.
+        "parameters": of.parameters.to_vec();
+        /// Range that the values are cut to.
+        "truncated_to": of.truncated_to.clone();
+        /// Share of the distribution that lies in that range.
+        "kept": of.kept;
+    }
+}
+
+/// The files with these results.
+pub(super) fn files() -> Vec<File> {
+    vec![file("Tables: `summary.json`", &totals()), file("Tables: every random key in `summary.json`", &drawn())]
+}
