@@ -167,27 +167,23 @@ impl Plan {
         self.laws().iter().any(|law| path.split('.').nth(1) == Some(law.about().name))
     }
 
+    /// The values of the axis that `of` picks.
+    fn swept<T>(&self, of: fn(&Setting) -> Option<&[T]>) -> Option<&[T]> {
+        match &self.cases {
+            Cases::Grid(axes) => axes.iter().find_map(|axis| of(&axis.setting)),
+            Cases::MonteCarlo { .. } => None,
+        }
+    }
+
     /// The laws of the cases.
     fn laws(&self) -> &[LawChoice] {
-        let swept = match &self.cases {
-            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Law(laws) => Some(laws.as_slice()),
-                _ => None,
-            }),
-            Cases::MonteCarlo { .. } => None,
-        };
+        let swept = self.swept(|setting| if let Setting::Law(laws) = setting { Some(laws) } else { None });
         swept.unwrap_or(std::slice::from_ref(&self.scene.law))
     }
 
     /// The methods of the cases.
     fn methods(&self) -> &[Method] {
-        let swept = match &self.cases {
-            Cases::Grid(axes) => axes.iter().find_map(|axis| match &axis.setting {
-                Setting::Method(methods) => Some(methods.as_slice()),
-                Setting::Number { .. } | Setting::Law(_) => None,
-            }),
-            Cases::MonteCarlo { .. } => None,
-        };
+        let swept = self.swept(|setting| if let Setting::Method(methods) = setting { Some(methods) } else { None });
         swept.unwrap_or(std::slice::from_ref(&self.scene.solver.method))
     }
 

@@ -51,7 +51,7 @@ pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let path = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
-    super::terminal::print(&text).context("standard output")?;
+    super::terminal::print(&text)?;
     super::terminal::note(format_args!("wrote {} files to {}", files.len(), path.display()));
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! `plm-impact check`
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 
@@ -17,5 +16,5 @@ pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     let outcome = plm_impact::run::check(&scenario)?;
     super::run::warn(&outcome.warnings);
-    super::terminal::print(&outcome.text).context("standard output")
+    super::terminal::print(&outcome.text)
 }

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
@@ -69,7 +68,7 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let text = report::toml(&coefficients).map_err(Error::from)?;
     directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }]).map_err(Error::from)?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
-    super::terminal::print(&report::table(&fitted, &of_built_in)).context("standard output")?;
+    super::terminal::print(&report::table(&fitted, &of_built_in))?;
     super::terminal::note(format_args!("wrote {}", arguments.out.display()));
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! `plm-impact laws`
 
-use anyhow::Context as _;
 use clap::Args;
 
 /// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
@@ -8,5 +7,5 @@ use clap::Args;
 pub struct Arguments {}
 
 pub fn laws(_: &Arguments) -> anyhow::Result<()> {
-    super::terminal::print(&plm_impact::report::laws::list()).context("standard output")
+    super::terminal::print(&plm_impact::report::laws::list())
 }

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::{self, OutputDirectory};
@@ -41,7 +40,7 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let files = table::files(&merged.plan, &merged.tally, &warnings, &provenance)?;
     directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
-        super::terminal::print(&report::sweep::lines(&merged.tally)).context("standard output")?;
+        super::terminal::print(&report::sweep::lines(&merged.tally))?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         super::terminal::note(format_args!("wrote {}, {}", arguments.out.display(), names.join(", ")));
     }

@@ -17,7 +17,7 @@ pub struct Arguments {
 
 pub fn reference(arguments: &Arguments) -> anyhow::Result<()> {
     let Some(page) = &arguments.page else {
-        return super::terminal::print(&reference::page()).context("standard output");
+        return super::terminal::print(&reference::page());
     };
     let name = page.display();
     let text = std::fs::read_to_string(page).with_context(|| format!("{name}: cannot be read"))?;

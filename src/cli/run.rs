@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::{Origin, OutputDirectory};
@@ -98,7 +97,7 @@ impl Output {
         let out = directory.path().to_owned();
         directory.write(&files).map_err(Error::from)?;
         if !self.quiet {
-            super::terminal::print(&text).context("standard output")?;
+            super::terminal::print(&text)?;
             let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
             super::terminal::note(format_args!("wrote {} to {}", names.join(", "), out.display()));
         }

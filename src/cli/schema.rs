@@ -1,6 +1,5 @@
 //! `plm-impact schema`
 
-use anyhow::Context as _;
 use clap::Args;
 
 /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
@@ -9,5 +8,5 @@ pub struct Arguments {}
 
 pub fn schema(_: &Arguments) -> anyhow::Result<()> {
     let text = serde_json::to_string_pretty(&plm_impact::scene::schema::schema())?;
-    super::terminal::print(&(text + "\n")).context("standard output")
+    super::terminal::print(&(text + "\n"))
 }

@@ -2,7 +2,6 @@
 
 use std::io::{self, IsTerminal as _};
 
-use anyhow::Context as _;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -111,7 +110,7 @@ pub fn run(
         written.close().map_err(Error::from)?;
     }
     if !is_quiet {
-        super::terminal::print(&report::sweep::lines(&written.tally)).context("standard output")?;
+        super::terminal::print(&report::sweep::lines(&written.tally))?;
         if written.resumed > 0 {
             super::terminal::note(format_args!("{} of these rows were there from an earlier run", written.resumed));
         }

@@ -3,6 +3,8 @@
 use std::fmt::Display;
 use std::io::{self, Write as _};
 
+use anyhow::Context as _;
+
 /// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.
 pub fn note(line: impl Display) {
     drop(writeln!(io::stderr().lock(), "{}", harmless(&line.to_string())));
@@ -22,10 +24,10 @@ fn harmless(text: &str) -> String {
 }
 
 /// Prints a result; a reader that has seen enough (`| head`) is no failure.
-pub fn print(text: &str) -> io::Result<()> {
+pub fn print(text: &str) -> anyhow::Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(harmless(text).as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
+        result => result.context("standard output"),
     }
 }

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::law::PlmCoefficients;
@@ -60,7 +59,7 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let out = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
-    super::terminal::print(&said).context("standard output")?;
+    super::terminal::print(&said)?;
     let names: Vec<&str> = files[..tables].iter().map(|file| file.name.as_str()).collect();
     let pictures = files.len() - tables;
     super::terminal::note(format_args!("wrote {} and {pictures} pictures to {}", names.join(", "), out.display()));

@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, Serializer};
 
-use super::resolved::{Entry, Given, of_scene};
+use super::resolved::{Entry, of_scene};
 use crate::plan::axis::Setting;
 use crate::plan::{Cases, Plan, YIELD_STRENGTH};
 
@@ -12,20 +12,7 @@ pub struct Inputs(pub Vec<Entry>);
 
 impl Serialize for Inputs {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|entry| (entry.column(), Value(&entry.value))))
-    }
-}
-
-struct Value<'a>(&'a Given);
-
-impl Serialize for Value<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Given::Number(value, _) => serializer.serialize_f64(*value),
-            Given::Count(count) => serializer.serialize_u64(*count),
-            Given::Word(word) => serializer.serialize_str(word),
-            Given::WordOf(word, _) => serializer.serialize_str(word),
-        }
+        serializer.collect_map(self.0.iter().map(|entry| (&entry.column, &entry.value)))
     }
 }
 

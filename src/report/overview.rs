@@ -24,7 +24,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 
 /// Keys and values.
 pub(super) fn rows(entries: &[Entry]) -> Vec<Row> {
-    entries.iter().map(|entry| [entry.key.to_owned(), entry.text()]).collect()
+    entries.iter().map(|entry| [entry.key.to_owned(), entry.text.clone()]).collect()
 }
 
 /// What follows from the pair alone.
@@ -55,15 +55,15 @@ fn given(scene: &Scene) -> Vec<Row> {
             "law" if is_plm => {}
             "law" => {
                 let about = scene.law.about();
-                row("law", format!("{} ({})", entry.text(), scene.law.source()));
+                row("law", format!("{} ({})", entry.text, scene.law.source()));
                 row("law.validity", about.validity.to_owned());
                 row("law.confidence", about.confidence.to_owned());
             }
             "half_space.hardness" => {
                 let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
-                row(entry.key, format!("{}, {} HV", entry.text(), four_digits(vickers)));
+                row(entry.key, format!("{}, {} HV", entry.text, four_digits(vickers)));
             }
-            key => row(key, entry.text()),
+            key => row(key, entry.text),
         }
     }
     rows

@@ -1,5 +1,7 @@
 //! All that a scenario came to, its defaults included: what `check` prints and what a summary lists as `inputs`.
 
+use serde_json::Value;
+
 use crate::impact::Method;
 use crate::law::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
@@ -9,72 +11,42 @@ use crate::scene::{KEYS, Key, Scene};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
 
-/// What a key came to.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Given {
-    /// A number in SI.
-    Number(f64, Dimension),
-    /// A word in place of a number.
-    WordOf(&'static str, Dimension),
-    /// A count.
-    Count(u64),
-    /// A word.
-    Word(String),
-}
-
 /// A key and what it came to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// As in the file, with dots.
     pub key: &'static str,
-    /// Its value.
-    pub value: Given,
+    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
+    pub column: String,
+    /// In SI, or a word.
+    pub value: Value,
+    /// The value for a person.
+    pub text: String,
 }
 
 impl Entry {
     /// A number, or the word that stands in its place.
     pub(super) fn of(key: &Key, value: f64) -> Self {
-        match key.word {
-            Some(word) if value.is_infinite() => {
-                Self { key: key.path, value: Given::WordOf(word, key.quantity.dimension) }
-            }
-            _ => Self { key: key.path, value: Given::Number(value, key.quantity.dimension) },
-        }
+        let entry = match key.word {
+            Some(word) if value.is_infinite() => Self::word(key.path, word),
+            _ => Self { value: value.into(), ..Self::word(key.path, describe(value, key.quantity.dimension)) },
+        };
+        Self { column: key.column(), ..entry }
     }
 
     pub(super) fn word(key: &'static str, word: impl Into<String>) -> Self {
-        Self { key, value: Given::Word(word.into()) }
+        let text = word.into();
+        Self { key, column: key.replace('.', "_"), value: text.clone().into(), text }
     }
 
     pub(super) fn count(key: &'static str, count: usize) -> Self {
-        Self { key, value: Given::Count(count as u64) }
+        Self { value: count.into(), ..Self::word(key, count.to_string()) }
     }
 
     /// Whether it is a number that the scene does not have.
     #[must_use]
     pub fn is_nan(&self) -> bool {
-        matches!(self.value, Given::Number(value, _) if value.is_nan())
-    }
-
-    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
-    #[must_use]
-    pub fn column(&self) -> String {
-        let name = self.key.replace('.', "_");
-        match self.value {
-            Given::Number(_, dimension) | Given::WordOf(_, dimension) => name + dimension.suffix(),
-            Given::Count(_) | Given::Word(_) => name,
-        }
-    }
-
-    /// Its value for a person.
-    #[must_use]
-    pub fn text(&self) -> String {
-        match &self.value {
-            Given::Number(value, dimension) => describe(*value, *dimension),
-            Given::Count(count) => count.to_string(),
-            Given::Word(word) => word.clone(),
-            Given::WordOf(word, _) => (*word).to_owned(),
-        }
+        self.value.is_null()
     }
 }
 

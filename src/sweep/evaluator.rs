@@ -110,6 +110,9 @@ pub struct Evaluator<'a> {
     lockstep: Option<Solver>,
 }
 
+/// Impacts that are integrated in lock step once all of them are known: contact and speed.
+type Pending<'s> = Vec<(&'s Result<Contact, Failure>, f64)>;
+
 impl<'a> Evaluator<'a> {
     /// Pairs the bodies of every combination, if there are at most 10⁴ (about 1 kB each).
     #[must_use]
@@ -169,14 +172,18 @@ impl<'a> Evaluator<'a> {
     /// Appends the rows of `cases`.
     pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
         rows.cases.extend(cases.clone());
-        match &self.plan.cases {
+        let pending = match &self.plan.cases {
             Cases::Grid(axes) => self.grid(axes, cases, rows),
             Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
+        };
+        if let Some(solver) = &self.lockstep {
+            integrate_together(&pending, solver, &mut rows.results);
         }
     }
 
+    /// Appends the rows of a grid, but for the results of those that are to be integrated together.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
-    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
+    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
         let mut places = places(axes, cases.start);
         let mut scene = self.plan.scene.clone();
         for (axis, place) in axes.iter().zip(&places) {
@@ -212,12 +219,11 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        if let Some(solver) = &self.lockstep {
-            integrate_together(&pending, solver, &mut rows.results);
-        }
+        pending
     }
 
-    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
+    /// The same for random cases.
+    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut scene = self.plan.scene.clone();
@@ -239,9 +245,7 @@ impl<'a> Evaluator<'a> {
             };
             rows.results.push(result);
         }
-        if let Some(solver) = &self.lockstep {
-            integrate_together(&pending, solver, &mut rows.results);
-        }
+        pending
     }
 }
 
