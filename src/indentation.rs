@@ -67,51 +67,14 @@ pub enum IndentationError {
     },
 }
 
-/// A doubt about a result.
+/// A doubt about a step.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum Doubt {
-    /// a/R beyond the finite-element data.
-    #[error(
-        "step {step}: contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take indentation and dent as estimates, or lower the target"
-    )]
-    Deep {
-        /// From 1.
-        step: usize,
-        /// a_m/R.
-        ratio: f64,
-        /// Largest a/R of the data.
-        limit: f64,
-    },
-    /// The sphere would yield as well.
-    #[error(
-        "step {step}: mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too"
-    )]
-    SphereYields {
-        /// From 1.
-        step: usize,
-        /// F_m/(π a_m²) \[Pa\].
-        pressure: f64,
-        /// The sphere's yield strength \[Pa\].
-        strength: f64,
-    },
-    /// A peak of which the law, or its flow curve, is not known to hold.
-    #[error("step {step}: {warning}")]
-    Peak {
-        /// From 1.
-        step: usize,
-        /// Why.
-        warning: Warning,
-    },
-    /// The step gains energy, behind a knot of the loading curve.
-    #[error(
-        "step {step}: plastic work {work:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0"
-    )]
-    EnergyGain {
-        /// From 1.
-        step: usize,
-        /// In the step \[J\].
-        work: f64,
-    },
+#[error("step {step}: {warning}")]
+pub struct Doubt {
+    /// From 1.
+    pub step: usize,
+    /// What is doubtful, and what to do.
+    pub warning: Warning,
 }
 
 /// The largest state of a contact so far. SI units.
@@ -274,7 +237,7 @@ impl StaticContact {
             let step = self.step(*target, &stroke)?;
             let is_new = stroke.is_new_peak();
             if is_new {
-                doubts.extend(of_peak(&self.law, peak).map(|warning| Doubt::Peak { step: number, warning }));
+                doubts.extend(of_peak(&self.law, peak).map(|warning| Doubt { step: number, warning }));
             }
             self.doubt(number, &step, steps.last(), &mut doubts);
             steps.push(step);
@@ -330,19 +293,20 @@ impl StaticContact {
 
     /// Doubts that this step is the first to raise.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
+        let mut doubt = |warning| doubts.push(Doubt { step: number, warning });
         let ratio = |step: &Step| step.memory.contact_radius / self.indenter.radius;
         let limit = self.law.widest_contact();
         if ratio(step) > limit && before.is_none_or(|before| ratio(before) <= limit) {
-            doubts.push(Doubt::Deep { step: number, ratio: ratio(step), limit });
+            doubt(Warning::DeepDent { ratio: ratio(step), limit });
         }
         if let Some(strength) = self.indenter.yield_strength {
             let yields = |step: &Step| step.memory.mean_pressure > 1.1 * strength;
             if yields(step) && !before.is_some_and(yields) {
-                doubts.push(Doubt::SphereYields { step: number, pressure: step.memory.mean_pressure, strength });
+                doubt(Warning::SphereYields { pressure: step.memory.mean_pressure, strength });
             }
         }
         if step.plastic_work < 0.0 {
-            doubts.push(Doubt::EnergyGain { step: number, work: step.plastic_work });
+            doubt(Warning::PlasticGain { work: step.plastic_work });
         }
     }
 }

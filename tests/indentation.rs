@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 use Target::{Indentation as To, Load};
 use common::off;
+use plm_impact::impact::Warning;
 use plm_impact::indentation::{Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target};
 use plm_impact::law::{Branch, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
@@ -170,7 +171,16 @@ fn doubts_are_raised_once_by_the_step_that_gives_them() {
     let doubts = |targets: &[Target]| contact.indent(targets, None).unwrap().doubts;
     assert!(doubts(&[Load(1.0), Load(0.0)]).is_empty());
     let found = doubts(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
-    assert!(matches!(found[..], [Doubt::Deep { step: 2, .. }, Doubt::SphereYields { step: 2, .. }]), "{found:?}");
+    assert!(
+        matches!(
+            found[..],
+            [
+                Doubt { step: 2, warning: Warning::DeepDent { .. } },
+                Doubt { step: 2, warning: Warning::SphereYields { .. } }
+            ]
+        ),
+        "{found:?}"
+    );
 }
 
 #[test]

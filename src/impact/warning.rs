@@ -9,7 +9,7 @@ use crate::units::four_digits;
 pub enum Warning {
     /// a/R beyond the finite-element data.
     #[error(
-        "contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take forces and dent as estimates, or lower the speed"
+        "contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take forces and dent as estimates, or let the dent be shallower"
     )]
     DeepDent {
         /// a_m/R.
@@ -29,7 +29,7 @@ pub enum Warning {
     },
     /// The sphere would yield as well.
     #[error(
-        "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and e be lower"
+        "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and less would come back"
     )]
     SphereYields {
         /// Peak mean pressure \[Pa\].
@@ -71,6 +71,14 @@ pub enum Warning {
     EnergyGain {
         /// e.
         restitution: f64,
+    },
+    /// A step of an indentation that gains energy.
+    #[error(
+        "plastic work {work:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0"
+    )]
+    PlasticGain {
+        /// In the step \[J\].
+        work: f64,
     },
     /// More comes back than was spent, but the run is too rough to say so.
     #[error(

@@ -111,6 +111,9 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
         Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
-        Warning::UnusedKey { .. } | Warning::UnusedLaw { .. } | Warning::WavesAtJump { .. } => 0.0,
+        Warning::PlasticGain { .. }
+        | Warning::UnusedKey { .. }
+        | Warning::UnusedLaw { .. }
+        | Warning::WavesAtJump { .. } => 0.0,
     }
 }
