@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use ode_solvers::System;
 
 use super::driver::{Driver, Node};
-use crate::integrate::cubic::cubic_minimum;
+use crate::integrate::cubic::dips;
 use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
 use crate::math::root::Bracket;
 
@@ -115,9 +115,7 @@ impl Equations<'_> {
         let way = ((sign * last[2]).max(0.0) + push * time) * time;
         self.is_pushed_on(last[1] + sign * way)
     }
-}
 
-impl Equations<'_> {
     /// Whether the contact force vanishes and comes again on the step to this node.
     fn dips_before(&self, node: Node) -> bool {
         let Some(last) = self.nodes.and_then(|nodes| nodes.borrow().last().copied()) else { return false };
@@ -127,12 +125,7 @@ impl Equations<'_> {
         let h = node[0] - last[0];
         let ((before, falls), (after, rises)) =
             (self.event(Crossing::LiftOff, last), self.event(Crossing::LiftOff, node));
-        let (falls, rises) = (falls * h, rises * h);
-        cubic_minimum(before, falls, after, rises).is_some_and(|x| {
-            let y = 1.0 - x;
-            let ends = y * y * ((1.0 + 2.0 * x) * before + x * falls);
-            ends + x * x * ((3.0 - 2.0 * x) * after - y * rises) <= 0.0
-        })
+        dips(before, falls * h, after, rises * h)
     }
 }
 
