@@ -69,15 +69,15 @@ pub struct Scenario {
     flow_table: Option<String>,
 }
 
-/// What an impact cannot do without, any key of a group in place of the others.
-const NEEDED: [&[&str]; 7] = [
-    &["sphere.radius", "sphere.diameter"],
-    &["sphere.youngs_modulus"],
-    &["sphere.poissons_ratio"],
-    &["half_space.youngs_modulus"],
-    &["half_space.poissons_ratio"],
-    &["sphere.density", "sphere.mass"],
-    &["impact.speed", "impact.drop_height"],
+/// What an impact cannot do without; another key may stand in place of it (see [`EITHER`]).
+const NEEDED: [&str; 7] = [
+    "sphere.radius",
+    "sphere.youngs_modulus",
+    "sphere.poissons_ratio",
+    "half_space.youngs_modulus",
+    "half_space.poissons_ratio",
+    "sphere.density",
+    "impact.speed",
 ];
 
 /// Why a law has no use.
@@ -136,10 +136,14 @@ impl Scenario {
         self.need(&NEEDED[..3])
     }
 
-    /// Refuses a scenario that lacks one of these keys, unless it varies over the cases of a table.
-    fn need(&self, groups: &[&[&str]]) -> Result<(), ScenarioError> {
-        let is_there = |path: &&&str| self.entries.has(path) || self.entries.varies(path);
-        let Some(group) = groups.iter().find(|group| !group.iter().any(|path| is_there(&path))) else {
+    /// Refuses a scenario that lacks one of these keys, and what may stand in place of it, unless it varies over the cases of
+    /// a table.
+    fn need(&self, keys: &[&'static str]) -> Result<(), ScenarioError> {
+        let group = |key: &&'static str| {
+            EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
+        };
+        let is_there = |path: &&str| self.entries.has(path) || self.entries.varies(path);
+        let Some(group) = keys.iter().map(group).find(|group| !group.iter().any(is_there)) else {
             return Ok(());
         };
         let (table, _) = group[0].split_once('.').unwrap_or_default();
@@ -148,7 +152,7 @@ impl Scenario {
         if !self.entries.has(table) && !self.entries.varied().any(|path| table == "impact" && in_table(&path)) {
             return Err(self.document.missing("", table));
         }
-        Err(self.document.missing_one_of(table, group, ""))
+        Err(self.document.missing_one_of(table, &group, ""))
     }
 
     /// The scene of an impact: defaults filled in, files read.
