@@ -38,7 +38,7 @@ impl Essentials {
     /// In SI units.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`](crate::material::OutOfFloatRange) where energy, force, time or radiation leave double precision.
+    /// [`OutOfFloatRange`] where energy, force, time or radiation leave double precision.
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
         let Case { scales, law, .. } = case;
