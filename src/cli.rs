@@ -3,6 +3,7 @@
 mod bench;
 mod calibrate;
 mod check;
+mod export;
 mod fit_plm;
 mod interrupt;
 mod laws;
@@ -35,6 +36,7 @@ enum Command {
     Run(run::Arguments),
     Check(check::Arguments),
     Calibrate(calibrate::Arguments),
+    Export(export::Arguments),
     Merge(merge::Arguments),
     Laws(laws::Arguments),
     Schema(schema::Arguments),
@@ -53,6 +55,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),

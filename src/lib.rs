@@ -143,9 +143,13 @@
 #[doc(hidden)]
 pub mod bench;
 pub mod calibrate;
+#[cfg(feature = "capi")]
+pub mod capi;
 pub mod compare;
 #[doc(hidden)]
 pub mod error;
+#[doc(hidden)]
+pub mod export;
 pub mod fit;
 pub mod impact;
 pub mod indentation;

@@ -9,7 +9,9 @@ pub mod repeat;
 pub mod table;
 
 use crate::error::Error;
+use crate::impact::Contact;
 use crate::scenario::{Kind, Scenario};
+use crate::scene::Scene;
 pub use outcome::Outcome;
 
 /// How scenarios of one kind are done.
@@ -55,6 +57,25 @@ pub fn way(kind: Kind) -> Way {
 /// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     (way(scenario.kind()?).check)(scenario)
+}
+
+/// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, and one with gravity or damping.
+pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    let scene = scenario.resolve_bodies()?;
+    for (table, is_there) in [("gravity", scene.forces.gravity.is_some()), ("damping", scene.forces.damping.is_some())]
+    {
+        if is_there {
+            let message =
+                "is not a part of the contact law: leave this table out, and let the simulation add the force";
+            return Err(scenario.document.refuse(table, message.to_owned()).into());
+        }
+    }
+    let failed = |reason| Error::Impact { scenario: scenario.document.name().to_owned(), reason };
+    let contact = scene.contact().map_err(failed)?;
+    Ok((scene, contact))
 }
 
 /// Whether warnings keep a scenario from being done: with `is_strict`, one is enough.

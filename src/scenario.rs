@@ -69,7 +69,7 @@ pub struct Scenario {
     flow_table: Option<String>,
 }
 
-/// What an impact cannot do without; another key may stand in place of it (see [`EITHER`]).
+/// What an impact cannot do without; another key may stand in place of it (see [`EITHER`]). The speed is the last.
 const NEEDED: [&str; 7] = [
     "sphere.radius",
     "sphere.youngs_modulus",
@@ -168,6 +168,14 @@ impl Scenario {
         }
         scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         Ok(scene)
+    }
+
+    /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
+    ///
+    /// # Errors
+    /// As [`Scenario::resolve`].
+    pub fn resolve_bodies(&self) -> Result<Scene, ScenarioError> {
+        self.put_together(NEEDED.len() - 1)
     }
 
     /// The scene that the keys make, which has the first so many of what an impact needs.

@@ -27,6 +27,7 @@ const ORDER: &[&[&str]] = &[
     &["report", "validation"],
     &["error"],
     &["run", "bench"],
+    &["capi", "export"],
     &["cli", "main"],
 ];
 

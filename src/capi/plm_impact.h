@@ -1,0 +1,143 @@
+/* The contact law of plm-impact for C. Made by cbindgen from src/capi.rs; SPDX-License-Identifier: MIT */
+
+#ifndef PLM_IMPACT_H
+#define PLM_IMPACT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/**
+ * A sphere, a half-space and the law between them.
+ */
+typedef struct plm_contact plm_contact;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The contact of a scenario that is given as a TOML text: the keys are those of a scenario file, and [impact] may be left
+ * out. Files that it names are relative to the working directory.
+ *
+ * Returns NULL for a bad scenario, and writes why into `error`: at most `length` bytes with the final zero. Free the
+ * contact with `plm_contact_free`.
+ *
+ * # Safety
+ * `scenario_toml` ends with a zero; `error` is NULL or has `length` bytes.
+ */
+struct plm_contact *plm_contact_new(const char *scenario_toml,
+                                    char *error,
+                                    uintptr_t length);
+
+/**
+ * The contact of a scenario file. As `plm_contact_new`; files that the scenario names are relative to its folder.
+ *
+ * # Safety
+ * As `plm_contact_new`.
+ */
+struct plm_contact *plm_contact_open(const char *path,
+                                     char *error,
+                                     uintptr_t length);
+
+/**
+ * Frees a contact; NULL is allowed.
+ *
+ * # Safety
+ * `contact` comes from `plm_contact_new` or `plm_contact_open`, and is not used afterwards.
+ */
+void plm_contact_free(struct plm_contact *contact);
+
+/**
+ * Force [N] at an indentation [m] by the law alone; `memory` (three doubles, zero for a fresh contact) follows.
+ *
+ * The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
+ * (indentation <= 0), not where the force ends. Not a number: the indentation or the memory is none, or a pointer is NULL.
+ *
+ * # Safety
+ * `contact` is NULL or lives; `memory` is NULL or has three doubles that no other thread uses meanwhile.
+ */
+double plm_contact_force(const struct plm_contact *contact,
+                         double indentation,
+                         double *memory);
+
+/**
+ * `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
+ * force[i] belong to indentation[i]. Does nothing where a pointer is NULL.
+ *
+ * # Safety
+ * `contact` lives; the arrays have `n`, 3 `n` and `n` doubles and do not overlap.
+ */
+void plm_contact_forces(const struct plm_contact *contact,
+                        uintptr_t n,
+                        const double *indentation,
+                        double *memory,
+                        double *force);
+
+/**
+ * Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, of the loading
+ * curve beyond it.
+ *
+ * # Safety
+ * `contact` is NULL or lives; `memory` is NULL or has three doubles.
+ */
+double plm_contact_stiffness(const struct plm_contact *contact,
+                             double indentation,
+                             const double *memory);
+
+/**
+ * Where the work of a contact is [J], after `plm_contact_force` gave this force at this indentation and memory: returns what
+ * unloading gives back, and writes into `plastic`, where that is not NULL, what the dent has taken.
+ *
+ * # Safety
+ * As `plm_contact_stiffness`; `plastic` is NULL or a double.
+ */
+double plm_contact_energy(const struct plm_contact *contact,
+                          double indentation,
+                          double force,
+                          const double *memory,
+                          double *plastic);
+
+/**
+ * Radius of the sphere [m]. A sphere of another radius r has the same law in r: with s = radius/r its force is
+ * plm_contact_force at s times its indentation, over s squared.
+ *
+ * # Safety
+ * `contact` is NULL or lives.
+ */
+double plm_contact_radius(const struct plm_contact *contact);
+
+/**
+ * Mass of the sphere [kg].
+ *
+ * # Safety
+ * `contact` is NULL or lives.
+ */
+double plm_contact_mass(const struct plm_contact *contact);
+
+/**
+ * Speed [m/s] of the slowest impact that yields; not a number for a contact that stays elastic and for a law that yields at
+ * once.
+ *
+ * # Safety
+ * `contact` is NULL or lives.
+ */
+double plm_contact_yield_speed(const struct plm_contact *contact);
+
+/**
+ * Contact time [s] of the whole impact at a speed [m/s], and the coefficient of restitution into `restitution` where that
+ * is not NULL; not a number where there is none.
+ *
+ * # Safety
+ * `contact` is NULL or lives; `restitution` is NULL or a double.
+ */
+double plm_contact_time(const struct plm_contact *contact,
+                        double speed,
+                        double *restitution);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* PLM_IMPACT_H */

@@ -1,0 +1,62 @@
+//! `plm-impact export`
+
+use anyhow::Context as _;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use plm_impact::error::Error;
+use plm_impact::export::{Equal, Request, Target, export as lines};
+use plm_impact::units::{Dimension, parse};
+
+use super::scenario::ScenarioArguments;
+
+/// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// The code
+    #[arg(long, value_name = "CODE", value_parser = PossibleValuesParser::new(Target::ALL.map(|(name, _)| name)))]
+    to: String,
+    /// Impact speed [default: that of the scenario]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
+    /// First and last speed of a table e(v), such as "0.1 m/s,10 m/s" [default: a tenth to ten times the speed]
+    #[arg(long, value_name = "FROM,TO", conflicts_with = "speed", allow_hyphen_values = true)]
+    speeds: Option<String>,
+    /// Springs with the peak force of the law, in place of its contact time
+    #[arg(long)]
+    equal_peak_force: bool,
+}
+
+pub fn export(arguments: &Arguments) -> anyhow::Result<()> {
+    let request = Request {
+        target: Target::ALL.iter().find(|(name, _)| *name == arguments.to).map_or(Target::Csv, |(_, target)| *target),
+        speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
+        speeds: arguments.speeds.as_deref().map(speeds).transpose()?,
+        equal: if arguments.equal_peak_force { Equal::PeakForce } else { Equal::ContactTime },
+    };
+    let scenario = arguments.scenario.load().map_err(Error::from)?;
+    let text = lines(&scenario, &request, &super::run::command_line())?;
+    super::terminal::print(&text).context("standard output")
+}
+
+fn speed(option: &str, text: &str) -> Result<f64, Error> {
+    match parse(text, Dimension::Speed) {
+        Ok(speed) if speed > 0.0 && speed.is_finite() => Ok(speed),
+        Ok(_) => Err(Error::Option(format!("{option}: \"{text}\" is not allowed: a speed must be > 0 m/s and finite"))),
+        Err(error) => Err(Error::Option(format!("{option}: {error}"))),
+    }
+}
+
+fn speeds(text: &str) -> Result<(f64, f64), Error> {
+    let both = text.split_once(',').ok_or_else(|| {
+        Error::Option(format!(
+            "--speeds: \"{text}\" is not two speeds: write the first and the last, \"0.1 m/s,10 m/s\""
+        ))
+    })?;
+    let (from, to) = (speed("--speeds", both.0.trim())?, speed("--speeds", both.1.trim())?);
+    if from >= to {
+        return Err(Error::Option(format!("--speeds: the first speed of \"{text}\" is not below the last")));
+    }
+    Ok((from, to))
+}

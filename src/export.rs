@@ -1,0 +1,55 @@
+//! The lines with which another code gives the same rebound as the contact law here: a constant e at a speed, springs with
+//! that e and the contact time (or peak force) of the law, or a table e(v).
+//!
+//! | model | parameters from e, contact time t and peak force F of the impact at v |
+//! |---|---|
+//! | damped linear spring | k = m (π² + ln² e)/t², damping from e: the overlap lasts t, and e is the same at every speed |
+//! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
+//! | two springs (Walton and Braun 1986, Luding 2008 without adhesion) | k₁ = m (π (1 + e)/(2 t))² or (F/v)²/m; k₂ = k₁/e² |
+//!
+//! The peak force of the damped spring follows, and is not that of the law.
+
+mod lines;
+mod request;
+mod springs;
+
+use crate::error::Error;
+use crate::math::functions::pow;
+use crate::run::contact_alone;
+use crate::scenario::Scenario;
+pub use request::{Equal, Request, Target};
+pub use springs::{E_WITHIN, STEPS_PER_CONTACT, Springs, range_of_constant, spring_without_pull};
+
+/// Rows of a table e(v).
+const POINTS: u32 = 41;
+
+/// The lines for another code; `command` is the command line, for the provenance.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, one with gravity or damping, one without a speed, a speed without a result.
+pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
+    let (scene, contact) = contact_alone(scenario)?;
+    let speed = request.speed.or(scene.speed.is_finite().then_some(scene.speed)).ok_or_else(|| {
+        Error::Option("the scenario has no impact.speed: give --speed, such as --speed \"3 m/s\"".to_owned())
+    })?;
+    let at = |speed: f64| {
+        let failed = |reason| Error::Impact { scenario: scenario.document.name().to_owned(), reason };
+        contact.closed_form(speed).map_err(failed)
+    };
+    let impact = at(speed)?;
+    let mut table = Vec::new();
+    if request.target.takes_table() {
+        let (from, to) = request.speeds.unwrap_or((0.1 * speed, 10.0 * speed));
+        for i in 0..POINTS {
+            let share = f64::from(i) / f64::from(POINTS - 1);
+            let speed = if i == 0 { from } else { from * pow(to / from, share) };
+            table.push(at(speed)?);
+        }
+    } else if request.speeds.is_some() {
+        let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
+        return Err(Error::Option(message.to_owned()));
+    }
+    let springs = Springs::of(&contact, &impact, request.equal);
+    let head = lines::Head { scenario, contact: &contact, impact: &impact, springs: &springs, command };
+    head.lines(request, &table)
+}

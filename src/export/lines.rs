@@ -1,0 +1,167 @@
+//! The texts, one for each code.
+
+use std::fmt::Write as _;
+
+use super::request::{Equal, Request, Target};
+use super::springs::{E_WITHIN, STEPS_PER_CONTACT, Springs, range_of_constant, spring_without_pull};
+use crate::error::Error;
+use crate::impact::{Contact, Essentials, Impact};
+use crate::math::functions::pow;
+use crate::provenance::PROGRAM;
+use crate::scenario::Scenario;
+
+/// What all texts are made of.
+pub(super) struct Head<'a> {
+    pub scenario: &'a Scenario,
+    pub contact: &'a Contact,
+    pub impact: &'a Impact,
+    pub springs: &'a Springs,
+    /// The command line.
+    pub command: &'a str,
+}
+
+impl Head<'_> {
+    /// All lines of the text for a code; `table` has the impacts of a table e(v).
+    pub fn lines(&self, request: &Request, table: &[Impact]) -> Result<String, Error> {
+        let comment = match request.target {
+            Target::Mercury => "//",
+            Target::Fluent => ";",
+            _ => "#",
+        };
+        let mut text = String::new();
+        for line in self.about(request)? {
+            let _ = writeln!(text, "{comment} {line}");
+        }
+        text += &match request.target {
+            Target::Lammps => self.lammps(),
+            Target::Liggghts => self.liggghts(),
+            Target::Yade => self.yade()?,
+            Target::Mercury => self.mercury(),
+            Target::Fluent => self.fluent(),
+            Target::Acusolve => {
+                pairs("wall_en_type = piecewise_linear\nwall_en_curve_fit_values = {\n", table, ", ", " ;", "}\n")
+            }
+            Target::Csv => pairs("speed_m_per_s,restitution\n", table, ",", "", ""),
+        };
+        Ok(text)
+    }
+
+    /// Where the numbers come from, and how far they hold.
+    fn about(&self, request: &Request) -> Result<Vec<String>, Error> {
+        let speed = self.impact.speed;
+        let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
+        let mut about = vec![
+            format!("{PROGRAM}: {}", self.command),
+            format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()?),
+            format!(
+                "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
+            ),
+        ];
+        if request.target.takes_table() {
+            about.push("all units are SI; linear between the speeds".to_owned());
+        } else {
+            let (from, to) = range_of_constant(self.contact, speed, restitution);
+            let within = 100.0 * E_WITHIN;
+            about.push(format!(
+                "e is a constant here; in the law it stays within {within} % from {from:.4} to {to:.4} m/s"
+            ));
+            let step = contact_time / STEPS_PER_CONTACT;
+            about
+                .push(format!("time step {step:.3e} s or less ({STEPS_PER_CONTACT} steps a contact), for a sphere of"));
+            about.push(format!("radius {} m and mass {:.6e} kg", self.contact.sphere().radius, self.contact.mass()));
+            about.push(
+                "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
+            );
+        }
+        if request.target == Target::Mercury {
+            let kept = if request.equal == Equal::PeakForce { "peak force" } else { "contact time" };
+            about.push(format!("two springs: e and {kept} are those of the law"));
+        }
+        if matches!(request.target, Target::Mercury | Target::Acusolve | Target::Fluent) {
+            about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
+        }
+        Ok(about)
+    }
+
+    fn lammps(&self) -> String {
+        format!(
+            "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential linear_nohistory \
+             0.0 0.0 zplane 0.0 NULL\ntimestep {:.3e}\n",
+            self.springs.damped,
+            self.impact.restitution,
+            self.impact.contact_time / STEPS_PER_CONTACT
+        )
+    }
+
+    /// LIGGGHTS makes k of its hooke model from a modulus Y: k = (16/15) √R Y* (15 m V²/(16 √R Y*))^(1/5), with
+    /// Y* = Y/(2 (1 − ν²)) for equal bodies and V its characteristic velocity.
+    fn liggghts(&self) -> String {
+        const POISSONS_RATIO: f64 = 0.3;
+        let (mass, speed) = (self.contact.mass(), self.impact.speed);
+        let scaled = pow(self.springs.damped / pow(mass * speed * speed, 0.2), 1.25);
+        let effective = 15.0 * scaled / (16.0 * self.contact.sphere().radius.sqrt());
+        let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
+        format!(
+            "hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
+             fix poisson all property/global poissonsRatio peratomtype {POISSONS_RATIO}\n\
+             fix restitution all property/global coefficientRestitution peratomtypepair 1 {:.9}\n\
+             fix friction all property/global coefficientFriction peratomtypepair 1 0.0\n\
+             fix speed all property/global characteristicVelocity scalar {speed}\n\
+             pair_style gran model hooke tangential no_history\npair_coeff * *\n\
+             fix wall all wall/gran model hooke tangential no_history primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
+            self.impact.restitution,
+            self.impact.contact_time / STEPS_PER_CONTACT
+        )
+    }
+
+    /// Yade puts two materials of a contact in series, and its damped springs never pull.
+    fn yade(&self) -> Result<String, Error> {
+        let Essentials { restitution, contact_time, .. } = self.impact.essentials;
+        let (stiffness, damping) =
+            spring_without_pull(self.contact.mass(), restitution, contact_time).ok_or_else(|| {
+                Error::Option(format!(
+                    "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
+                ))
+            })?;
+        Ok(format!(
+            "material = ViscElMat(density={:.9e}, kn={:.9e}, cn={:.9e}, ks=0.0, cs=0.0, frictionAngle=0.0)\n\
+             O.materials.append(material)\n\
+             functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
+            self.contact.sphere().density,
+            2.0 * stiffness,
+            2.0 * damping,
+            contact_time / STEPS_PER_CONTACT
+        ))
+    }
+
+    /// Fluent takes its coefficients as functions of the angle of impact, not of the speed.
+    fn fluent(&self) -> String {
+        format!(
+            "; wall, DPM, boundary condition type: reflect\n; normal coefficient: polynomial of one coefficient\n{:.9}\n",
+            self.impact.restitution
+        )
+    }
+
+    fn mercury(&self) -> String {
+        let (mass, Springs { loading, unloading, .. }) = (self.contact.mass(), *self.springs);
+        format!(
+            "LinearViscoelasticSpecies species;\nspecies.setDensity({:.9e});\n\
+             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{mass:.9e}); // 2 m: a wall has no mass\n\
+             // or, with two springs\nLinearPlasticViscoelasticSpecies springs;\n\
+             springs.setPlasticParameters({loading:.9e}, {unloading:.9e}, 0.0, 1.0);\nsetTimeStep({:.3e});\n",
+            self.contact.sphere().density,
+            self.impact.contact_time,
+            self.impact.restitution,
+            self.impact.contact_time / STEPS_PER_CONTACT
+        )
+    }
+}
+
+/// A table e(v) between two texts, each row with its end.
+fn pairs(before: &str, table: &[Impact], between: &str, end: &str, after: &str) -> String {
+    let mut text = before.to_owned();
+    for impact in table {
+        let _ = writeln!(text, "{:e}{between}{:.9}{end}", impact.speed, impact.restitution);
+    }
+    text + after
+}

@@ -1,0 +1,61 @@
+//! What is asked for.
+
+/// Which code the lines are for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// LAMMPS, `fix wall/gran`.
+    Lammps,
+    /// LIGGGHTS, `fix wall/gran model hooke`.
+    Liggghts,
+    /// Yade, `ViscElMat`.
+    Yade,
+    /// MercuryDPM, a species with e and contact time, and one with two springs.
+    Mercury,
+    /// Altair AcuSolve, walls of particles.
+    Acusolve,
+    /// Ansys Fluent, the normal coefficient of a wall.
+    Fluent,
+    /// A table e(v) as CSV.
+    Csv,
+}
+
+impl Target {
+    /// Every target, and its name on the command line.
+    pub const ALL: [(&'static str, Self); 7] = [
+        ("lammps", Self::Lammps),
+        ("liggghts", Self::Liggghts),
+        ("yade", Self::Yade),
+        ("mercury", Self::Mercury),
+        ("acusolve", Self::Acusolve),
+        ("fluent", Self::Fluent),
+        ("csv", Self::Csv),
+    ];
+
+    /// Whether the code takes a table e(v).
+    pub(super) fn takes_table(self) -> bool {
+        matches!(self, Self::Acusolve | Self::Csv)
+    }
+}
+
+/// What the two springs have in common with the law, beside e.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Equal {
+    /// The contact time.
+    #[default]
+    ContactTime,
+    /// The peak force.
+    PeakForce,
+}
+
+/// What is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// For which code.
+    pub target: Target,
+    /// Impact speed \[m/s\]; `None`: that of the scenario.
+    pub speed: Option<f64>,
+    /// First and last speed of a table \[m/s\]; `None`: from a tenth to ten times the impact speed.
+    pub speeds: Option<(f64, f64)>,
+    /// What the springs keep.
+    pub equal: Equal,
+}

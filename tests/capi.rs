@@ -1,0 +1,114 @@
+//! The functions for C: the header is the one that cbindgen makes, and a C program prints the same bits as the library.
+
+#![cfg(feature = "capi")]
+#![allow(clippy::unwrap_used)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use plm_impact::impact::{Contact, Memory};
+use plm_impact::scenario::Scenario;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// `PLM_IMPACT_HEADER=write cargo test --features capi --test capi` renews it.
+#[test]
+fn the_header_is_that_of_the_source() {
+    let source = root().join("src/capi.rs");
+    let made = cbindgen::Builder::new()
+        .with_src(source)
+        .with_language(cbindgen::Language::C)
+        .with_cpp_compat(true)
+        .with_include_guard("PLM_IMPACT_H")
+        .with_documentation(true)
+        .with_header("/* The contact law of plm-impact for C. Made by cbindgen from src/capi.rs; SPDX-License-Identifier: MIT */")
+        .generate()
+        .unwrap();
+    let mut text = Vec::new();
+    made.write(&mut text);
+    let text = String::from_utf8(text).unwrap();
+    let path = root().join("src/capi/plm_impact.h");
+    if std::env::var_os("PLM_IMPACT_HEADER").is_some() {
+        fs::write(&path, &text).unwrap();
+    }
+    let stored = fs::read_to_string(&path).unwrap();
+    assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
+}
+
+/// The static library of this crate, made by the same cargo.
+fn library() -> PathBuf {
+    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
+    let cargo = Command::new(env!("CARGO"))
+        .current_dir(root())
+        .args(["rustc", "--quiet", "--lib", "--features", "capi", "--crate-type", "staticlib", "--target-dir"])
+        .arg(&target)
+        .output()
+        .unwrap();
+    assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
+    target.join("debug/libplm_impact.a")
+}
+
+/// Stiffness, force, stored and plastic energy along the path of the C program.
+fn along_the_path(contact: &Contact) -> Vec<String> {
+    const TURNS: [f64; 5] = [0.0, 30e-6, 26e-6, 35e-6, -1e-6];
+    let mut memory = Memory::default();
+    let steps = (0..400_u32).map(|step| {
+        let (leg, share) = ((step / 100) as usize, f64::from(step % 100) / 100.0);
+        TURNS[leg] + share * (TURNS[leg + 1] - TURNS[leg])
+    });
+    steps
+        .map(|indentation| {
+            let stiffness = contact.stiffness(indentation, &memory);
+            let force = contact.force(indentation, &mut memory);
+            let energy = contact.energy(indentation, force, &memory);
+            let words =
+                [stiffness, force, energy.stored, energy.plastic].map(|number| format!("{:016x}", number.to_bits()));
+            words.join(" ")
+        })
+        .collect()
+}
+
+#[test]
+fn a_c_program_prints_the_bits_of_the_library() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = folder.path().join("program");
+    let cc = Command::new("cc")
+        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-pthread", "-I"])
+        .arg(root().join("src/capi"))
+        .arg(root().join("tests/capi/program.c"))
+        .arg(library())
+        .args(["-lm", "-ldl", "-o"])
+        .arg(&program)
+        .output()
+        .unwrap();
+    assert!(cc.status.success(), "{}", String::from_utf8_lossy(&cc.stderr));
+    let scenario = root().join("scenarios/steel-on-steel.toml");
+    let run = Command::new(&program).arg(&scenario).output().unwrap();
+    let printed = String::from_utf8(run.stdout).unwrap();
+    assert!(run.status.success(), "{printed}{}", String::from_utf8_lossy(&run.stderr));
+
+    let scene = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap();
+    let contact = scene.contact().unwrap();
+    let exact = contact.closed_form(scene.speed).unwrap();
+    let mut expected = vec![
+        format!("time {:016x}", exact.contact_time.to_bits()),
+        format!("restitution {:016x}", exact.restitution.to_bits()),
+    ];
+    expected.extend(along_the_path(&contact));
+    let printed: Vec<_> = printed.lines().collect();
+    assert_eq!(printed[..expected.len()], expected);
+    // what the program tried of bad scenarios, in its order
+    let errors = printed[expected.len()..].join("\n");
+    for words in [
+        "scenario:1:21: sphere.radius: \"-5 mm\"",
+        "scenario:3:11: gravity: is not a part of the contact law: leave this table out",
+        "no-such-file.toml: cannot be read",
+        "\nno scenario: the pointer is NULL\n",
+        "\nno scenar\nnan nan nan\nthreads agree",
+    ] {
+        assert!(errors.contains(words), "{words} is not in:\n{errors}");
+    }
+}

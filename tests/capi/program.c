@@ -1,0 +1,101 @@
+/* Asks the contact law for a path of indentations and prints the bits of the answers; see tests/capi.rs. */
+#include <inttypes.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "plm_impact.h"
+
+#define STEPS 400
+
+static const plm_contact *contact;
+
+static uint64_t bits(double number) {
+    uint64_t word;
+    memcpy(&word, &number, sizeof word);
+    return word;
+}
+
+/* In to 30 um, out to 26 um, in to 35 um, out. */
+static double path(int step) {
+    const double turns[] = {0.0, 30e-6, 26e-6, 35e-6, -1e-6};
+    int leg = step / (STEPS / 4);
+    double share = (double)(step % (STEPS / 4)) / (STEPS / 4);
+    return turns[leg] + share * (turns[leg + 1] - turns[leg]);
+}
+
+/* The forces along the path; the argument is where they go. */
+static void *along(void *forces) {
+    double memory[3] = {0.0, 0.0, 0.0};
+    for (int step = 0; step < STEPS; step++) {
+        ((double *)forces)[step] = plm_contact_force(contact, path(step), memory);
+    }
+    return NULL;
+}
+
+static void refused(const char *text, size_t room) {
+    char error[512] = "";
+    if (plm_contact_new(text, error, room) != NULL) {
+        strcpy(error, "accepted");
+    }
+    puts(error);
+}
+
+int main(int count, char **arguments) {
+    char error[512] = "no scenario named";
+    contact = count > 1 ? plm_contact_open(arguments[1], error, sizeof error) : NULL;
+    if (contact == NULL) {
+        fputs(error, stderr);
+        return 1;
+    }
+    double restitution;
+    double time = plm_contact_time(contact, 3.0, &restitution);
+    printf("time %016" PRIx64 "\nrestitution %016" PRIx64 "\n", bits(time), bits(restitution));
+    double memory[3] = {0.0, 0.0, 0.0};
+    for (int step = 0; step < STEPS; step++) {
+        double indentation = path(step);
+        double stiffness = plm_contact_stiffness(contact, indentation, memory);
+        double force = plm_contact_force(contact, indentation, memory);
+        double plastic, stored = plm_contact_energy(contact, indentation, force, memory, &plastic);
+        printf("%016" PRIx64 " %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(stiffness), bits(force),
+               bits(stored), bits(plastic));
+    }
+
+    refused("sphere = { radius = \"-5 mm\" }", 512);
+    refused("sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
+            "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n"
+            "gravity = { acceleration = 9.81 }\n", 512);
+    puts(plm_contact_open("no-such-file.toml", error, sizeof error) == NULL ? error : "accepted");
+    refused(NULL, 512);
+    refused(NULL, 10);
+    plm_contact_free(NULL);
+    printf("%g %g %g\n", fabs(plm_contact_force(NULL, 1.0, memory)), fabs(plm_contact_force(contact, 1.0, NULL)),
+           fabs(plm_contact_force(contact, NAN, memory)));
+
+    /* many threads on one contact, and many contacts at once */
+    double alone[STEPS], beside[4][STEPS];
+    along(alone);
+    pthread_t threads[4];
+    for (int i = 0; i < 4; i++) {
+        pthread_create(&threads[i], NULL, along, beside[i]);
+    }
+    int differ = 0;
+    for (int i = 0; i < 4; i++) {
+        pthread_join(threads[i], NULL);
+        differ |= memcmp(alone, beside[i], sizeof alone);
+    }
+    double memories[3 * STEPS] = {0.0}, indentations[STEPS], forces[STEPS];
+    for (int step = 0; step < STEPS; step++) {
+        indentations[step] = path(step);
+    }
+    plm_contact_forces(contact, STEPS, indentations, memories, forces);
+    for (int step = 0; step < STEPS; step++) {
+        double fresh[3] = {0.0, 0.0, 0.0};
+        differ |= bits(forces[step]) != bits(plm_contact_force(contact, path(step), fresh));
+        differ |= memcmp(fresh, memories + 3 * step, sizeof fresh);
+    }
+    puts(differ ? "threads differ" : "threads agree");
+    plm_contact_free((plm_contact *)contact);
+    return 0;
+}
