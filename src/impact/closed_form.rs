@@ -27,7 +27,7 @@ pub fn solve_with(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 #[must_use]
 pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
-    let balance = balance(law, speed);
+    let balance = if law.is_plain() { plain_balance(law, speed) } else { balance(law, speed) };
     (balance.unloading, balance.restitution)
 }
 

@@ -66,6 +66,21 @@ impl Contact {
         self.essentials_of(speed, &case, &outcome)
     }
 
+    /// e alone, to the last bit that of [`Contact::essentials`]. Without gravity and damping it takes no times, and so half as
+    /// long; whether the contact time leaves double precision is then not asked.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn restitution(&self, speed: f64) -> Result<f64, ImpactError> {
+        if !self.forces().is_none() {
+            return Ok(self.essentials(speed)?.restitution);
+        }
+        let case = self.case(None, speed)?;
+        let (unloading, restitution) = closed_form::energy_balance(case.law, case.q);
+        case.law.accept(&unloading.peak)?;
+        Ok(restitution)
+    }
+
     fn essentials_of_law(&self, speed: f64) -> Result<Essentials, ImpactError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));

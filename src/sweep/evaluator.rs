@@ -7,7 +7,7 @@ use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
-use crate::scene::Scene;
+use crate::scene::{Key, Scene};
 
 /// Why a row has no numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +27,8 @@ pub enum Failure {
 }
 
 impl Failure {
-    const ALL: [Self; 6] = [
+    /// Every failure.
+    pub const ALL: [Self; 6] = [
         Self::OutOfFloatRange,
         Self::StepUnderflow,
         Self::TooManySteps,
@@ -247,6 +248,38 @@ impl<'a> Evaluator<'a> {
         }
         pending
     }
+
+    /// Appends the results of listed cases: of every key there is a value for each case. The keys are axes of the plan, whose
+    /// own values do not count; the result of a case is the same as on a grid. Of the swept values there is only the yield
+    /// strength that follows from the others.
+    pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
+        let (of_motion, of_contact): (Vec<_>, Vec<_>) = keys.iter().partition(|(key, _)| keeps_contact(key.path));
+        let mut scene = self.plan.scene.clone();
+        let mut own: Option<Result<Contact, Failure>> = None;
+        let mut pending = Vec::new();
+        for case in cases {
+            // bodies before motion, so that a drop height finds its gravity
+            for (key, values) in of_contact.iter().chain(&of_motion) {
+                (key.set)(&mut scene, values[case]);
+            }
+            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
+            if let (true, Some(contact)) = (of_contact.is_empty(), self.contacts.first()) {
+                if self.lockstep.is_some() {
+                    pending.push((contact, scene.speed));
+                } else {
+                    rows.results.push(evaluate(contact, scene.speed, &scene.solver));
+                }
+                continue;
+            }
+            if case == 0 || of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
+                own = None;
+            }
+            rows.results.push(evaluate(own.get_or_insert_with(|| contact(&scene)), scene.speed, &scene.solver));
+        }
+        if let Some(solver) = &self.lockstep {
+            integrate_together(&pending, solver, &mut rows.results);
+        }
+    }
 }
 
 fn contact(scene: &Scene) -> Result<Contact, Failure> {
@@ -281,4 +314,76 @@ fn integrate_together(
         Err(error) => Err(*error),
         Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),
     }));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Scenario;
+
+    #[test]
+    fn listed_cases_have_the_results_of_a_grid() {
+        let bodies = r#"
+            sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
+            half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
+        "#;
+        // plain, in lock step, and with a contact of its own for every case
+        let sweeps = [
+            ("", "\"impact.speed\" = [0.001, 0.5, 1.0, 3.0, 4.0]"),
+            ("damping.viscous = 0.1", "\"impact.speed\" = [0.5, 1.0, 3.0, 4.0]"),
+            ("", "\"half_space.yield_strength\" = [200e6, 345e6, 900e6]\n\"impact.speed\" = [0.5, 1.0, 3.0, 4.0]"),
+            (
+                "gravity.acceleration = 9.81",
+                "\"half_space.hardness\" = [\"100 HV\", \"300 HV\"]\n\"impact.speed\" = [0.5, 1.0]",
+            ),
+        ];
+        for (more, axes) in sweeps {
+            let given = if axes.contains("hardness") {
+                bodies.replace(", yield_strength = \"345 MPa\"", "")
+            } else {
+                bodies.to_owned()
+            };
+            let text = format!("{given}\n{more}\n[sweep]\n{axes}");
+            let plan = Scenario::from_text("listed", &text, &[]).unwrap().plan().unwrap().unwrap();
+            let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
+            let count = plan.count().unwrap();
+            let evaluator = Evaluator::new(&plan);
+            let (mut grid, mut listed) = (Rows::default(), Rows::default());
+            evaluator.rows(0..count, &mut grid);
+            let values: Vec<Vec<f64>> = (0..axes.len())
+                .map(|k| (0..count).map(|case| axes[k].number(places(axes, case)[k])).collect())
+                .collect();
+            let keys: Vec<_> = axes.iter().map(|axis| Key::find(axis.path()).unwrap()).collect();
+            let keys: Vec<(&Key, &[f64])> = keys.into_iter().zip(values.iter().map(Vec::as_slice)).collect();
+            let count = usize::try_from(count).unwrap();
+            evaluator.listed(&keys, 0..1, &mut listed);
+            evaluator.listed(&keys, 1..count, &mut listed);
+            assert_eq!(listed.results, grid.results, "{text}");
+            assert!(listed.results.iter().all(Result::is_ok), "{text}");
+        }
+    }
+
+    #[test]
+    fn e_alone_is_that_of_a_row() {
+        for (law, name) in crate::law::LawChoice::all().into_iter().map(|law| (law.clone(), law.name())) {
+            let mut scene = Scene::of_law(law);
+            for (path, value) in [
+                ("sphere.radius", 5e-3),
+                ("sphere.youngs_modulus", 210e9),
+                ("sphere.poissons_ratio", 0.3),
+                ("sphere.density", 7850.0),
+                ("half_space.youngs_modulus", 210e9),
+                ("half_space.poissons_ratio", 0.3),
+                ("half_space.yield_strength", 345e6),
+            ] {
+                (Key::find(path).unwrap().set)(&mut scene, value);
+            }
+            let Ok(contact) = scene.contact() else { continue };
+            for k in -80..40 {
+                let speed = crate::math::functions::pow(10.0, 0.05 * f64::from(k));
+                let (alone, row) = (contact.restitution(speed), contact.essentials(speed));
+                assert_eq!(alone.ok(), row.ok().map(|row| row.restitution), "{name} at {speed}");
+            }
+        }
+    }
 }
