@@ -27,7 +27,7 @@ const ORDER: &[&[&str]] = &[
     &["report", "validation"],
     &["error"],
     &["run", "bench"],
-    &["capi", "export"],
+    &["capi", "export", "python"],
     &["cli", "main"],
 ];
 

@@ -1,0 +1,65 @@
+//! The Python module `plm_impact` (feature `python`): what the command does, with arrays in and out.
+//!
+//! Keys, units, ranges and sentences come from the registries of [`crate::scene`]; a dict is read as the TOML text it stands
+//! for. What takes time runs on threads of its own, with the interpreter released and Ctrl-C heard.
+
+mod cases;
+mod contact;
+mod convert;
+mod force;
+mod measure;
+mod outcome;
+mod rows;
+mod table;
+mod work;
+
+#[pyo3::pymodule]
+mod _core {
+    use pyo3::prelude::*;
+    use pyo3::types::{PyDict, PyList};
+
+    use super::convert::from_json;
+    #[pymodule_export]
+    use super::{
+        contact::{Contact, Impact, impacts},
+        measure::_measure,
+        outcome::{Outcome, run},
+        table::Table,
+    };
+    use crate::law::LawChoice;
+    use crate::provenance::VERSION;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", VERSION)
+    }
+
+    /// The contact laws, each as a dict: name, title, source, loading, unloading, validity, confidence.
+    #[pyfunction]
+    fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+        let laws = PyList::empty(py);
+        for law in LawChoice::all() {
+            let about = law.about();
+            let entry = PyDict::new(py);
+            for (name, text) in [
+                ("name", about.name),
+                ("title", about.title),
+                ("source", about.source),
+                ("loading", about.loading),
+                ("unloading", about.unloading),
+                ("validity", about.validity),
+                ("confidence", about.confidence),
+            ] {
+                entry.set_item(name, text)?;
+            }
+            laws.append(entry)?;
+        }
+        Ok(laws)
+    }
+
+    /// The JSON Schema of a scenario, as a dict.
+    #[pyfunction]
+    fn schema(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        from_json(py, &crate::scene::schema::schema())
+    }
+}

@@ -1,0 +1,76 @@
+//! The law for n contacts at once, for codes that move spheres in Python.
+
+use numpy::{PyArray1, PyArrayMethods as _};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use super::convert::numbers;
+use super::work::{TOGETHER, interruptible};
+use crate::impact::{self, Memory};
+
+/// Forces and memories of contacts at these indentations.
+pub fn force<'py>(
+    contact: &impact::Contact,
+    indentation: &Bound<'py, PyAny>,
+    memory: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+    let py = indentation.py();
+    let array = numbers(indentation, "indentation")?;
+    let shape = array.getattr("shape")?;
+    let (array, rows) = (array.readonly(), array.len()?);
+    let indentations = array.as_slice()?;
+    let mut memories = vec![0.0; 3 * rows];
+    if let Some(memory) = memory {
+        let given = numbers(memory, "memory")?;
+        let found: Vec<usize> = given.getattr("shape")?.extract()?;
+        if found != [rows, 3] {
+            let message = format!("memory: has the shape {found:?}, expected [{rows}, 3]: a row for each indentation");
+            return Err(PyValueError::new_err(message));
+        }
+        memories.copy_from_slice(given.readonly().as_slice()?);
+    }
+    let mut forces = vec![0.0; rows];
+    let refused = interruptible(py, |_| {
+        let pieces = forces.par_chunks_mut(TOGETHER).zip(memories.par_chunks_mut(3 * TOGETHER));
+        let pieces = pieces.zip(indentations.par_chunks(TOGETHER)).enumerate();
+        pieces.find_map_first(|(piece, ((forces, memories), indentations))| {
+            let rows = forces.iter_mut().zip(memories.chunks_mut(3)).zip(indentations).enumerate();
+            rows.map(|(row, ((force, memory), indentation))| {
+                *force = respond(contact, *indentation, memory).map_err(|error| (piece * TOGETHER + row, error))?;
+                Ok(())
+            })
+            .find_map(Result::err)
+        })
+    })?;
+    if let Some((row, message)) = refused {
+        return Err(PyValueError::new_err(format!("contact {row}: {message}")));
+    }
+    let forces = PyArray1::from_vec(py, forces).call_method1("reshape", (shape,))?;
+    let memories = PyArray1::from_vec(py, memories).call_method1("reshape", ((rows, 3),))?;
+    Ok((forces, memories))
+}
+
+/// How far a memory may be from the law: more than the rounding of a text file with seven digits.
+const ROUNDING: f64 = 1e-6;
+
+/// The force of one contact; its memory is brought up to date.
+fn respond(contact: &impact::Contact, indentation: f64, row: &mut [f64]) -> Result<f64, String> {
+    if !indentation.is_finite() {
+        return Err(format!("an indentation of {indentation} m is not allowed: it must be finite"));
+    }
+    let parts = |memory: Memory| [memory.indentation, memory.force, memory.elastic_approach];
+    let &[deepest, force, elastic_approach] = &*row else { return Err("a memory has three numbers".to_owned()) };
+    let mut memory = Memory { indentation: deepest, force, elastic_approach };
+    if memory != Memory::default() {
+        let mut own = Memory::default();
+        contact.force(deepest, &mut own);
+        let is_near = |(got, want): (f64, f64)| (got - want).abs() <= ROUNDING * want;
+        if !(own.indentation > 0.0 && parts(memory).into_iter().zip(parts(own)).all(is_near)) {
+            return Err(format!("the memory {row:?} is none of this contact; give zeros to one that was never loaded"));
+        }
+    }
+    let force = contact.force(indentation, &mut memory);
+    row.copy_from_slice(&parts(memory));
+    if force.is_nan() { Err(format!("the law has no force at an indentation of {indentation} m")) } else { Ok(force) }
+}

@@ -1,0 +1,48 @@
+"""Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
+
+`Contact` is a sphere on a half-space, `impacts` a table of its impacts, `run` does any scenario. Keys, units and results are
+those of the command `plm-impact`; all numbers are in SI units.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._core import Contact, Impact, Outcome, Table, __version__, impacts, laws, run, schema
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from os import PathLike
+    from typing import Any
+
+    from numpy.typing import ArrayLike
+
+__all__ = ["Contact", "Impact", "Outcome", "Table", "__version__", "calibrate", "impacts", "laws", "run", "schema"]
+
+
+def calibrate(
+    scenario: str | PathLike[str] | Mapping[str, Any],
+    data: Mapping[str, ArrayLike] | None = None,
+    /,
+    *,
+    set: Mapping[str, Any] | None = None,
+) -> Outcome:
+    """Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
+
+    `data` has columns with the names that a file of measurements has, such as `speed_m_per_s` and `restitution`; they take
+    the place of the file.
+    """
+    if data is None:
+        return run(scenario, set=set)
+    # here and not above: the import of the module stays short
+    from pathlib import Path
+    from tempfile import TemporaryDirectory
+
+    import numpy as np
+
+    columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float)) for column in data.values()))
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "data.csv"
+        # as many digits as give the same number back
+        np.savetxt(file, np.column_stack(columns), "%.17g", ",", header=",".join(data), comments="")
+        return run(scenario, set={**(set or {}), "calibrate.data": str(file)})

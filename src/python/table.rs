@@ -1,0 +1,226 @@
+//! A table: columns by name, as NumPy arrays and as Arrow, which share their memory.
+
+use std::sync::Arc;
+
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::types::Int32Type;
+use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, RecordBatch, RecordBatchIterator, StringArray};
+use arrow_schema::{ArrowError, DataType, Field, Schema};
+use numpy::PyArray1;
+use pyo3::exceptions::{PyImportError, PyKeyError, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::{PyCapsule, PyDict, PyIterator, PyList, PyTuple};
+
+/// A column of a table.
+#[derive(Debug, Clone)]
+pub enum Column {
+    /// Numbers; not a number where a row has none.
+    Numbers(Float64Array),
+    /// Words, each by its place among those that there are.
+    Words(Vec<String>, Vec<i32>),
+}
+
+impl Column {
+    /// Numbers, among which those that are none are missing.
+    pub fn numbers(values: Vec<f64>) -> Self {
+        let array = Float64Array::from(values);
+        let is_known = array.values().iter().map(|value| !value.is_nan());
+        if is_known.clone().all(|known| known) {
+            return Self::Numbers(array);
+        }
+        let known = is_known.collect();
+        Self::Numbers(Float64Array::new(array.values().clone(), Some(known)))
+    }
+
+    /// The words of the rows.
+    pub fn words<'a>(rows: impl Iterator<Item = &'a str>) -> Self {
+        let mut words: Vec<String> = Vec::new();
+        let codes = rows.map(|word| {
+            let place = words.iter().position(|known| known == word).unwrap_or_else(|| {
+                words.push(word.to_owned());
+                words.len() - 1
+            });
+            i32::try_from(place).unwrap_or(0)
+        });
+        let codes = codes.collect();
+        Self::Words(words, codes)
+    }
+
+    fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.values().len(),
+            Self::Words(_, codes) => codes.len(),
+        }
+    }
+
+    fn array(&self) -> Result<ArrayRef, ArrowError> {
+        Ok(match self {
+            Self::Numbers(values) => Arc::new(values.clone()),
+            Self::Words(words, codes) => Arc::new(DictionaryArray::<Int32Type>::try_new(
+                Int32Array::from(codes.clone()),
+                Arc::new(StringArray::from(words.clone())),
+            )?),
+        })
+    }
+
+    fn data_type(&self) -> DataType {
+        match self {
+            Self::Numbers(_) => DataType::Float64,
+            Self::Words(..) => DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8)),
+        }
+    }
+
+    /// As a NumPy array of that shape; numbers are only to be read, as Arrow has the same memory.
+    fn numpy<'py>(&self, py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyAny>> {
+        let numpy = py.import("numpy")?;
+        let flat = match self {
+            Self::Numbers(values) => numpy.call_method1("asarray", (Shared(values.clone()),))?,
+            Self::Words(words, codes) => {
+                let words = numpy.call_method1("array", (words.clone(), "str"))?;
+                words.call_method1("take", (PyArray1::from_slice(py, codes),))?
+            }
+        };
+        flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
+    }
+}
+
+/// Numbers of a column, which NumPy looks at where they are.
+#[pyclass(frozen, module = "plm_impact")]
+struct Shared(Float64Array);
+
+#[pymethods]
+impl Shared {
+    #[getter]
+    fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let values = self.0.values();
+        let interface = PyDict::new(py);
+        interface.set_item("version", 3)?;
+        interface.set_item("shape", (values.len(),))?;
+        interface.set_item("typestr", if cfg!(target_endian = "little") { "<f8" } else { ">f8" })?;
+        // the second says: only to be read
+        interface.set_item("data", (values.as_ptr().addr(), true))?;
+        Ok(interface)
+    }
+}
+
+/// A table: columns by name. `table["restitution"]` is a NumPy array, which is only to be read; `to_dict` gives all of them.
+/// The table itself is Arrow data, which polars, pandas, pyarrow and DuckDB take without a copy.
+#[pyclass(frozen, mapping, module = "plm_impact")]
+#[derive(Debug)]
+pub struct Table {
+    shape: Vec<usize>,
+    columns: Vec<(String, Column)>,
+}
+
+impl Table {
+    /// A table of these columns, each of as many rows.
+    pub fn new(columns: Vec<(String, Column)>) -> Self {
+        Self { shape: vec![columns.first().map_or(0, |(_, column)| column.len())], columns }
+    }
+
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|(known, _)| known == name).map(|(_, column)| column)
+    }
+
+    /// The same in another shape, of as many rows.
+    pub fn of_shape(shape: Vec<usize>, columns: Vec<(String, Column)>) -> Self {
+        Self { shape, columns }
+    }
+
+    fn rows(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    fn batch(&self) -> Result<RecordBatch, ArrowError> {
+        let fields = self.columns.iter().map(|(name, column)| Field::new(name, column.data_type(), true));
+        let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
+        RecordBatch::try_new(schema, self.columns.iter().map(|(_, column)| column.array()).collect::<Result<_, _>>()?)
+    }
+}
+
+#[pymethods]
+impl Table {
+    /// The shape of its columns; rows are counted with the last number of it fastest.
+    #[getter]
+    fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, &self.shape)
+    }
+
+    fn __len__(&self) -> usize {
+        self.rows()
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let missing = || PyKeyError::new_err(format!("no column \"{name}\"; there are {}", self.keys().join(", ")));
+        self.column(name).ok_or_else(missing)?.numpy(py, &self.shape)
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.column(name).is_some()
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        PyList::new(py, self.keys())?.try_iter()
+    }
+
+    /// The names of the columns.
+    fn keys(&self) -> Vec<String> {
+        self.columns.iter().map(|(name, _)| name.clone()).collect()
+    }
+
+    fn _ipython_key_completions_(&self) -> Vec<String> {
+        self.keys()
+    }
+
+    /// All columns as NumPy arrays, by name.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, column) in &self.columns {
+            dict.set_item(name, column.numpy(py, &self.shape)?)?;
+        }
+        Ok(dict)
+    }
+
+    /// All columns as one structured NumPy array.
+    pub fn to_numpy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let dict = self.to_dict(py)?;
+        let types = PyList::empty(py);
+        for (name, array) in &dict {
+            types.append((name, array.getattr("dtype")?))?;
+        }
+        let whole = py.import("numpy")?.call_method1("empty", (PyTuple::new(py, &self.shape)?, types))?;
+        for (name, array) in &dict {
+            whole.set_item(name, array)?;
+        }
+        Ok(whole)
+    }
+
+    /// The table as a `pyarrow.Table`, without a copy of its numbers.
+    fn to_arrow<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let missing = |_| {
+            PyImportError::new_err(
+                "to_arrow needs pyarrow; polars.DataFrame, pandas.DataFrame.from_arrow and duckdb take the table itself",
+            )
+        };
+        slf.py().import("pyarrow").map_err(missing)?.call_method1("table", (slf,))
+    }
+
+    #[pyo3(signature = (requested_schema=None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // the standard lets a producer keep its own types
+        drop(requested_schema);
+        let batch = self.batch().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        let schema = batch.schema();
+        let reader = RecordBatchIterator::new([Ok(batch)], schema);
+        PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(reader)), c"arrow_array_stream")
+    }
+
+    fn __repr__(&self) -> String {
+        let shape = if self.shape.len() == 1 { String::new() } else { format!(" in the shape {:?}", self.shape) };
+        format!("<plm_impact.Table: {} rows{shape} of {}>", self.rows(), self.keys().join(", "))
+    }
+}

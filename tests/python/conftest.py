@@ -1,0 +1,27 @@
+"""The module against the command, which stands beside it: `cargo build` makes it."""
+
+import subprocess
+from pathlib import Path
+
+import plm_impact as plm
+import pytest
+
+ROOT = Path(__file__).parents[2]
+STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+
+
+@pytest.fixture(scope="session")
+def command() -> Path:
+    subprocess.run(["cargo", "build", "--quiet"], cwd=ROOT, check=True)
+    return ROOT / "target" / "debug" / "plm-impact"
+
+
+def steel(**tables: dict[str, object]) -> plm.Contact:
+    """The ball and the half-space of scenarios/steel-on-steel.toml."""
+    half_space = dict(yield_strength="345 MPa", **STEEL)
+    return plm.Contact(sphere=dict(radius="5 mm", density=7850, **STEEL), **{"half_space": half_space, **tables})
+
+
+@pytest.fixture
+def contact() -> plm.Contact:
+    return steel()

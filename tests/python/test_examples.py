@@ -1,0 +1,48 @@
+"""The examples run, and a strict type checker accepts them."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import plm_impact as plm
+import pytest
+from conftest import ROOT
+
+EXAMPLES = ROOT / "src" / "python" / "examples"
+
+
+def run(*arguments: object, **options: object) -> str:
+    done = subprocess.run([sys.executable, *map(str, arguments)], capture_output=True, text=True, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
+    picture = tmp_path / "e.png"
+    assert "restitution" in run(EXAMPLES / "restitution.py", picture)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_python_of_the_front_page_runs(tmp_path: Path) -> None:
+    _, block = (ROOT / "README.md").read_text().split("```python\n")
+    run("-W", "ignore", "-c", block.split("```")[0], cwd=ROOT)
+
+
+def test_a_table_divided_over_dask_is_the_undivided_one() -> None:
+    assert run(EXAMPLES / "dask_table.py").strip() == "40000 rows, the same as undivided: True"
+
+
+@pytest.mark.parametrize("name", ["restitution.py", "dask_table.py"])
+def test_mypy_accepts_the_examples(name: str, tmp_path: Path) -> None:
+    # some functions of Dask have no types
+    strict = ["-m", "mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports", "--cache-dir", tmp_path]
+    run(*strict, EXAMPLES / name, cwd=tmp_path)
+
+
+def test_the_types_name_what_is_there() -> None:
+    stub = (ROOT / "src" / "python" / "plm_impact" / "__init__.pyi").read_text()
+    for name in plm.__all__:
+        assert name in stub
+        for method in vars(getattr(plm, name)) if isinstance(getattr(plm, name), type) else ():
+            if not method.startswith("_"):
+                assert f" {method}(" in stub or f" {method}:" in stub, f"{name}.{method}"

@@ -1,0 +1,101 @@
+"""Every scenario gives the numbers and the pictures of the command, bit by bit."""
+
+import csv
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import plm_impact as plm
+import pytest
+from conftest import ROOT
+
+SCENARIOS = sorted((ROOT / "scenarios").glob("*.toml"))
+
+
+def read(path: Path) -> dict[str, list[str]]:
+    with path.open(newline="") as file:
+        head, *rows = csv.reader(file)
+    return {name: [row[place] for row in rows] for place, name in enumerate(head)}
+
+
+def same(column: np.ndarray, written: list[str]) -> None:
+    if column.dtype.kind == "f":
+        expected = np.array([float(field) if field else np.nan for field in written])
+        assert column.tobytes() == expected.tobytes()
+    else:
+        assert column.tolist() == written
+
+
+def without_command(summary: dict) -> dict:
+    """A summary without the command line that made it."""
+    inner = {name: without_command(value) if isinstance(value, dict) else value for name, value in summary.items()}
+    return {name: value for name, value in inner.items() if name != "command"}
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
+def test_a_scenario_gives_what_the_command_writes(path: Path, command: Path, tmp_path: Path) -> None:
+    subprocess.run([command, "run", path, "--out", tmp_path, "--quiet"], check=True, stderr=subprocess.DEVNULL)
+    outcome = plm.run(path)
+    written = {file.name: file.read_bytes() for file in tmp_path.iterdir() if not file.name.startswith(".")}
+    table = written.pop("table.csv", None)
+    assert outcome.files.keys() == written.keys()
+    for name, made in outcome.files.items():
+        if name == "summary.json":
+            mine, theirs = json.loads(made), json.loads(written[name])
+            assert without_command(mine) == without_command(theirs)
+        else:
+            assert made == written[name], name
+    if table is not None:
+        columns = read(tmp_path / "table.csv")
+        assert columns.pop("case") == [str(case) for case in range(len(outcome.tables["table"]))]
+        assert list(columns) == list(outcome.tables["table"])
+        for name, fields in columns.items():
+            same(outcome.tables["table"][name], fields)
+    for name, made in outcome.tables.items():
+        if name != "table":
+            for column, fields in read(tmp_path / f"{name}.csv").items():
+                same(made[column], fields)
+
+
+def test_a_dict_is_read_as_the_file_of_the_same_form() -> None:
+    path = ROOT / "scenarios" / "steel-on-steel.toml"
+    tables = dict(
+        sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density="7850 kg/m^3"),
+        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=np.float64(0.3), yield_strength="345 MPa"),
+        impact=dict(speed=np.int64(3)),
+    )
+    made, read = plm.run(tables), plm.run(path)
+    assert made.files["trace.csv"] == read.files["trace.csv"]
+    assert plm.run(tables, set={"impact.speed": "1 m/s"}).summary["restitution"] > made.summary["restitution"]
+
+
+def test_the_axes_of_a_dict_multiply_in_its_order() -> None:
+    sweep = {"impact.speed": dict(linspace=[1.0, 2.0], points=2), "half_space.yield_strength": [3e8, 4e8, 5e8]}
+    steel = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, sweep=sweep)
+    table = plm.run(tables).tables["table"]
+    assert table["impact_speed_m_per_s"].tolist() == [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]
+
+
+def test_laws_and_schema_are_those_of_the_command(command: Path) -> None:
+    schema = subprocess.run([command, "schema"], check=True, capture_output=True).stdout
+    assert plm.schema() == json.loads(schema)
+    text = subprocess.run([command, "laws"], check=True, capture_output=True, text=True).stdout
+    assert {"plm", "thornton"} <= {law["name"] for law in plm.laws()}
+    assert all(part in text for law in plm.laws() for part in law.values())
+    version = subprocess.run([command, "--version"], check=True, capture_output=True, text=True).stdout
+    assert version.split()[1] == plm.__version__
+
+
+def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
+    # made with the strength that is to be found
+    speeds = np.linspace(0.5, 3, 12)
+    steel = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, calibrate=dict(noise=dict(restitution=1e-3)))
+    data = dict(speed_m_per_s=speeds, restitution=contact.restitution(speeds))
+    found = plm.calibrate(tables, data)
+    text = found.files["calibrated.toml"].decode()
+    strength = float(text.split("yield_strength = ")[1].split()[0])
+    assert abs(strength / 345e6 - 1) < 1e-4

@@ -1,0 +1,166 @@
+"""Tables of impacts: broadcasting, what is refused, and who reads them."""
+
+import signal
+import threading
+import time
+from multiprocessing import get_context
+
+import numpy as np
+import pandas
+import plm_impact as plm
+import polars
+import pyarrow
+import pytest
+from conftest import steel
+
+
+def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -> None:
+    speeds, strengths = np.linspace(0.5, 5, 7), np.array([200e6, 345e6, 900e6])
+    table = plm.impacts(contact, speed=speeds, yield_strength=strengths[:, None])
+    assert table.shape == table["restitution"].shape == (3, 7) and len(table) == 21
+    sweep = {"half_space.yield_strength": strengths.tolist(), "impact.speed": speeds.tolist()}
+    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    scenario = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=bodies, sweep=sweep)
+    expected = plm.run(scenario).tables["table"]
+    assert list(table) == list(expected)
+    for name in table:
+        assert table[name].ravel().tolist() == expected[name].tolist(), name
+    # paired, row by row
+    paired = plm.impacts(contact, speed=speeds[:3], half_space_yield_strength=strengths)
+    assert paired["restitution"].tolist() == [table["restitution"][k, k] for k in range(3)]
+    # all numeric keys, in any order, texts with a unit too
+    radii = plm.impacts(contact, **{"impact.speed": "3 m/s", "sphere.radius": [1e-3, 5e-3]})
+    assert radii["restitution"][1] == contact.restitution(3.0)
+    assert plm.impacts(contact, speed=3)["restitution"].shape == ()
+    assert plm.impacts(contact, speed=[])["restitution"].shape == (0,)
+    misaligned = np.frombuffer(b"." + np.array([3.0]).tobytes(), offset=1)
+    assert not misaligned.flags.aligned and contact.restitution(misaligned)[0] == contact.restitution(3.0)
+    assert plm.impacts(contact, speed=np.array([3], dtype=">f4"))["restitution"][0] == contact.restitution(3.0)
+
+
+def test_damped_tables_are_those_of_a_sweep_too() -> None:
+    # in a sweep these rows are integrated in lock step
+    speeds, fractions = np.linspace(0.5, 5, 9), np.array([0.0, 0.02, 0.3])
+    table = plm.impacts(steel(damping=dict(viscous=0.1)), speed=speeds, viscous=fractions[:, None])
+    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    scenario = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies))
+    expected = plm.run({**scenario, "sweep": {"damping.viscous": fractions.tolist(), "impact.speed": speeds.tolist()}})
+    assert table["restitution"].ravel().tolist() == expected.tables["table"]["restitution"].tolist()
+
+
+@pytest.mark.parametrize(
+    ("keys", "error", "text"),
+    [
+        (dict(speed=[1, 2], yield_strength=[1e8, 2e8, 3e8]), ValueError, "shape mismatch"),
+        (dict(speed=[1, -2]), ValueError, r"impact.speed at index 1: -2 m/s is not allowed: a speed must be > 0 m/s"),
+        (dict(speed=[1, np.nan]), ValueError, "impact.speed at index 1: NaN"),
+        (dict(speed=["1", "2"]), TypeError, "impact.speed: found the type <U1, expected numbers in SI"),
+        (dict(speed=[True]), TypeError, "found the type bool"),
+        (dict(speed=1j), TypeError, "found the type complex128"),
+        (dict(speed=np.ma.masked_array([1.0, 2.0], [True, False])), TypeError, "mask"),
+        (dict(speed=[[1, 2], [3]]), ValueError, "inhomogeneous"),
+        (dict(speed=object()), TypeError, "found the type object"),
+        (dict(speed="3 kg"), ValueError, "impact.speed: "),
+        (dict(speeed=1), ValueError, "`speeed` is no numeric key"),
+        (dict(speed=1, youngs_modulus=1e9), ValueError, "may be sphere_youngs_modulus or half_space_youngs_modulus"),
+        (dict(yield_strength=1e9), ValueError, r"\[impact\] is missing"),
+        (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: changes the same"),
+        (dict(speed=1, stiffness_ratio=0.5), ValueError, "no case is under that law"),
+        ({}, ValueError, "no key is given"),
+    ],
+)
+def test_what_is_no_table_is_refused(contact: plm.Contact, keys: dict, error: type, text: str) -> None:
+    with pytest.raises(error, match=text):
+        plm.impacts(contact, **keys)
+
+
+def test_a_table_that_no_memory_holds_is_refused(contact: plm.Contact) -> None:
+    steps = np.broadcast_to(1.0, (1 << 20, 1 << 20))
+    with pytest.raises((MemoryError, ValueError)):
+        plm.impacts(contact, speed=steps)
+    sweep = {"impact.speed": dict(linspace=[1, 2], points=1 << 60)}
+    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    with pytest.raises(MemoryError, match="does not fit into memory"):
+        plm.run(dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=bodies, sweep=sweep))
+
+
+@pytest.mark.filterwarnings("ignore:at impact.speed:UserWarning")
+def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
+    contact = steel(law=dict(stronge={}))
+    with pytest.warns(UserWarning, match="cases have no result, the first: outside_law"):
+        table = plm.impacts(contact, speed=np.logspace(-4, 3, 50))
+    failed = table["status"] == "outside_law"
+    assert failed.any() and np.array_equal(np.isnan(table["restitution"]), failed)
+    with pytest.warns(UserWarning, match="cases have no result"):
+        assert np.array_equal(np.isnan(contact.restitution(table["impact_speed_m_per_s"])), failed)
+    assert table.to_arrow()["restitution"].null_count == failed.sum()
+
+
+def test_warnings_come_through_warnings(contact: plm.Contact) -> None:
+    with pytest.warns(UserWarning, match="at impact.speed = 100 m/s"):
+        plm.impacts(contact, speed=[1.0, 100.0])
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact) -> None:
+    table = plm.impacts(contact, speed=np.linspace(0.001, 5, 6).reshape(2, 3))
+    expected = {name: column.ravel().tolist() for name, column in table.to_dict().items()}
+    arrow = table.to_arrow()
+    # the same memory, and safe in it: NumPy may only read
+    buffer = arrow["restitution"].chunk(0).buffers()[1]
+    assert buffer.address == table["restitution"].__array_interface__["data"][0]
+    assert not table["restitution"].flags.writeable
+    del table
+    rows = [pyarrow.table(arrow).to_pydict(), polars.DataFrame(arrow).to_dict(as_series=False)]
+    rows.append(pandas.DataFrame(expected).to_dict("list"))
+    fresh = plm.impacts(contact, speed=np.linspace(0.001, 5, 6))
+    rows.append(polars.DataFrame(fresh).to_dict(as_series=False))
+    rows.append(pandas.DataFrame(dict(fresh)).to_dict("list"))
+    if hasattr(pandas.DataFrame, "from_arrow"):
+        rows.append(pandas.DataFrame.from_arrow(fresh).to_dict("list"))
+    for other in rows:
+        for name, column in expected.items():
+            assert np.array_equal(np.array(other[name]), np.array(column)) or name.startswith("dent"), name
+    structured = fresh.to_numpy()
+    assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
+
+
+def test_ctrl_c_ends_a_long_table() -> None:
+    # hours of rows with a fixed step of a hundred-thousandth of the contact
+    contact = steel(solver=dict(method="verlet", steps_per_contact=100_000))
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        plm.impacts(contact, speed=np.linspace(1, 2, 10_000_000))
+    assert time.monotonic() - begun < 30
+    assert contact.restitution(1.0) < 1
+
+
+def test_other_threads_go_on_meanwhile(contact: plm.Contact) -> None:
+    ticks, is_done = [], threading.Event()
+
+    def tick() -> None:
+        while not is_done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.001)
+
+    watcher = threading.Thread(target=tick)
+    watcher.start()
+    slow = steel(solver=dict(method="rk8", tolerance=1e-13), law=dict(jackson_green={}))
+    plm.impacts(slow, speed=np.linspace(1, 2, 20_000))
+    is_done.set()
+    watcher.join()
+    assert len(ticks) > 3
+
+
+def e_of(speeds: np.ndarray) -> bytes:
+    return steel().restitution(speeds).tobytes()
+
+
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+@pytest.mark.parametrize("start", ["spawn", "fork"])
+def test_a_child_process_has_threads_of_its_own(contact: plm.Contact, start: str) -> None:
+    speeds = np.linspace(1, 2, 10_000)
+    here = contact.restitution(speeds).tobytes()
+    with get_context(start).Pool(2) as pool:
+        assert pool.map_async(e_of, [speeds] * 3).get(timeout=120) == [here] * 3
