@@ -7,6 +7,7 @@ mod export;
 mod fit_plm;
 mod interrupt;
 mod laws;
+mod materials;
 mod merge;
 mod reference;
 mod run;
@@ -39,6 +40,7 @@ enum Command {
     Export(export::Arguments),
     Merge(merge::Arguments),
     Laws(laws::Arguments),
+    Materials(materials::Arguments),
     Schema(schema::Arguments),
     Reference(reference::Arguments),
     Validate(validate::Arguments),
@@ -58,6 +60,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Export(arguments) => export::export(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
+        Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
         Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),

@@ -158,6 +158,8 @@ pub mod integrate;
 pub mod law;
 pub mod material;
 #[doc(hidden)]
+pub mod materials;
+#[doc(hidden)]
 pub mod math;
 #[doc(hidden)]
 pub mod output;

@@ -8,6 +8,7 @@ mod source;
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::scene::results::{Column, columns};
+use crate::scene::taken::Body;
 use crate::scene::{EITHER, Key, Scene};
 use axis::{Axis, Setting};
 use random::Variable;
@@ -70,15 +71,16 @@ impl Plan {
         columns
     }
 
-    /// Whether the yield strength of the half-space follows from values that vary: from a hardness, and with it from the
-    /// numbers of a flow curve.
+    /// Whether the yield strength of the half-space follows from values that vary: from a hardness, its own or that of its
+    /// material, and with it from the numbers of a flow curve.
     #[must_use]
     pub fn derives_strength(&self) -> bool {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
         let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
         let has_curve = self.scene.law.flow().is_some();
-        self.scene.hardness.is_some() && (varies("half_space.hardness") || has_curve && of_curve())
+        let of_metal = || varies("half_space.hardness") || varies(Body::HalfSpace.material());
+        self.scene.hardness.is_some() && (of_metal() || has_curve && of_curve())
     }
 
     /// The results that the table has.
@@ -246,7 +248,7 @@ pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => key.quantity.human(values.at(place)),
         #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-        Setting::Method(_) | Setting::Law(_) => {
+        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
             axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize))
         }
     }

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod indentation;
 pub mod inputs;
 pub mod laws;
+pub mod materials;
 pub mod overview;
 pub mod plan;
 pub mod repeat;

@@ -35,6 +35,7 @@ mod forces;
 pub mod indentation;
 mod kind;
 mod law;
+mod material;
 mod overrides;
 mod place;
 mod repeat;
@@ -46,6 +47,7 @@ use std::path::{Path, PathBuf};
 
 use crate::impact::{Solver, Warning};
 use crate::material::{HalfSpace, Material};
+use crate::scene::taken::Taken;
 use crate::scene::{DEFAULT_SAMPLES, EITHER, KEYS, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text};
 use entries::Entries;
@@ -61,6 +63,8 @@ pub struct Scenario {
     pub document: Document,
     /// What it gives.
     entries: Entries,
+    /// What its bodies take from named materials.
+    pub taken: Vec<Taken>,
     /// Files that it names are relative to this.
     directory: PathBuf,
     /// The text of the file of coefficients, where that is known without the file.
@@ -111,8 +115,8 @@ impl Scenario {
 
     fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
-        let entries = document.entries()?;
-        let scenario = Self { document, entries, directory, coefficients: None, flow_table: None };
+        let (entries, taken) = document.entries()?;
+        let scenario = Self { document, entries, taken, directory, coefficients: None, flow_table: None };
         scenario.check_tables()?;
         Ok(scenario)
     }
@@ -206,6 +210,7 @@ impl Scenario {
                 ..defaults
             },
             samples: self.samples(),
+            materials: self.taken.clone(),
             ..Scene::of_law(self.law()?)
         })
     }

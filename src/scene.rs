@@ -2,12 +2,14 @@
 
 pub mod key;
 pub mod keys;
+mod material;
 pub mod other_keys;
 pub mod quantity;
 pub mod reference;
 pub mod results;
 pub mod schema;
 pub mod strength;
+pub mod taken;
 pub mod words;
 
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
@@ -15,6 +17,7 @@ use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 pub use key::Key;
 pub use keys::{EITHER, KEYS};
+use taken::Taken;
 
 /// Evenly spaced rows of a trace where the scenario names no other number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -42,6 +45,8 @@ pub struct Scene {
     pub solver: Solver,
     /// Evenly spaced rows of the trace.
     pub samples: usize,
+    /// What the bodies take from named materials.
+    pub materials: Vec<Taken>,
     /// What of the scenario has no effect.
     pub warnings: Vec<Warning>,
 }
@@ -62,6 +67,7 @@ impl Scene {
             forces: Forces::default(),
             solver: Solver::default(),
             samples: DEFAULT_SAMPLES,
+            materials: Vec::new(),
             warnings: Vec::new(),
         }
     }

@@ -16,7 +16,7 @@ const ORDER: &[&[&str]] = &[
     &["math", "provenance"],
     &["units", "output"],
     &["material", "strength"],
-    &["law", "integrate"],
+    &["law", "integrate", "materials"],
     &["impact", "reference"],
     &["indentation", "compare", "repeat"],
     &["scene"],

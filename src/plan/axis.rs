@@ -3,6 +3,7 @@
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::math::functions::{log10, pow};
+use crate::scene::taken::{Body, Taken};
 use crate::scene::{Key, Scene};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
@@ -91,6 +92,8 @@ pub enum Setting {
     Method(Vec<Method>),
     /// `law`.
     Law(Vec<LawChoice>),
+    /// `material` of a body.
+    Material(Body, Vec<Taken>),
 }
 
 /// An axis.
@@ -122,6 +125,12 @@ impl Axis {
         Self { setting: Setting::Law(laws), is_logarithmic: false }
     }
 
+    /// An axis of the material of a body.
+    #[must_use]
+    pub fn of_materials(body: Body, materials: Vec<Taken>) -> Self {
+        Self { setting: Setting::Material(body, materials), is_logarithmic: false }
+    }
+
     /// The key, as in the file.
     #[must_use]
     pub fn path(&self) -> &'static str {
@@ -129,6 +138,7 @@ impl Axis {
             Setting::Number { key, .. } => key.path,
             Setting::Method(_) => "solver.method",
             Setting::Law(_) => "law",
+            Setting::Material(body, _) => body.material(),
         }
     }
 
@@ -139,6 +149,7 @@ impl Axis {
             Setting::Number { key, .. } => key.column(),
             Setting::Method(_) => "solver_method".to_owned(),
             Setting::Law(_) => "law".to_owned(),
+            Setting::Material(body, _) => body.material().replace('.', "_"),
         }
     }
 
@@ -149,6 +160,7 @@ impl Axis {
             Setting::Number { values, .. } => values.len(),
             Setting::Method(methods) => methods.len() as u64,
             Setting::Law(laws) => laws.len() as u64,
+            Setting::Material(_, materials) => materials.len() as u64,
         }
     }
 
@@ -159,6 +171,9 @@ impl Axis {
             Setting::Number { .. } => None,
             Setting::Method(methods) => Some(methods.iter().map(|method| method.name().to_owned()).collect()),
             Setting::Law(laws) => Some(laws.iter().map(LawChoice::name).collect()),
+            Setting::Material(_, materials) => {
+                Some(materials.iter().map(|taken| taken.material.name.clone()).collect())
+            }
         }
     }
 
@@ -187,6 +202,7 @@ impl Axis {
             Setting::Number { key, values } => (key.set)(scene, values.at(i)),
             Setting::Method(methods) => scene.solver.method = methods[i as usize],
             Setting::Law(laws) => scene.law = laws[i as usize].clone(),
+            Setting::Material(_, materials) => scene.put_material(&materials[i as usize]),
         }
     }
 
@@ -196,7 +212,7 @@ impl Axis {
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
             Setting::Number { values, .. } => values.at(i),
-            Setting::Method(_) | Setting::Law(_) => i as f64,
+            Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => i as f64,
         }
     }
 }

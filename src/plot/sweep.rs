@@ -87,7 +87,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
     let unit = match &axis.setting {
         Setting::Number { key, .. } if key.quantity.notation == Notation::Hardness => "HV",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
-        Setting::Method(_) | Setting::Law(_) => "",
+        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => "",
     };
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::ReportError;
 use super::inputs::Inputs;
 use super::overview;
-use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, words_of_strength};
+use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::summary::pretty;
 use crate::compare::{Comparison, Origin};
 use crate::law::LawChoice;
@@ -109,6 +109,7 @@ pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
     let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, comparison.bodies.yield_strength));
     entries.extend(strength);
     entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), None));
+    entries.extend(of_materials(&scenario.taken));
     for law in &comparison.laws {
         if let LawChoice::Plm(_) = law {
             entries.extend(of_law(law));

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::inputs::Inputs;
 use super::overview;
-use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, words_of_strength};
+use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::rows::csv;
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 use crate::provenance::Provenance;
@@ -123,6 +123,7 @@ fn with_span(value: f64, span: Option<Span>, unit: &str) -> String {
 pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
     let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
     entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
+    entries.extend(of_materials(&scenario.taken));
     if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(of_law(&scene.law));

@@ -5,6 +5,7 @@ use serde::ser::{Serialize, Serializer};
 use super::resolved::{Entry, of_scene};
 use crate::plan::axis::Setting;
 use crate::plan::{Cases, Plan, YIELD_STRENGTH};
+use crate::scene::taken::Body;
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +33,17 @@ impl Inputs {
                 }
             }
         }
-        let varied = plan.paths();
+        let mut varied = plan.paths();
+        if let Cases::Grid(axes) = &plan.cases {
+            for axis in axes {
+                if let Setting::Material(_, materials) = &axis.setting {
+                    varied.extend(materials.iter().flat_map(|taken| taken.values().map(|(path, _)| path)));
+                    varied.extend(
+                        (axis.path() == Body::HalfSpace.material()).then_some("half_space.yield_strength_from"),
+                    );
+                }
+            }
+        }
         let varies = |key: &str| varied.contains(&key);
         let is_shared = |key: &str| match key {
             "sphere.radius" => !varies("sphere.diameter"),

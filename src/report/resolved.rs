@@ -7,6 +7,7 @@ use crate::law::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
 use crate::scenario::Scenario;
+use crate::scene::taken::Taken;
 use crate::scene::{KEYS, Key, Scene};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
@@ -62,6 +63,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
         entries.push(Entry::word("law", scene.law.name()));
         entries.extend(words_of_law(&scene.law));
     }
+    entries.extend(of_materials(&scene.materials));
     entries.push(Entry::word("solver.method", scene.solver.method.name()));
     if scene.solver.method == Method::Verlet {
         entries.push(Entry::count("solver.steps_per_contact", scene.solver.steps_per_contact as usize));
@@ -88,6 +90,16 @@ pub(super) fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>)
         entries.push(Entry::word("half_space.flow_stress.points", pairs.join(", ")));
     }
     entries
+}
+
+/// Materials that are named, and what was taken from each.
+pub(super) fn of_materials(materials: &[Taken]) -> Vec<Entry> {
+    let of = |taken: &Taken| {
+        let name = Entry::word(taken.body.material(), taken.material.name.clone());
+        let notes = taken.notes().map(|(key, note)| Entry::word(key, note));
+        std::iter::once(name).chain(notes).collect::<Vec<_>>()
+    };
+    materials.iter().flat_map(of).collect()
 }
 
 /// The keys of a law that are no numbers.

@@ -1,6 +1,7 @@
 //! `[sweep]` and `[monte_carlo]`: keys with many values, or with a distribution of them.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -8,10 +9,12 @@ use toml::de::{DeTable, DeValue};
 use super::values::{Fault, count, described, list, number, numbers, word};
 use crate::impact::Method;
 use crate::law::LawChoice;
+use crate::materials::{Entry, find};
 use crate::plan::axis::Values;
 use crate::plan::random::Distribution;
 use crate::scene::quantity::{Quantity, SAMPLED, SEED};
-use crate::scene::words::{LAWS, METHODS, SCALES};
+use crate::scene::taken::Body;
+use crate::scene::words::{DRAWN, LAWS, MATERIALS, METHODS, SCALES};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
 
@@ -28,6 +31,18 @@ pub(super) enum AxisEntry {
     Methods(Vec<Method>),
     /// Laws.
     Laws(Vec<LawChoice>),
+    /// Materials of a body.
+    Materials(Vec<&'static Entry>),
+}
+
+/// A body whose material is drawn from.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct DrawnMaterial {
+    pub(super) body: Body,
+    /// How many random keys stand before it.
+    pub(super) place: usize,
+    /// Where it stands in the file.
+    pub(super) span: Range<usize>,
 }
 
 /// `[monte_carlo]`
@@ -39,6 +54,8 @@ pub(super) struct RandomKeys {
     pub(super) seed: u64,
     /// Random keys in the order of the file.
     pub(super) variables: Vec<(&'static str, Distribution)>,
+    /// Materials to draw from.
+    pub(super) materials: Vec<DrawnMaterial>,
 }
 
 /// A key that is wanted: its path, both ends of its range, and whether that is logarithmic.
@@ -72,8 +89,12 @@ pub(super) fn axes(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<(&'s
                 (LAW, AxisEntry::Laws(laws))
             }
             path => {
-                let key = known(path, true, name.span()).map_err(refused)?;
-                (key.path, AxisEntry::Numbers(axis_values(key.quantity, value).map_err(refused)?))
+                if let Some(body) = Body::of_key(path) {
+                    (body.material(), AxisEntry::Materials(materials(value).map_err(refused)?))
+                } else {
+                    let key = known(path, true, name.span()).map_err(refused)?;
+                    (key.path, AxisEntry::Numbers(axis_values(key.quantity, value).map_err(refused)?))
+                }
             }
         };
         Ok(entry)
@@ -83,13 +104,19 @@ pub(super) fn axes(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<(&'s
 
 /// `[monte_carlo]`.
 pub(super) fn variables(table: &DeTable, whole: &Spanned<DeValue>) -> Result<RandomKeys, Refused> {
-    let mut read_table = RandomKeys { samples: 0, seed: 0, variables: Vec::new() };
+    let mut read_table = RandomKeys { samples: 0, seed: 0, variables: Vec::new(), materials: Vec::new() };
     for (name, value) in table {
         let path = name.get_ref().as_ref();
         let refused = |fault| (Some(path.to_owned()), fault);
         match path {
             "samples" => read_table.samples = whole_number(&SAMPLED, value).map_err(refused)?,
             "seed" => read_table.seed = whole_number(&SEED, value).map_err(refused)?,
+            path if Body::of_key(path).is_some() => {
+                word(&DRAWN, value).map_err(refused)?;
+                let place = read_table.variables.len();
+                let drawn = Body::of_key(path).map(|body| DrawnMaterial { body, place, span: value.span() });
+                read_table.materials.extend(drawn);
+            }
             path => {
                 let key = known(path, false, name.span()).map_err(refused)?;
                 read_table.variables.push((key.path, distribution(key.quantity, value).map_err(refused)?));
@@ -98,7 +125,7 @@ pub(super) fn variables(table: &DeTable, whole: &Spanned<DeValue>) -> Result<Ran
     }
     let problem = if read_table.samples == 0 {
         "samples, the number of cases, is missing"
-    } else if read_table.variables.is_empty() {
+    } else if read_table.variables.is_empty() && read_table.materials.is_empty() {
         "has no random key; give one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
     } else {
         return Ok(read_table);
@@ -165,7 +192,12 @@ fn known(path: &str, has_words: bool, span: std::ops::Range<usize>) -> Result<&'
     let all = format!("numeric keys are {}", paths().collect::<Vec<_>>().join(", "));
     let hint = match paths().find(|known| known.starts_with(&dotted)) {
         Some(inner) => format!("; write the whole key in quotes, such as \"{inner}\" = ...; {all}"),
-        None => did_you_mean(path, paths().chain(has_words.then_some(METHOD)), '"', &all),
+        None => did_you_mean(
+            path,
+            paths().chain(Body::ALL.map(Body::material)).chain(has_words.then_some(METHOD)),
+            '"',
+            &all,
+        ),
     };
     Err(Fault { span, message: format!("`{path}` is no numeric key of a scenario{hint}") })
 }
@@ -174,6 +206,14 @@ fn known(path: &str, has_words: bool, span: std::ops::Range<usize>) -> Result<&'
 fn not_empty<'v, 'i>(value: &'v Spanned<DeValue<'i>>, example: &str) -> Result<&'v [Spanned<DeValue<'i>>], Fault> {
     let items = list(value, example)?;
     if items.is_empty() { Err(Fault::at(value, AT_LEAST_ONE)) } else { Ok(items) }
+}
+
+/// The materials of an axis.
+fn materials(value: &Spanned<DeValue>) -> Result<Vec<&'static Entry>, Fault> {
+    let items = not_empty(value, "[\"steel-s235\", \"aluminium-6061-t6\"]")?;
+    let names = items.iter().map(|item| word(&MATERIALS, item)).collect::<Result<Vec<_>, _>>()?;
+    distinct(names.iter().cloned(), value)?;
+    Ok(names.iter().filter_map(|name| find(name)).collect())
 }
 
 /// Refuses an axis with the same name twice.

@@ -13,6 +13,7 @@ use super::entries::{Entries, Refused};
 use super::explain::{missing, span_of};
 use super::overrides::choose_law;
 use super::place::{Place, Refusal};
+use crate::scene::taken::Taken;
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
@@ -116,13 +117,17 @@ impl Document {
         self.overrides.iter().map(|given| given.toml.as_str())
     }
 
-    /// Reads every key of the merged tables.
+    /// Reads every key of the merged tables, and what is taken from materials.
     ///
     /// # Errors
     /// [`ScenarioError::Refused`], pointing at file and line or at the override.
-    pub(super) fn entries(&self) -> Result<Entries, ScenarioError> {
+    pub(super) fn entries(&self) -> Result<(Entries, Vec<Taken>), ScenarioError> {
         let root = self.root()?;
-        Entries::read(&root).map_err(|Refused { key, fault }| self.refusal(Some(fault.span), key, fault.message))
+        let read = Entries::read(&root).and_then(|mut entries| {
+            let taken = entries.take_materials()?;
+            Ok((entries, taken))
+        });
+        read.map_err(|Refused { key, fault }| self.refusal(Some(fault.span), key, fault.message))
     }
 
     /// A refusal of the value at `key`, pointing at it.

@@ -1,6 +1,7 @@
 //! The keys of a file, found in the registry and read one by one: what is known, what is not, and where.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -12,6 +13,7 @@ use crate::plan::random::Distribution;
 use crate::scene::key::Form;
 use crate::scene::keys::forms;
 use crate::scene::other_keys::List;
+use crate::scene::taken::Body;
 use crate::units::nearest::did_you_mean;
 
 /// What a scenario gives: values by their place in the file, with the number of the item in a list of tables
@@ -133,6 +135,36 @@ impl Entries {
             Distribution::Uniform { from, .. } => from,
             Distribution::Normal { mean, .. } | Distribution::Lognormal { mean, .. } => mean,
         })
+    }
+
+    /// Gives a key a number that the file does not.
+    pub(super) fn give(&mut self, path: &str, value: f64) {
+        let mut table = path;
+        while let Some((outer, _)) = table.rsplit_once('.') {
+            if !self.has(outer) {
+                self.tables.push(outer.to_owned());
+            }
+            table = outer;
+        }
+        self.values.insert(path.to_owned(), Value::Number(value));
+    }
+
+    /// Where `[monte_carlo]` asks for the material of a body to be drawn.
+    pub(super) fn draws(&self, body: Body) -> Option<Range<usize>> {
+        let materials = &self.variables.as_ref()?.materials;
+        materials.iter().find(|drawn| drawn.body == body).map(|drawn| drawn.span.clone())
+    }
+
+    /// Puts random keys in the place of the material of a body.
+    pub(super) fn draw(&mut self, body: Body, drawn: Vec<(&'static str, Distribution)>) {
+        let Some(RandomKeys { variables, materials, .. }) = &mut self.variables else { return };
+        let Some(at) = materials.iter().position(|known| known.body == body) else { return };
+        let count = drawn.len();
+        let place = materials[at].place;
+        variables.splice(place..place, drawn);
+        for later in materials.iter_mut().filter(|later| later.place >= place) {
+            later.place += count;
+        }
     }
 
     /// Reads a table: `place` is where it is, `pattern` the same without the numbers of items.

@@ -34,14 +34,17 @@ impl Scenario {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
                     AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
                     AxisEntry::Laws(laws) => Some(Axis::of_laws(laws.iter().map(own).collect())),
+                    AxisEntry::Materials(materials) => self.axis_of_materials(path, materials),
                 });
                 let axes: Vec<Axis> = axes.collect();
+                self.refuse_mixture(&axes)?;
+                scene.materials.retain(|taken| axes.iter().all(|axis| axis.path() != taken.body.material()));
                 for axis in &axes {
                     axis.put(0, &mut scene);
                 }
                 (Cases::Grid(axes), "sweep")
             }
-            (None, Some(RandomKeys { samples, seed, variables })) => {
+            (None, Some(RandomKeys { samples, seed, variables, .. })) => {
                 let variables = variables.iter().filter_map(|(path, distribution)| {
                     let key = Key::find(path)?;
                     Some(Variable::new(key, *distribution, key.quantity.range()))
@@ -85,7 +88,7 @@ impl Scenario {
         self.law_name()?;
         let laws = axes.iter().find_map(|axis| match &axis.setting {
             Setting::Law(laws) => Some(laws),
-            Setting::Number { .. } | Setting::Method(_) => None,
+            _ => None,
         })?;
         let is_used = laws.iter().any(|law| law.name() == own.name());
         (!is_used).then_some(Warning::UnusedLaw { law: own.about().name })

@@ -9,7 +9,7 @@ use super::quantity::{
     POISSONS_RATIO, RESTITUTION, SAMPLES, SHOT_SPEED, SPEED, STEPS, STRAIN, STRENGTH, TIME,
 };
 use super::words::{
-    COLUMNS, HARDNESSES, JUMPS, LAWS, LOADINGS, METHODS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS, UNLOADINGS,
+    COLUMNS, HARDNESSES, JUMPS, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS, UNLOADINGS,
 };
 
 /// A list of keys from their entries.
@@ -26,6 +26,10 @@ macro_rules! keys {
 
 /// The keys that do not vary, in the order of the file.
 pub const OTHER_KEYS: &[OtherKey] = keys! {
+    /// Material that the sphere takes its numbers from; a key beside it goes before. It can be an axis.
+    "sphere.material": Word(&MATERIALS);
+    /// Material that the half-space takes its numbers from; a key beside it goes before. It can be an axis.
+    "half_space.material": Word(&MATERIALS);
     /// Points of a measured flow curve: plastic strain and true stress, straight between them and constant after the last.
     "half_space.flow_stress.points": Pairs(&STRAIN, &STRENGTH);
     /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.

@@ -8,6 +8,7 @@ use super::other_keys::OTHER_KEYS;
 use super::quantity::Quantity;
 use super::results::{Described, files};
 use crate::law::LawChoice;
+use crate::materials::Property;
 
 /// All keys as Markdown, a table for every table of a scenario.
 #[must_use]
@@ -77,6 +78,9 @@ fn heading(table: &str) -> String {
     law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
 }
 
+/// Words that are listed in the line of their key.
+const MOST_WORDS: usize = 20;
+
 fn written(form: &Form) -> String {
     let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
     match form {
@@ -92,6 +96,9 @@ fn written(form: &Form) -> String {
                 number(first),
                 number(second)
             )
+        }
+        Form::Word(words) if (words.known)().len() > MOST_WORDS => {
+            format!("one of the [{0}](#{0}) below", words.several)
         }
         Form::Word(words) => quoted(&(words.known)()),
         Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
@@ -113,12 +120,16 @@ struct Part {
     text: fn() -> String,
 }
 
-const PARTS: [Part; 2] = [
+const PARTS: [Part; 3] = [
     Part { marks: ["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"], text: keys },
     Part { marks: ["<!-- results: written by `plm-impact reference` -->", "<!-- end of results -->"], text: results },
+    Part {
+        marks: ["<!-- materials: written by `plm-impact reference` -->", "<!-- end of materials -->"],
+        text: materials,
+    },
 ];
 
-/// Keys and results as Markdown.
+/// Keys, results and materials as Markdown.
 #[must_use]
 pub fn page() -> String {
     PARTS.iter().map(|part| (part.text)()).collect()
@@ -150,4 +161,18 @@ pub fn results() -> String {
         text.push('\n');
         text
     })
+}
+
+/// All materials as Markdown.
+fn materials() -> String {
+    let mut text = "| name | material | density | E | ν | hardness | N |\n|---|---|---|---|---|---|---|\n".to_owned();
+    for entry in crate::materials::all() {
+        let value =
+            |property| entry.of(property).map_or_else(|| "\u{2013}".to_owned(), |known| known.taken.text.clone());
+        let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(value);
+        let (name, title) = (&entry.name, &entry.title);
+        let _ = writeln!(text, "| `{name}` | {title} | {density} | {modulus} | {ratio} | {hardness} | {exponent} |");
+    }
+    text.push('\n');
+    text
 }

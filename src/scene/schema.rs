@@ -6,7 +6,8 @@ use super::key::Form;
 use super::keys::KEYS;
 use super::other_keys::OTHER_KEYS;
 use super::quantity::{Bound, Quantity};
-use super::words::{METHODS, SCALES, Words};
+use super::taken::Body;
+use super::words::{DRAWN, MATERIALS, METHODS, SCALES, Words};
 use crate::law::LawChoice;
 
 /// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys
@@ -111,7 +112,7 @@ fn ranged(kind: &str, quantity: &Quantity) -> Value {
     Value::Object(schema)
 }
 
-/// `[sweep]`: numeric keys with values, and two keys with words.
+/// `[sweep]`: numeric keys with values, and the keys with words.
 fn axes() -> Value {
     let mut schema = table();
     for key in KEYS {
@@ -133,6 +134,9 @@ fn axes() -> Value {
     let words = |item: Value| json!({ "type": "array", "items": item, "minItems": 1 });
     schema["properties"]["solver.method"] = words(one_of(&METHODS));
     schema["properties"]["law"] = words(json!({ "type": "string" }));
+    for body in Body::ALL {
+        schema["properties"][body.material()] = words(one_of(&MATERIALS));
+    }
     schema
 }
 
@@ -176,6 +180,9 @@ fn variables() -> Value {
                 "uniform": { "type": "array", "items": value, "minItems": 2, "maxItems": 2 }
             }
         });
+    }
+    for body in Body::ALL {
+        schema["properties"][body.material()] = one_of(&DRAWN);
     }
     schema["properties"]["samples"] = json!({ "type": "integer", "minimum": 1, "description": "Number of cases." });
     schema["properties"]["seed"] =

@@ -3,6 +3,7 @@
 use super::results::columns;
 use crate::impact::Method;
 use crate::law::LawChoice;
+use crate::materials::all;
 use crate::repeat::Place;
 
 /// Words that a key takes.
@@ -46,6 +47,11 @@ pub static NOISES: Words = Words { one: "word", several: "words here", known: ||
 pub static SCALES: Words = Words { one: "scale", several: "scales", known: || words(&["log", "linear"]) };
 /// What is done about outliers.
 pub static ROBUSTS: Words = Words { one: "word", several: "words here", known: || words(&["student-t", "none"]) };
+/// Names of materials.
+pub static MATERIALS: Words =
+    Words { one: "material", several: "materials", known: || all().iter().map(|entry| entry.name.clone()).collect() };
+/// How a material is drawn from its ranges.
+pub static DRAWN: Words = Words { one: "word", several: "words here", known: || words(&["uniform"]) };
 /// Names of the results that a table may have.
 pub static COLUMNS: Words = Words {
     one: "result",

@@ -68,7 +68,7 @@ fn ends(axis: &Axis) -> Vec<Choice<'_>> {
         }
         Setting::Number { .. } => vec![0, axis.len() - 1],
         Setting::Method(_) => vec![0],
-        Setting::Law(laws) => (0..laws.len() as u64).collect(),
+        Setting::Law(_) | Setting::Material(..) => (0..axis.len()).collect(),
     };
     places.dedup();
     let choice = |place| Choice {

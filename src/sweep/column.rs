@@ -15,7 +15,7 @@ pub(super) enum Column {
     Plain(usize),
     /// A number of an axis: the place of the axis, and its values.
     Number(usize, Values),
-    /// A name of an axis of methods or laws: the place of the axis, and its names.
+    /// A name of an axis of methods, laws or materials: the place of the axis, and its names.
     Name(usize, Vec<String>),
     /// A result.
     Result(ResultColumn),
@@ -31,7 +31,9 @@ pub(super) fn columns(plan: &Plan) -> Vec<Column> {
             .zip(axes)
             .map(|(place, axis)| match &axis.setting {
                 Setting::Number { values, .. } => Column::Number(place, values.clone()),
-                Setting::Method(_) | Setting::Law(_) => Column::Name(place, axis.words().unwrap_or_default()),
+                Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
+                    Column::Name(place, axis.words().unwrap_or_default())
+                }
             })
             .collect(),
     };

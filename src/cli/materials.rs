@@ -1,0 +1,28 @@
+//! `plm-impact materials`
+
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::materials::{all, find};
+use plm_impact::report::materials::{list, one};
+use plm_impact::units::nearest::did_you_mean;
+
+/// List the materials that scenarios may name, or print values, ranges and sources of one
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Name of one material
+    name: Option<String>,
+}
+
+pub fn materials(Arguments { name }: &Arguments) -> anyhow::Result<()> {
+    let text = match name {
+        None => list(),
+        Some(name) => one(find(name).ok_or_else(|| unknown(name))?),
+    };
+    super::terminal::print(&text)
+}
+
+fn unknown(name: &str) -> Error {
+    let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
+    let known = format!("materials are {}", names.join(", "));
+    Error::Option(format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known)))
+}

@@ -1,0 +1,24 @@
+//! Materials by name: density, elastic constants and hardness, each with a range, what kind of number it is, and who says
+//! so. The file `materials/materials.toml` says which values were chosen, and why.
+
+mod entry;
+mod file;
+
+use std::sync::LazyLock;
+
+pub use entry::{Entry, Known, Property, Written};
+pub use file::{MaterialsError, read};
+
+/// All materials, in the order of the file.
+#[must_use]
+pub fn all() -> &'static [Entry] {
+    static ALL: LazyLock<Vec<Entry>> =
+        LazyLock::new(|| read(include_str!("materials/materials.toml")).unwrap_or_default());
+    &ALL
+}
+
+/// The material of that name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Entry> {
+    all().iter().find(|entry| entry.name == name)
+}

@@ -1,0 +1,126 @@
+//! The file of materials.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use thiserror::Error;
+
+use super::{Entry, Known, Property, Written};
+use crate::strength::hardness;
+use crate::units;
+
+/// Why a file of materials is refused.
+#[derive(Debug, Error)]
+pub enum MaterialsError {
+    /// It is no such file.
+    #[error(transparent)]
+    Form(#[from] toml::de::Error),
+    /// A number is none.
+    #[error("{material}.{property}: {message}")]
+    Number {
+        /// Of this material.
+        material: String,
+        /// And this property.
+        property: &'static str,
+        /// Why.
+        message: String,
+    },
+    /// A source without an entry in `[sources]`.
+    #[error("{material}.{property}: no source is called \"{source_name}\"")]
+    Source {
+        /// Of this material.
+        material: String,
+        /// And this property.
+        property: &'static str,
+        /// Its name.
+        source_name: String,
+    },
+}
+
+/// The file as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    basis: BTreeMap<String, String>,
+    sources: BTreeMap<String, String>,
+    material: Vec<Raw>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Raw {
+    name: String,
+    title: String,
+    note: Option<String>,
+    density: Option<RawKnown>,
+    youngs_modulus: Option<RawKnown>,
+    poissons_ratio: Option<RawKnown>,
+    hardness: Option<RawKnown>,
+    hardening_exponent: Option<RawKnown>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawKnown {
+    value: String,
+    range: [String; 2],
+    basis: Option<String>,
+    says: BTreeMap<String, String>,
+}
+
+/// Reads a file of materials.
+///
+/// # Errors
+/// [`MaterialsError`] for what is no such file, a number that is none, and a source that is not named.
+pub fn read(text: &str) -> Result<Vec<Entry>, MaterialsError> {
+    let File { basis, sources, material } = toml::from_str(text)?;
+    let entry = |raw: Raw| {
+        let Raw { name, title, note, density, youngs_modulus, poissons_ratio, hardness, hardening_exponent } = raw;
+        let given = [density, youngs_modulus, poissons_ratio, hardness, hardening_exponent];
+        let known = Property::ALL.into_iter().zip(given).filter_map(|(property, raw)| Some((property, raw?)));
+        let known = known.map(|(property, raw)| raw.known(&name, property, &basis, &sources));
+        Ok(Entry { known: known.collect::<Result<_, MaterialsError>>()?, name, title, note })
+    };
+    material.into_iter().map(entry).collect()
+}
+
+impl RawKnown {
+    fn known(
+        self,
+        material: &str,
+        property: Property,
+        basis: &BTreeMap<String, String>,
+        sources: &BTreeMap<String, String>,
+    ) -> Result<Known, MaterialsError> {
+        let written = |text: String| match number(&text, property) {
+            Ok(value) => Ok(Written { text, value }),
+            Err(message) => {
+                Err(MaterialsError::Number { material: material.to_owned(), property: property.name(), message })
+            }
+        };
+        let cited = |(name, says): (String, String)| match sources.get(&name) {
+            Some(source) => Ok([source.clone(), says]),
+            None => Err(MaterialsError::Source {
+                material: material.to_owned(),
+                property: property.name(),
+                source_name: name,
+            }),
+        };
+        let [low, high] = self.range;
+        Ok(Known {
+            property,
+            taken: written(self.value)?,
+            range: [written(low)?, written(high)?],
+            basis: self.basis.or_else(|| basis.get(property.name()).cloned()).unwrap_or_default(),
+            sources: self.says.into_iter().map(cited).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+/// A number with a unit, or on a scale of hardness, in SI.
+fn number(text: &str, property: Property) -> Result<f64, String> {
+    match hardness::written(text).filter(|_| property == Property::Hardness) {
+        Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string()),
+        None => units::parse(text, property.dimension()).map_err(|error| error.to_string()),
+    }
+}

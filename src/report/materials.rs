@@ -1,0 +1,64 @@
+//! The list of materials, and all that is known of one, for a person.
+
+use std::fmt::Write as _;
+
+use crate::materials::{Entry, Known, Property, all};
+use crate::scene::strength::strength_of_hardness;
+use crate::strength::flow::FlowCurve;
+use crate::strength::hardness::flow_stress;
+use crate::units::aligned::aligned;
+use crate::units::rounded::quantity;
+
+/// All materials, one in a line.
+#[must_use]
+pub fn list() -> String {
+    let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
+    let mut rows = vec![heads.map(ToOwned::to_owned)];
+    rows.extend(all().iter().map(|entry| {
+        let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
+        let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(text);
+        [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
+    }));
+    let table = aligned(&rows, |column| column == 0 || column == 6);
+    format!(
+        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key beside it goes before its value.\n\
+         `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
+    )
+}
+
+/// All that is known of a material: values, ranges, what kind of number each is, and who says so.
+#[must_use]
+pub fn one(entry: &Entry) -> String {
+    let mut text = format!("{}\n  {}\n", entry.name, entry.title);
+    if let Some(note) = &entry.note {
+        let _ = writeln!(text, "  {note}");
+    }
+    for Known { property, taken, range: [low, high], basis, sources } in &entry.known {
+        let _ = writeln!(text, "\n{} = \"{}\"", property.name(), taken.text);
+        let _ = writeln!(text, "  from {} to {}; {basis}", low.text, high.text);
+        if *property == Property::Hardness {
+            let _ = writeln!(text, "  {}", strength(entry, taken.value));
+        }
+        for [source, says] in sources {
+            let _ = writeln!(text, "  {source}: {says}");
+        }
+    }
+    if !entry.is_metal() {
+        let _ = writeln!(
+            text,
+            "\nno strength: as half-space it stays elastic; for another give yield_strength or hardness"
+        );
+    }
+    text
+}
+
+/// What the law makes of a hardness.
+fn strength(entry: &Entry, mean_pressure: f64) -> String {
+    let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), "Pa"));
+    let of = |property| entry.of(property).map(|known| known.taken.value);
+    let (Some(exponent), Some(modulus)) = (of(Property::HardeningExponent), of(Property::YoungsModulus)) else {
+        return flow;
+    };
+    let start = strength_of_hardness(mean_pressure, Some(&FlowCurve::Power { exponent }), modulus);
+    format!("{flow}; the power law begins at {}", quantity(start, "Pa"))
+}

@@ -1,0 +1,136 @@
+//! `material`: what the bodies take from named materials, where the scenario does not say it itself.
+
+use super::axes::AxisEntry;
+use super::entries::{Entries, Refused};
+use super::flow::FLOW;
+use super::values::Fault;
+use super::{Scenario, ScenarioError};
+use crate::law::LawChoice;
+use crate::materials::{Entry, Property, find};
+use crate::plan::axis::{Axis, Setting};
+use crate::plan::random::Distribution;
+use crate::scene::taken::{Body, Taken};
+
+/// Keys that stand in the place of a value of the material, besides its own.
+fn instead(body: Body, property: Property) -> &'static [&'static str] {
+    match (body, property) {
+        (Body::Sphere, Property::Density) => &["sphere.mass"],
+        (Body::HalfSpace, Property::Hardness) => &["half_space.yield_strength"],
+        // a curve needs its own yield strength, or the hardness
+        (Body::HalfSpace, Property::HardeningExponent) => &["half_space.yield_strength", FLOW, "compare"],
+        _ => &[],
+    }
+}
+
+impl Entries {
+    /// Gives every body that names a material the values that the scenario leaves to it.
+    pub(super) fn take_materials(&mut self) -> Result<Vec<Taken>, Refused> {
+        let mut all = Vec::new();
+        for body in Body::ALL {
+            let drawn = self.draws(body);
+            let Some(material) = self.material(body) else {
+                if let Some(span) = drawn {
+                    let message = format!(
+                        "the body has no material to draw from: add material = \"steel-s235\", or another, to [{}]",
+                        body.table()
+                    );
+                    let key = format!("monte_carlo.{}", body.material());
+                    return Err(Refused { key, fault: Fault { span, message } });
+                }
+                continue;
+            };
+            let left = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
+            let taken = Taken { body, material, left };
+            let mut variables = Vec::new();
+            for (path, known) in taken.values() {
+                let [from, to] = taken.range(known);
+                // the sphere's strength only warns, and a rigid sphere has no use for Poisson's ratio
+                let is_used = path != "sphere.yield_strength"
+                    && !(path == "sphere.poissons_ratio"
+                        && self.number("sphere.youngs_modulus") == Some(f64::INFINITY));
+                if drawn.is_some() && from < to && is_used {
+                    variables.push((path, Distribution::Uniform { from, to }));
+                } else {
+                    self.give(path, taken.value(known));
+                }
+            }
+            if let Some(span) = drawn {
+                if variables.is_empty() {
+                    let message = format!(
+                        "{} has one value for all that is taken from it, so that there is nothing to draw: leave the key out",
+                        material.name
+                    );
+                    let key = format!("monte_carlo.{}", body.material());
+                    return Err(Refused { key, fault: Fault { span, message } });
+                }
+                self.draw(body, variables);
+            }
+            all.push(taken);
+        }
+        Ok(all)
+    }
+
+    /// The material of a body: of the first case, where it varies.
+    fn material(&self, body: Body) -> Option<&'static Entry> {
+        let axis = self.axes.iter().flatten().find(|(path, _)| *path == body.material());
+        match axis {
+            Some((_, AxisEntry::Materials(materials))) => materials.first().copied(),
+            _ => find(self.text(body.material())?),
+        }
+    }
+
+    /// Whether the scenario leaves a property to the material.
+    fn is_left(&self, body: Body, property: Property) -> bool {
+        let Some(path) = body.path(property) else { return false };
+        let is_given = |path: &str| {
+            let inner = format!("{path}.");
+            // a calibration that names no key looks for the strength
+            let is_wanted = path == "half_space.yield_strength" && self.has("calibrate") && self.free.is_none();
+            is_wanted || self.has(path) || self.varied().any(|varied| varied == path || varied.starts_with(&inner))
+        };
+        let is_moving = !self.has("compare") && !self.has("indentation");
+        let has_use = match (body, property) {
+            (Body::Sphere, Property::Density) => is_moving,
+            (Body::Sphere, Property::Hardness) => !self.has("compare"),
+            // elastic waves are those of one impact by the law alone
+            (Body::HalfSpace, Property::Density) => {
+                is_moving && !["gravity", "damping", "repeat"].into_iter().any(is_given)
+            }
+            // no other law knows hardening
+            (Body::HalfSpace, Property::HardeningExponent) => {
+                let is_other = |law: &str| law != "plm" && self.has(&format!("law.{law}"));
+                !LawChoice::names().into_iter().chain(["combined"]).any(is_other) && !self.varies("law")
+            }
+            _ => true,
+        };
+        has_use && !is_given(path) && !instead(body, property).iter().any(|path| is_given(path))
+    }
+}
+
+impl Scenario {
+    /// The axis of the materials of a body.
+    pub(super) fn axis_of_materials(&self, path: &str, materials: &[&'static Entry]) -> Option<Axis> {
+        let first = self.taken.iter().find(|taken| taken.body.material() == path)?;
+        let materials = materials.iter().map(|material| Taken { material, ..first.clone() });
+        Some(Axis::of_materials(first.body, materials.collect()))
+    }
+
+    /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
+    pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), ScenarioError> {
+        for axis in axes {
+            let Setting::Material(Body::HalfSpace, materials) = &axis.setting else { continue };
+            let is_left = |taken: &&Taken| taken.left.contains(&Property::Hardness);
+            let yields = |taken: &&Taken| taken.material.is_metal();
+            let metal = materials.iter().filter(is_left).find(yields);
+            let other = materials.iter().filter(is_left).find(|taken| !yields(taken));
+            if let (Some(metal), Some(other)) = (metal, other) {
+                let message = format!(
+                    "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",
+                    metal.material.name, other.material.name
+                );
+                return Err(self.document.refuse("sweep.half_space.material", message));
+            }
+        }
+        Ok(())
+    }
+}

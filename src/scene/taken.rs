@@ -1,0 +1,125 @@
+//! What the bodies of a scene take from named materials.
+
+use crate::materials::{Entry, Known, Property};
+use crate::strength::flow::yield_strength_of_power;
+use crate::strength::hardness::{STRAIN, flow_stress};
+
+/// A body that may name its material.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {
+    /// The sphere.
+    Sphere,
+    /// The half-space.
+    HalfSpace,
+}
+
+impl Body {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
+
+    /// Its table in a scenario.
+    #[must_use]
+    pub fn table(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::HalfSpace => "half_space",
+        }
+    }
+
+    /// The key that names its material.
+    #[must_use]
+    pub fn material(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere.material",
+            Self::HalfSpace => "half_space.material",
+        }
+    }
+
+    /// The body whose material a key names.
+    #[must_use]
+    pub fn of_key(path: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|body| body.material() == path)
+    }
+
+    /// The key that a property of the material is the value of, if the body has a use for it.
+    #[must_use]
+    pub fn path(self, property: Property) -> Option<&'static str> {
+        match (self, property) {
+            (Self::Sphere, Property::Density) => Some("sphere.density"),
+            (Self::Sphere, Property::YoungsModulus) => Some("sphere.youngs_modulus"),
+            (Self::Sphere, Property::PoissonsRatio) => Some("sphere.poissons_ratio"),
+            // the sphere has no hardness; its strength only warns
+            (Self::Sphere, Property::Hardness) => Some("sphere.yield_strength"),
+            (Self::Sphere, Property::HardeningExponent) => None,
+            (Self::HalfSpace, Property::Density) => Some("half_space.density"),
+            (Self::HalfSpace, Property::YoungsModulus) => Some("half_space.youngs_modulus"),
+            (Self::HalfSpace, Property::PoissonsRatio) => Some("half_space.poissons_ratio"),
+            (Self::HalfSpace, Property::Hardness) => Some("half_space.hardness"),
+            (Self::HalfSpace, Property::HardeningExponent) => Some("half_space.flow_stress.power.exponent"),
+        }
+    }
+}
+
+/// The names under which a summary says what a material gave.
+const NOTES: [(&str, &str); 9] = [
+    ("sphere.density", "sphere.material_density"),
+    ("sphere.youngs_modulus", "sphere.material_youngs_modulus"),
+    ("sphere.poissons_ratio", "sphere.material_poissons_ratio"),
+    ("sphere.yield_strength", "sphere.material_hardness"),
+    ("half_space.density", "half_space.material_density"),
+    ("half_space.youngs_modulus", "half_space.material_youngs_modulus"),
+    ("half_space.poissons_ratio", "half_space.material_poissons_ratio"),
+    ("half_space.hardness", "half_space.material_hardness"),
+    ("half_space.flow_stress.power.exponent", "half_space.material_hardening_exponent"),
+];
+
+/// A body and the material that it takes numbers from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Taken {
+    /// Which body.
+    pub body: Body,
+    /// Its material.
+    pub material: &'static Entry,
+    /// What the scenario leaves to the material.
+    pub left: Vec<Property>,
+}
+
+impl Taken {
+    /// What is taken: keys and what the material says of them.
+    pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
+        let material = self.material;
+        self.left.iter().filter_map(move |property| Some((self.body.path(*property)?, material.of(*property)?)))
+    }
+
+    /// The value of such a key, in SI.
+    #[must_use]
+    pub fn value(&self, known: &Known) -> f64 {
+        self.in_key(known.property, known.taken.value)
+    }
+
+    /// A value of the range, in SI.
+    #[must_use]
+    pub fn range(&self, known: &Known) -> [f64; 2] {
+        [&known.range[0], &known.range[1]].map(|end| self.in_key(known.property, end.value))
+    }
+
+    /// What was taken in words, each under its name: the value as it is written, its range, and what kind of number it is.
+    pub fn notes(&self) -> impl Iterator<Item = (&'static str, String)> {
+        self.values().filter_map(|(path, Known { taken, range: [low, high], basis, .. })| {
+            let (_, name) = NOTES.iter().find(|(key, _)| *key == path)?;
+            Some((*name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text)))
+        })
+    }
+
+    /// What a property gives its key: the sphere takes a hardness as the strength that it first yields at.
+    fn in_key(&self, property: Property, value: f64) -> f64 {
+        if (self.body, property) != (Body::Sphere, Property::Hardness) {
+            return value;
+        }
+        let of = |property| self.material.of(property).map(|known| known.taken.value);
+        match of(Property::HardeningExponent).zip(of(Property::YoungsModulus)) {
+            Some((exponent, modulus)) => yield_strength_of_power(flow_stress(value), STRAIN, exponent, modulus),
+            None => flow_stress(value),
+        }
+    }
+}
