@@ -17,6 +17,7 @@ mod work;
 mod _core {
     use pyo3::prelude::*;
     use pyo3::types::{PyDict, PyList};
+    use serde_json::json;
 
     use super::convert::from_json;
     #[pymodule_export]
@@ -55,6 +56,26 @@ mod _core {
             laws.append(entry)?;
         }
         Ok(laws)
+    }
+
+    /// The materials that scenarios may name, each as a dict: name, title, note, and for each of its properties the value and
+    /// the range in SI units, the basis and the sources.
+    #[pyfunction]
+    fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        let materials = crate::materials::all().iter().map(|entry| {
+            let known = entry.known.iter().map(|known| {
+                let value = json!({
+                    "value": known.taken.value,
+                    "range": [known.range[0].value, known.range[1].value],
+                    "basis": known.basis,
+                    "sources": known.sources,
+                });
+                (known.property.name().to_owned(), value)
+            });
+            let properties: serde_json::Map<_, _> = known.collect();
+            json!({ "name": entry.name, "title": entry.title, "note": entry.note, "properties": properties })
+        });
+        from_json(py, &materials.collect())
     }
 
     /// The JSON Schema of a scenario, as a dict.

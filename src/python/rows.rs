@@ -69,7 +69,7 @@ fn on_axis(axis: &Axis, places: &[f64]) -> Column {
         Setting::Number { values, .. } => {
             Column::numbers(places.iter().map(|place| values.at(*place as u64)).collect())
         }
-        Setting::Method(_) | Setting::Law(_) => {
+        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
             Column::Words(axis.words().unwrap_or_default(), places.iter().map(|place| *place as i32).collect())
         }
     }

@@ -99,3 +99,13 @@ def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
     text = found.files["calibrated.toml"].decode()
     strength = float(text.split("yield_strength = ")[1].split()[0])
     assert abs(strength / 345e6 - 1) < 1e-4
+
+
+def test_materials_are_those_of_the_command(command: Path) -> None:
+    listed = subprocess.run([command, "materials"], check=True, capture_output=True, text=True).stdout
+    materials = plm.materials()
+    assert len(materials) >= 30 and all(entry["name"] in listed for entry in materials)
+    # density of steel: EN 1991-1-1 gives 77 to 78.5 kN/m^3
+    steel = next(entry for entry in materials if entry["name"] == "steel-s235")
+    assert 7700 < steel["properties"]["density"]["value"] < 8000
+    assert len(steel["properties"]["density"]["sources"]) >= 2

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ._core import Contact, Impact, Outcome, Table, __version__, impacts, laws, run, schema
+from ._core import Contact, Impact, Outcome, Table, __version__, impacts, laws, materials, run, schema
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -17,7 +17,19 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-__all__ = ["Contact", "Impact", "Outcome", "Table", "__version__", "calibrate", "impacts", "laws", "run", "schema"]
+__all__ = [
+    "Contact",
+    "Impact",
+    "Outcome",
+    "Table",
+    "__version__",
+    "calibrate",
+    "impacts",
+    "laws",
+    "materials",
+    "run",
+    "schema",
+]
 
 
 def calibrate(
