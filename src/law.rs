@@ -208,9 +208,8 @@ impl Law {
         let equivalent = peak.force / peak.elastic_approach;
         match &self.elastic {
             ElasticApproach::Hardening(hardening) => {
-                let exponent =
-                    pressure_shape_exponent(self.radius_ratio.at(hardening.equivalent(peak.indentation, equivalent)));
-                exponent - hardening.exponent_loss(peak.indentation)
+                let shape = hardening.shape(peak.indentation, equivalent);
+                pressure_shape_exponent(self.radius_ratio.at(shape.equivalent)) - shape.exponent_loss()
             }
             _ => pressure_shape_exponent(self.radius_ratio.at(equivalent)),
         }
@@ -287,9 +286,8 @@ impl Law {
             ElasticApproach::Published(law) => law.contact_radius(peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.contact_radius(peak),
             ElasticApproach::Hardening(hardening) => {
-                let scaled = hardening.equivalent(peak.indentation, equivalent);
-                let narrowing = hardening.narrowing(peak.indentation, scaled);
-                equivalent / (self.radius_ratio.at(scaled) * geometry * narrowing)
+                let shape = hardening.shape(peak.indentation, equivalent);
+                equivalent / (self.radius_ratio.at(shape.equivalent) * geometry * shape.narrowing())
             }
             _ => equivalent / (self.radius_ratio.at(equivalent) * geometry),
         }

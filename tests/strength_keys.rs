@@ -158,7 +158,7 @@ fn a_table_of_a_flow_curve_is_a_file_beside_the_scenario() {
     for (content, want) in [
         ("strain,stress\n1,2\n", "its columns must be plastic_strain, stress_Pa"),
         ("plastic_strain,stress_Pa\n0.002,hard\n", "flow.csv:2: stress_Pa is no number"),
-        ("plastic_strain,stress_Pa\n0.002,3.5e8\n0.01,3e8\n", "point 2: the stress falls"),
+        ("plastic_strain,stress_Pa\n0.002,3.5e8\n0.01,3e8\n", "flow.csv: point 2: the stress falls"),
         ("plastic_strain,stress_Pa\n", "has 0 points"),
     ] {
         fs::write(&file, content).unwrap();

@@ -60,8 +60,10 @@ impl Scenario {
                 let points =
                     if form == "table" { self.flow_table()? } else { self.entries.pairs(&path(form)).to_vec() };
                 let points = points.into_iter().map(|[strain, stress]| FlowPoint { strain, stress });
-                FlowCurve::through(points.collect::<Vec<_>>())
-                    .map_err(|error| self.document.refuse(&path(form), error.to_string()))?
+                let file =
+                    self.entries.text(&path("table")).map(|name| format!("{}: ", self.directory.join(name).display()));
+                let refuse = |error| self.document.refuse(&path(form), format!("{}{error}", file.unwrap_or_default()));
+                FlowCurve::through(points.collect::<Vec<_>>()).map_err(refuse)?
             }
         }))
     }

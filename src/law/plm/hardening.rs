@@ -71,11 +71,6 @@ impl Hardening {
         }
     }
 
-    /// ν = 2 d ln σ_rep/d ln δ at x, over the last tenth of the way.
-    fn growth(&self, x: f64) -> f64 {
-        2.0 * ln(self.strength(x) / self.strength(x / RATIO)) / ln(RATIO)
-    }
-
     /// ε at a point (x, f) with x > 1.
     #[inline(never)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
@@ -88,20 +83,11 @@ impl Hardening {
         (yield_indentation * on_line).min(x)
     }
 
-    /// A' at x, where the Hertz-equivalent radius is A = f/ε.
-    pub(crate) fn equivalent(&self, x: f64, equivalent: f64) -> f64 {
-        equivalent / self.strength(x)
-    }
-
-    /// What hardening takes from the exponent that the pressure's shape gives.
-    pub(crate) fn exponent_loss(&self, x: f64) -> f64 {
-        0.14 * self.growth(x)
-    }
-
-    /// How much narrower the contact is, for there is less pile-up.
-    pub(crate) fn narrowing(&self, x: f64, equivalent: f64) -> f64 {
-        let share = ((equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
-        1.0 + 0.25 * self.growth(x) * share
+    /// The shape of the contact pressure at x, where the Hertz-equivalent radius is A = f/ε.
+    pub(crate) fn shape(&self, x: f64, equivalent: f64) -> Shape {
+        let strength = self.strength(x);
+        let growth = 2.0 * ln(strength / self.strength(x / RATIO)) / ln(RATIO);
+        Shape { equivalent: equivalent / strength, growth }
     }
 
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
@@ -123,6 +109,27 @@ impl Hardening {
             (start, from) = (x, to);
         }
         curve
+    }
+}
+
+/// What the shape of the contact pressure depends on.
+pub(crate) struct Shape {
+    /// A'.
+    pub(crate) equivalent: f64,
+    /// ν, over the last tenth of the way.
+    growth: f64,
+}
+
+impl Shape {
+    /// What hardening takes from the exponent that the pressure's shape gives.
+    pub(crate) fn exponent_loss(&self) -> f64 {
+        0.14 * self.growth
+    }
+
+    /// How much narrower the contact is, for there is less pile-up.
+    pub(crate) fn narrowing(&self) -> f64 {
+        let share = ((self.equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
+        1.0 + 0.25 * self.growth * share
     }
 }
 
