@@ -34,7 +34,7 @@ use data::Data;
 pub use error::{CalibrateError, NoAnswer};
 pub use fit::Fit;
 use fit::{covariance, in_order, shifts};
-use identify::{Identifiability, identify};
+use identify::{Identifiability, LAW, identify};
 use problem::Problem;
 use profile::{Ends, Marginal, Sheet};
 use quantity::{CURVE, MEASURED, Measured};
@@ -58,6 +58,8 @@ pub struct Measurements {
     pub data: Data,
     /// SHA-256 of the file; `None` for numbers of the scenario.
     pub sha256: Option<String>,
+    /// The largest value.
+    largest: f64,
 }
 
 /// What is known of a key.
@@ -98,6 +100,8 @@ pub struct Calibration<'a> {
     pub freedom: usize,
     /// Values that are taken for outliers.
     pub outliers: usize,
+    /// Root mean square of measured less predicted, as a share of the measured; the largest of all quantities.
+    pub misfit: f64,
     /// The chance of this chi-square or a larger one; `None` where the noise is estimated.
     pub p: Option<f64>,
     /// The chance of so few runs of equal signs in the residuals, in the order of the speeds.
@@ -131,7 +135,8 @@ impl Measurements {
             }
         };
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
-        let measured = Self { wanted, data, sha256 };
+        let largest = data.values.iter().map(|value| value.value).fold(0.0, f64::max);
+        let measured = Self { wanted, data, sha256, largest };
         measured.check()?;
         Ok(measured)
     }
@@ -162,19 +167,15 @@ impl Measurements {
         let given = |what: usize| deviations.iter().find(|(name, _)| name == MEASURED[what].name).map(|(_, sd)| *sd);
         let of = |value: &data::Value| value.deviation.or_else(|| given(value.what));
         let is_known = |value: &data::Value| of(value).is_some();
-        let is_estimated =
-            *is_estimated || *model_error == 0.0 && !self.data.values.iter().any(is_known) && deviations.is_empty();
-        let largest = self.data.values.iter().map(|value| value.value).fold(0.0, f64::max);
+        let is_given = self.data.values.iter().any(is_known);
+        let is_estimated = *is_estimated || *model_error == 0.0 && !is_given && deviations.is_empty();
         let deviation = |value: &data::Value| {
-            if is_estimated {
-                // a force may be zero: along a curve its noise is the same everywhere
-                let size = if value.what == CURVE { largest } else { value.value };
-                return Ok(of(value).unwrap_or(size));
+            let size = self.size(value);
+            if is_estimated && !is_given {
+                return Ok(size);
             }
-            let error = if value.what == CURVE { largest } else { value.value } * model_error;
-            let whole = crate::math::functions::hypot(of(value).unwrap_or(0.0), error);
             if is_known(value) || *model_error > 0.0 {
-                return Ok(whole);
+                return Ok(crate::math::functions::hypot(of(value).unwrap_or(0.0), size * model_error));
             }
             let name = MEASURED[value.what].name;
             let message = format!(
@@ -184,6 +185,11 @@ impl Measurements {
             Err(CalibrateError::Data { name: self.data.name.clone(), line, message })
         };
         Ok((self.data.values.iter().map(deviation).collect::<Result<_, _>>()?, is_estimated))
+    }
+
+    /// What shares of a value are of. A force may be zero: along a curve it is the largest one.
+    fn size(&self, value: &data::Value) -> f64 {
+        if value.what == CURVE { self.largest } else { value.value }
     }
 
     /// The best keys under a law.
@@ -265,6 +271,7 @@ impl Measurements {
             fit,
             keys,
             covariance,
+            misfit: misfit(&self.data, &predicted),
             predicted,
             residuals,
             shifts,
@@ -289,7 +296,7 @@ impl Measurements {
         for (i, at) in problem.counted.iter().enumerate() {
             let gain: f64 = covariance[key].iter().zip(columns).map(|(part, column)| part * column[i]).sum();
             let (value, whole) = (&problem.data.values[*at], problem.deviations[*at]);
-            let error = self.wanted.model_error * value.value / whole;
+            let error = self.wanted.model_error * self.size(value) / whole;
             own += gain * gain * (1.0 - error * error).max(0.0);
             common[value.what] += gain * error;
         }
@@ -324,9 +331,13 @@ impl Calibration<'_> {
                     self.freedom
                 ),
             ),
+            // a law that is off by less than laws are is no contradiction
             None => (
-                self.p_of_runs.filter(|_| !self.fit.has_no_noise),
-                "the residuals keep their signs for too long".to_owned(),
+                self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW),
+                format!(
+                    "it is off by {}, and the residuals keep their signs for too long",
+                    crate::units::rounded::percent(self.misfit)
+                ),
             ),
         };
         let p = p.filter(|p| *p < REJECTED)?;
@@ -342,4 +353,16 @@ impl Calibration<'_> {
         let covariance = self.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
         Some(covariance[0][1] / (covariance[0][0] * covariance[1][1]).sqrt())
     }
+}
+
+/// See [`Calibration::misfit`].
+fn misfit(data: &Data, predicted: &[f64]) -> f64 {
+    let of = |what: usize| {
+        let values = data.values.iter().zip(predicted).filter(|(value, _)| value.what == what);
+        let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
+            (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)
+        });
+        f64::sqrt(off / size)
+    };
+    data.measured().into_iter().map(of).fold(0.0, f64::max)
 }

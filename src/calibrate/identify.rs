@@ -13,7 +13,7 @@ use crate::math::functions::{exp, ln};
 use crate::units::rounded::{number, percent};
 
 /// What laws are off by, as a share of a prediction.
-const LAW: f64 = 0.02;
+pub const LAW: f64 = 0.02;
 /// Impacts that are enough to say what would help.
 const ENOUGH: usize = 100;
 

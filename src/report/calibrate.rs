@@ -1,5 +1,4 @@
-//! What is written about a calibration: `summary.json`, `residuals.csv`, `posterior.csv`, `laws.csv` and the table on the
-//! terminal.
+//! What is written about a calibration: `summary.json`, `residuals.csv`, `posterior.csv` and the table on the terminal.
 
 use std::fmt::Write as _;
 
@@ -64,10 +63,16 @@ fn combination(of: &Calibration, exponents: &[f64]) -> String {
     factors.collect::<Vec<_>>().join(" x ")
 }
 
+/// What is known of the noise; where it is estimated, what share of a value (along a curve, of the largest force) it is.
 fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
-    let value = |fit: &Fit| fit.problem.deviations[0] / fit.problem.data.values[0].value;
+    let problem = &of.fit.problem;
+    let share = || {
+        let values = problem.data.values.iter().zip(&problem.deviations);
+        let (largest, deviation) = values.max_by(|a, b| a.0.value.total_cmp(&b.0.value))?;
+        largest.deviation.is_none().then_some(deviation / largest.value)
+    };
     match of.fit.freedom {
-        Some(_) => ("estimated from the residuals", Some(value(&of.fit))),
+        Some(_) => ("estimated from the residuals", share()),
         None if of.fit.has_no_noise => ("unknown", None),
         None => ("given", None),
     }
@@ -109,6 +114,7 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
         ("degrees_of_freedom", of.freedom.into()),
         ("chi_square", of.chi_square.into()),
         ("chi_square_per_degree_of_freedom", per_degree.into()),
+        ("misfit", of.misfit.into()),
         ("p", of.p.into()),
         ("p_of_runs", of.p_of_runs.into()),
         ("noise", noise.into()),
@@ -200,36 +206,19 @@ pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
     written(writer).map(Some)
 }
 
-/// `laws.csv`: every law that was asked for, the best first.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
-pub fn laws(of: &Calibration) -> Result<Vec<u8>, ReportError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = of.keys.iter().map(|found| found.free.key.column());
-    writer.write_record(
-        ["law", "aic", "delta_aic"].map(str::to_owned).into_iter().chain(names).chain(["status".to_owned()]),
-    )?;
-    for line in ranked(of, f64::to_string, |value, _| value.to_string()) {
-        writer.write_record(line)?;
-    }
-    written(writer)
-}
-
-/// Law, criterion, its distance from the best, keys, and whether there is an answer.
-fn ranked(of: &Calibration, say: impl Fn(&f64) -> String, value: impl Fn(f64, usize) -> String) -> Vec<Vec<String>> {
+/// Every law that was asked for, the best first: its criterion, how far that is above the least, and its keys.
+fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &(String, Result<Fit, NoAnswer>)| match fit {
         Ok(fit) => {
-            let values = fit.values().into_iter().enumerate().map(|(i, number)| value(number, i));
-            let numbers = [say(&fit.aic), say(&(fit.aic - least_aic(of)))];
-            [law.clone()].into_iter().chain(numbers).chain(values).chain(["ok".to_owned()]).collect()
+            let values = fit.values().into_iter().zip(&of.keys).map(|(value, found)| say(value, &found.free));
+            let numbers = [fit.aic, fit.aic - least_aic(of)].map(|number| format!("{number:.2}"));
+            [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
-        Err(reason) => {
-            let empty = std::iter::repeat_n(String::new(), 2 + of.keys.len());
-            [law.clone()].into_iter().chain(empty).chain([reason.to_string()]).collect()
-        }
+        Err(reason) => vec![law.clone(), reason.to_string()],
     };
-    of.laws.iter().map(row).collect()
+    let names = of.keys.iter().map(|found| found.free.key.path.to_owned());
+    let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
+    [header].into_iter().chain(of.laws.iter().map(row)).collect()
 }
 
 /// A few lines for the terminal.
@@ -284,18 +273,7 @@ pub fn table(of: &Calibration) -> String {
     }
     let mut text = aligned(&rows, |_| true);
     if !of.laws.is_empty() {
-        let names = of.keys.iter().map(|found| found.free.key.path.to_owned());
-        let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
-        let value = |value: f64, i: usize| say(value, &of.keys[i].free);
-        let mut lines: Vec<Vec<String>> = vec![header];
-        for mut line in ranked(of, |number| format!("{number:.2}"), value) {
-            let status = line.pop().unwrap_or_default();
-            if status != "ok" {
-                line.push(status);
-            }
-            lines.push(line);
-        }
-        let _ = write!(text, "\n{}", aligned(&lines, |column| column == 0));
+        let _ = write!(text, "\n{}", aligned(&ranked(of), |column| column == 0));
     }
     text
 }

@@ -30,9 +30,6 @@ pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> 
         file("residuals.csv", report::residuals(&found)?),
     ];
     files.extend(report::posterior(&found)?.map(|csv| file("posterior.csv", csv)));
-    if !found.laws.is_empty() {
-        files.push(file("laws.csv", report::laws(&found)?));
-    }
     files.extend(pictures(&found)?.into_iter().map(|(name, png)| file(&name, png)));
     Ok(Outcome {
         warnings: warnings(&measured, &found),
@@ -48,9 +45,13 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
     };
+    let runs = found.p_of_runs.filter(|p| *p < 0.01 && found.contradiction.is_none()).map(|p| {
+        let p = crate::units::four_digits(p);
+        format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
+    });
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
     let of_scene = measured.wanted.scene.warnings.iter().map(ToString::to_string);
-    of_scene.chain(refusal).chain(found.keys.iter().filter_map(unbounded)).collect()
+    of_scene.chain(refusal).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
 }
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay.
