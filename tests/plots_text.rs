@@ -131,7 +131,10 @@ fn pictures_of_the_repository_keep_their_text() {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                folders.push(path);
+                // what Matplotlib draws of a run in LAMMPS is no picture of this program
+                if !path.ends_with("plots/lammps") {
+                    folders.push(path);
+                }
             } else if path.extension().is_some_and(|extension| extension == "png") {
                 assert!(has_free_border(&std::fs::read(&path).unwrap()), "{}", path.display());
                 pictures += 1;
