@@ -64,7 +64,7 @@ def test_damped_tables_are_those_of_a_sweep_too() -> None:
         (dict(speeed=1), ValueError, "`speeed` is no numeric key"),
         (dict(speed=1, youngs_modulus=1e9), ValueError, "may be sphere_youngs_modulus or half_space_youngs_modulus"),
         (dict(yield_strength=1e9), ValueError, r"\[impact\] is missing"),
-        (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: changes the same"),
+        (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: stands in place of impact.speed"),
         (dict(speed=1, stiffness_ratio=0.5), ValueError, "no case is under that law"),
         ({}, ValueError, "no key is given"),
     ],
