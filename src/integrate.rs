@@ -14,7 +14,7 @@ pub mod exact;
 mod landing;
 mod lanes;
 pub mod library;
-pub mod lockstep;
+pub(crate) mod lockstep;
 mod nystrom;
 mod piece;
 pub mod rk8;
@@ -99,6 +99,19 @@ pub enum Leg {
     Back(f64),
 }
 
+impl Leg {
+    /// Where it ends at the latest.
+    fn end(self) -> f64 {
+        let (Self::Outward(end) | Self::Back(end)) = self;
+        end
+    }
+
+    /// +1 outward, −1 back.
+    fn direction(self) -> f64 {
+        if matches!(self, Self::Outward(_)) { 1.0 } else { -1.0 }
+    }
+}
+
 /// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
@@ -122,8 +135,7 @@ impl Drag {
     pub const NONE: Self = Self { chi: 0.0, eta: 0.0 };
 
     /// g χ d'.
-    #[must_use]
-    pub const fn of_force(chi: f64) -> Self {
+    pub(crate) const fn of_force(chi: f64) -> Self {
         Self { chi, ..Self::NONE }
     }
 
@@ -134,14 +146,12 @@ impl Drag {
     }
 
     /// χ, if there is no other resistance.
-    #[must_use]
-    pub fn of_force_alone(self) -> Option<f64> {
+    pub(crate) fn of_force_alone(self) -> Option<f64> {
         (self == Self::of_force(self.chi)).then_some(self.chi)
     }
 
     /// Whether the contact force can vanish before the restoring force does.
-    #[must_use]
-    pub fn lifts_off(self) -> bool {
+    pub(crate) fn lifts_off(self) -> bool {
         self.eta > 0.0
     }
 
@@ -224,23 +234,18 @@ impl Path {
     }
 
     /// Whether the contact force can vanish before the restoring force does.
-    #[must_use]
-    pub fn can_lift_off(&self) -> bool {
+    pub(crate) fn can_lift_off(&self) -> bool {
         matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
     }
 
     /// Whether this state counts as rest.
-    #[must_use]
-    pub fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
+    pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
         self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= rest.within && speed.abs() <= rest.below)
     }
 
     /// The distance of a landing: exactly the end's, or where the motion came to.
     fn landed_at(&self, landing: Landing, distance: f64) -> f64 {
-        match (landing, self.leg) {
-            (Landing::End, Leg::Outward(end) | Leg::Back(end)) => end,
-            _ => distance,
-        }
+        if landing == Landing::End { self.leg.end() } else { distance }
     }
 }
 
@@ -347,8 +352,7 @@ impl Sampler {
     }
 
     /// The next sample time before `end`, if there is one left.
-    #[must_use]
-    pub fn due_before(&self, end: f64) -> Option<f64> {
+    pub(crate) fn due_before(&self, end: f64) -> Option<f64> {
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
         let time = self.interval * self.next as f64;
         (self.next <= self.count && time < end).then_some(time)

@@ -10,7 +10,7 @@ use super::outcome::Outcome;
 use super::scaled_forces::ScaledForces;
 use crate::integrate::lockstep::conservative::Conservative;
 use crate::integrate::lockstep::damped::Damped;
-use crate::integrate::lockstep::{LANES, Landed, Lanes, Started};
+use crate::integrate::lockstep::{Ended, LANES, Lanes, Started};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{Drag, IntegrationError};
 use crate::law::Law;
@@ -69,7 +69,7 @@ impl InLane<'_> {
     }
 
     /// On to the start of the next leg from where one has landed. The outcome, if that is the end.
-    fn go_on(&mut self, landed: Landed) -> Option<Result<Outcome, IntegrationError>> {
+    fn go_on(&mut self, landed: Ended) -> Option<Result<Outcome, IntegrationError>> {
         match landed {
             Ok((landing, at)) => {
                 self.course.at = at;

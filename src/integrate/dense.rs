@@ -1,9 +1,9 @@
 //! Dense output of rk8: the polynomial of degree 9 that takes y and its first four derivatives at both ends of a step.
 //!
 //! On a smooth piece these derivatives are known from g, so the interpolant costs no evaluation, and its error, of order
-//! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself. Where g is a power that is no polynomial, it
-//! lacks these derivatives at y = 0, and a formula of x may be curved too sharply for it just behind its zero: there a
-//! shorter step of its own leads to every sample instead.
+//! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself. A power that is no polynomial lacks these
+//! derivatives at y = 0, and a formula of x may be curved too sharply just behind its zero. On such pieces every sample is
+//! the end of a shorter step of its own.
 
 use super::landing::Node;
 use super::piece::Variables;

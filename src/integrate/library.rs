@@ -59,7 +59,7 @@ impl Integrator for Library {
                 let at = if is_free {
                     henon::after(&mut self.0, path, node, t)?
                 } else {
-                    newton::after(&mut self.0, path, node, t)?
+                    self.0.after(path, node, t - node[0])?
                 };
                 samples.take(State { time, ..absolute(at) });
             }

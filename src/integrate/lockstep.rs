@@ -27,12 +27,12 @@ pub enum Started {
     UnderWay,
     /// It has ended where it began.
     Landed(Landing, State),
-    /// It is none that these lanes can do.
+    /// These lanes cannot do it.
     Foreign,
 }
 
 /// What a leg comes to.
-pub type Landed = Result<(Landing, State), IntegrationError>;
+pub type Ended = Result<(Landing, State), IntegrationError>;
 
 /// Lanes of one stepper.
 pub trait Lanes {
@@ -40,19 +40,17 @@ pub trait Lanes {
     const FEW: usize;
 
     /// Puts a leg into a lane.
-    #[must_use]
     fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started;
 
     /// One step, accepted or rejected, in every lane. Whether any lane may have landed: they are to be asked then.
-    #[must_use]
     fn step(&mut self) -> bool;
 
     /// What the leg of a lane has come to, if the last step has ended it; the lane is then idle. It was started along this
     /// path from the state `begun`.
-    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed>;
+    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
 
     /// Takes the rest of a leg out of its lane and goes it alone; `None` in a lane that is idle.
-    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed>;
+    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
 }
 
 /// The numbers of one lane.

@@ -73,67 +73,39 @@ pub(super) trait Variables: Field<f64> {
     }
 }
 
-/// A constant pull beside the force of a piece, in the variables of the piece: nothing at all, or a number.
-pub(super) trait Pull: Copy {
-    /// Whether there is one.
-    const ACTS: bool;
+/// 2 γ of a constant pull beside the force of a piece; where none acts, the number is not looked at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull<const ACTS: bool>(f64);
+
+impl<const ACTS: bool> Pull<ACTS> {
+    #[inline(always)]
+    pub(super) fn new(acceleration: f64) -> Self {
+        Self(2.0 * acceleration)
+    }
     /// γ.
-    fn acceleration(self) -> f64;
+    #[inline(always)]
+    pub(super) fn acceleration(self) -> f64 {
+        if ACTS { 0.5 * self.0 } else { 0.0 }
+    }
     /// The pull of the field factor × g.
-    fn scaled(self, factor: f64) -> Self;
+    #[inline(always)]
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        if ACTS { Self(self.0 * factor) } else { self }
+    }
     /// 2 γ y − `force`, where y = √d.
-    fn less(self, y: f64, force: f64) -> f64;
+    #[inline(always)]
+    pub(super) fn less(self, y: f64, force: f64) -> f64 {
+        if ACTS { self.0 * y - force } else { -force }
+    }
     /// `slope` + 2 γ, where y = √d.
-    fn onto(self, slope: f64) -> f64;
-}
-
-/// No pull: takes no room and no time.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct NoPull;
-
-impl Pull for NoPull {
-    const ACTS: bool = false;
     #[inline(always)]
-    fn acceleration(self) -> f64 {
-        0.0
-    }
-    #[inline(always)]
-    fn scaled(self, _: f64) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn less(self, _: f64, force: f64) -> f64 {
-        -force
-    }
-    #[inline(always)]
-    fn onto(self, slope: f64) -> f64 {
-        slope
+    pub(super) fn onto(self, slope: f64) -> f64 {
+        if ACTS { slope + self.0 } else { slope }
     }
 }
 
-/// 2 γ.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Twice(pub(super) f64);
-
-impl Pull for Twice {
-    const ACTS: bool = true;
-    #[inline(always)]
-    fn acceleration(self) -> f64 {
-        0.5 * self.0
-    }
-    #[inline(always)]
-    fn scaled(self, factor: f64) -> Self {
-        Self(self.0 * factor)
-    }
-    #[inline(always)]
-    fn less(self, y: f64, force: f64) -> f64 {
-        self.0 * y - force
-    }
-    #[inline(always)]
-    fn onto(self, slope: f64) -> f64 {
-        slope + self.0
-    }
-}
+/// No pull.
+pub(super) const NO_PULL: Pull<false> = Pull(0.0);
 
 /// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
 pub(super) type Quad<T = f64> = [T; 4];

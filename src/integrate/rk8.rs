@@ -30,7 +30,7 @@ use super::nystrom::{self, EVALUATIONS};
 use super::piece::power::{Hertz, Power};
 use super::piece::smooth::{OfDistance, OfRoot};
 use super::piece::straight::Straight;
-use super::piece::{Field, NoPull, Pull, Twice, Variables};
+use super::piece::{Field, NO_PULL, Pull, Variables};
 use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
 use crate::math::functions::pow;
 use crate::math::smooth::Variable;
@@ -65,9 +65,9 @@ impl Rk8 {
 
     /// The leg without drag, under this pull; `None` if it is left to the stepper with drag.
     #[inline(always)]
-    fn conservative<P: Pull>(
+    fn conservative<const PULLED: bool>(
         &mut self,
-        pull: P,
+        pull: Pull<PULLED>,
         path: &Path,
         state: &mut State,
         samples: Option<&mut Sampler>,
@@ -75,14 +75,14 @@ impl Rk8 {
         macro_rules! traverse {
             ($field:expr) => {{
                 let field = $field;
-                (!P::ACTS || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, samples))
+                (!PULLED || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, samples))
             }};
         }
         match path.restoring {
             Restoring::Straight { at_start, slope } => traverse!(Straight::new(at_start, slope, pull)),
             Restoring::Power { coefficient, exponent: 1.5 } => traverse!(Hertz::new(coefficient, pull)),
             Restoring::Power { coefficient, exponent } => traverse!(Power::new(coefficient, exponent, pull)),
-            Restoring::Smooth { .. } if P::ACTS => None,
+            Restoring::Smooth { .. } if PULLED => None,
             Restoring::Smooth { force, start, factor } => Some(match force.variable() {
                 Variable::Indentation => {
                     self.traverse_field(OfDistance { force, start, c: factor }, path, state, samples)
@@ -106,7 +106,7 @@ impl Rk8 {
         for _ in 0..MOST_STEPS {
             let is_far = leg.target.reach(&now, h) < (leg.target.y - now.y).abs();
             let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(&now, h) };
-            let Stepped { node: mut next, error } = leg.step(field, &now, this);
+            let (mut next, error) = leg.step(field, &now, this);
             self.work.force_evaluations += EVALUATIONS;
             if error > 1.0 {
                 self.work.rejected += 1;
@@ -171,17 +171,10 @@ pub(super) struct Constants<T> {
     pub(super) left_out_squared: T,
 }
 
-/// The end of a step and its error relative to the limit.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Stepped<T> {
-    pub(super) node: Node<T>,
-    pub(super) error: T,
-}
-
 impl<T: Lane> Constants<T> {
-    /// One step of length h.
+    /// One step of length h: its end, and its error relative to the limit.
     #[inline(always)]
-    pub(super) fn step<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> Stepped<T> {
+    pub(super) fn step<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> (Node<T>, T) {
         let square = h * h;
         let scaled = field.scaled(square);
         let step = nystrom::step(now.y, h * now.u, square * now.g, scaled);
@@ -194,7 +187,7 @@ impl<T: Lane> Constants<T> {
         };
         let of_y = step.position_error.abs() * self.inverse_y;
         let of_u = (step.velocity_error * inverse).abs() * self.inverse_u;
-        Stepped { node, error: of_y.max(of_u) }
+        (node, of_y.max(of_u))
     }
 }
 
@@ -240,9 +233,9 @@ impl Integrator for Rk8 {
     ) -> Result<Landing, IntegrationError> {
         if path.drag == Drag::NONE && matches!(path.leg, Leg::Outward(_) | Leg::Back(0.0)) {
             let landed = if path.pull == 0.0 {
-                self.conservative(NoPull, path, state, samples.as_deref_mut())
+                self.conservative(NO_PULL, path, state, samples.as_deref_mut())
             } else {
-                self.conservative(Twice(2.0 * path.pull), path, state, samples.as_deref_mut())
+                self.conservative(Pull::<true>::new(path.pull), path, state, samples.as_deref_mut())
             };
             if let Some(landed) = landed {
                 return landed;

@@ -12,7 +12,7 @@ use crate::integrate::cubic::{cubic_minimum, cubic_root};
 use crate::integrate::dop853::{EVALUATIONS, Step};
 use crate::integrate::lanes::Lane;
 use crate::integrate::piece::{Dragged, Quad};
-use crate::integrate::{Crossing, IntegrationError, Landing, Leg, MOST_STEPS, Path, State, Work};
+use crate::integrate::{Crossing, IntegrationError, Landing, MOST_STEPS, Path, State, Work};
 use crate::math::functions::pow;
 
 /// Repeats of a landing step.
@@ -100,8 +100,8 @@ pub(in crate::integrate) struct Limits<T> {
 }
 
 impl<T: Lane> Limits<T> {
-    /// 1 where a step has passed nothing for sure, so that one which is accepted only goes on; else 0. Takes the contact
-    /// force and its derivative before and after the step.
+    /// 1 where the step has surely passed no event, so that the motion just goes on if the step is accepted; else 0. Takes
+    /// the contact force and its derivative before and after the step.
     #[inline(always)]
     pub(in crate::integrate) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
         let (zero, one) = (self.end.all(0.0), self.end.all(1.0));
@@ -142,10 +142,7 @@ impl Run {
         tolerance: f64,
     ) -> Option<Self> {
         let sizes = &path.sizes;
-        let (end, direction) = match path.leg {
-            Leg::Outward(end) => (P::y_at(end), 1.0),
-            Leg::Back(end) => (P::y_at(end), -1.0),
-        };
+        let (end, direction) = (P::y_at(path.leg.end()), path.leg.direction());
         let size = P::y_at(sizes.distance);
         let inverse = |size: f64| 1.0 / (PART * tolerance * size);
         let inverse_sizes = [inverse(size), inverse(sizes.speed), inverse(sizes.speed * sizes.speed)];

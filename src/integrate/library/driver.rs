@@ -1,7 +1,5 @@
 //! The crate itself: one integration from one value of the independent variable to another.
 
-use std::cell::Cell;
-
 use nalgebra::{DefaultAllocator, Dim, OVector, allocator::Allocator};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
@@ -40,11 +38,10 @@ impl Driver {
         self.taken_before_leg = self.work.steps + self.work.rejected;
     }
 
-    /// Carries `start` from `from` to `to` at this tolerance; `evaluations` is what the equations count themselves.
+    /// Carries `start` from `from` to `to` at this tolerance.
     pub(super) fn drive<S, D: Dim>(
         &mut self,
         equations: S,
-        evaluations: &Cell<u64>,
         tolerance: f64,
         from: f64,
         to: f64,
@@ -92,7 +89,6 @@ impl Driver {
             Scheme::Dopri5 => integrate!(Dopri5, 0.04, 0.2, 10.0),
             Scheme::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
         };
-        self.work.force_evaluations += evaluations.take();
         let stats = result.map_err(|error| match error {
             ode_solvers::dop_shared::IntegrationError::MaxNumStepReached { .. } => {
                 IntegrationError::TooManySteps { steps: MOST_STEPS }
@@ -102,6 +98,7 @@ impl Driver {
                 IntegrationError::StepUnderflow { time: x, step: 0.0 }
             }
         })?;
+        self.work.force_evaluations += u64::from(stats.num_eval);
         self.work.steps += u64::from(stats.accepted_steps);
         self.work.rejected += u64::from(stats.rejected_steps);
         last.filter(|end| end.iter().all(|value| value.is_finite())).ok_or(IntegrationError::NotFinite { time: from })

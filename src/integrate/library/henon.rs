@@ -6,8 +6,6 @@
 //! * crossed so slowly that 1/u is no smooth function: with the speed again, and with the u² that makes d the end found
 //!   by Newton's method (d is almost linear in u²).
 
-use std::cell::{Cell, RefCell};
-
 use nalgebra::{Vector2, Vector3};
 use ode_solvers::System;
 
@@ -26,8 +24,7 @@ struct Equations<'a> {
     path: &'a Path,
     along: Along,
     /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
-    nodes: Option<&'a RefCell<Vec<Node>>>,
-    evaluations: &'a Cell<u64>,
+    nodes: Option<&'a mut Vec<Node>>,
 }
 
 /// g in units of speed²/distance, at a distance in units of its size.
@@ -36,26 +33,19 @@ fn scaled_deceleration(path: &Path, distance: f64) -> f64 {
     path.restoring.at(distance * sizes.distance) * sizes.distance / (sizes.speed * sizes.speed)
 }
 
-impl Equations<'_> {
-    fn deceleration(&self, distance: f64) -> f64 {
-        self.evaluations.set(self.evaluations.get() + 1);
-        scaled_deceleration(self.path, distance)
-    }
-}
-
 impl System<f64, Vector2<f64>> for Equations<'_> {
     fn system(&self, _time: f64, y: &Vector2<f64>, dy: &mut Vector2<f64>) {
-        *dy = Vector2::new(y[1], -self.deceleration(y[0]));
+        *dy = Vector2::new(y[1], -scaled_deceleration(self.path, y[0]));
     }
 
     fn solout(&mut self, x: f64, y: &Vector2<f64>, _dy: &Vector2<f64>) -> bool {
-        let Some(nodes) = self.nodes else { return false };
+        let Some(nodes) = self.nodes.as_mut() else { return false };
         let is_past = match self.path.leg {
             Leg::Outward(end) => y[1] <= 0.0 || y[0] * self.path.sizes.distance >= end,
             Leg::Back(end) => y[0] * self.path.sizes.distance <= end,
         };
         if !is_past {
-            nodes.borrow_mut().push([x, y[0], y[1], 0.0]);
+            nodes.push([x, y[0], y[1], 0.0]);
         }
         is_past
     }
@@ -63,7 +53,7 @@ impl System<f64, Vector2<f64>> for Equations<'_> {
 
 impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _along: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
-        let g = self.deceleration(y[0]);
+        let g = scaled_deceleration(self.path, y[0]);
         let rates = Vector3::new(y[1], -g, 1.0);
         *dy = match self.along {
             Along::Distance => rates / y[1],
@@ -80,11 +70,9 @@ pub(super) fn run(
 ) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
     /// Longer than any leg: a quarter period is about 1.5 in units of size one.
     const LONG: f64 = 1e3;
-    let nodes = RefCell::new(vec![start]);
-    let evaluations = Cell::new(0);
-    let equations = Equations { path, along: Along::Distance, nodes: Some(&nodes), evaluations: &evaluations };
-    driver.drive(equations, &evaluations, driver.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
-    let nodes = nodes.into_inner();
+    let mut nodes = vec![start];
+    let equations = Equations { path, along: Along::Distance, nodes: Some(&mut nodes) };
+    driver.drive(equations, driver.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
     let last = nodes.last().copied().unwrap_or(start);
     let (landing, [t, d, u, _]) = land(driver, path, last)?;
     Ok((nodes, landing, [t, d, u, start[3]]))
@@ -92,9 +80,8 @@ pub(super) fn run(
 
 /// The state at `time`, from a node before it.
 pub(super) fn after(driver: &mut Driver, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
-    let evaluations = Cell::new(0);
-    let equations = Equations { path, along: Along::Distance, nodes: None, evaluations: &evaluations };
-    let end = driver.drive(equations, &evaluations, driver.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
+    let equations = Equations { path, along: Along::Distance, nodes: None };
+    let end = driver.drive(equations, driver.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
     Ok([time, end[0], end[1], node[3]])
 }
 
@@ -105,9 +92,8 @@ fn reach(driver: &mut Driver, path: &Path, along: Along, node: Node, to: f64) ->
         Along::Distance => d,
         Along::Speed => u,
     };
-    let evaluations = Cell::new(0);
-    let equations = Equations { path, along, nodes: None, evaluations: &evaluations };
-    let end = driver.drive(equations, &evaluations, driver.tolerance, from, to, Vector3::new(d, u, t))?;
+    let end =
+        driver.drive(Equations { path, along, nodes: None }, driver.tolerance, from, to, Vector3::new(d, u, t))?;
     Ok(match along {
         Along::Distance => [end[2], to, end[1], loss],
         Along::Speed => [end[2], end[0], to, loss],

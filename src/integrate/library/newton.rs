@@ -1,8 +1,6 @@
 //! Motions with pull and drag. The independent variable is the time, and the time of an event is found by Newton's method:
 //! the derivative of the event along the time is known from the state.
 
-use std::cell::{Cell, RefCell};
-
 use nalgebra::Vector3;
 use ode_solvers::System;
 
@@ -32,13 +30,17 @@ fn tolerance(driver: &Driver, path: &Path) -> f64 {
 /// Times nearer to each other than this, in units of size one, are one time.
 const RESOLUTION: f64 = 1e-14;
 
+/// The nodes of a motion before the end of its leg, and whether it has come to rest at the last of them.
+struct Log {
+    nodes: Vec<Node>,
+    is_at_rest: bool,
+}
+
 /// The equations in variables of size one: y = (d, u, loss).
 struct Equations<'a> {
     path: &'a Path,
-    /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
-    nodes: Option<&'a RefCell<Vec<Node>>>,
-    landing: &'a Cell<Option<Landing>>,
-    evaluations: &'a Cell<u64>,
+    /// If given, the motion stops once past the end of the leg, and this is written.
+    log: Option<&'a mut Log>,
 }
 
 impl Equations<'_> {
@@ -54,10 +56,7 @@ impl Equations<'_> {
     /// A function that falls through zero at the event, and its derivative along the time.
     fn event(&self, event: Crossing, [_, d, u, _]: Node) -> (f64, f64) {
         let sizes = &self.path.sizes;
-        let (sign, end) = match self.path.leg {
-            Leg::Outward(end) => (1.0, end),
-            Leg::Back(end) => (-1.0, end),
-        };
+        let (sign, end) = (self.path.leg.direction(), self.path.leg.end());
         let (acceleration, _) = self.accelerations(d, u);
         match event {
             Crossing::End => (sign * (end / sizes.distance - d), -sign * u),
@@ -90,23 +89,18 @@ impl Equations<'_> {
         is_past(Crossing::End).then_some(Crossing::End)
     }
 
-    /// +1 outward, −1 back.
-    fn sign(&self) -> f64 {
-        if matches!(self.path.leg, Leg::Back(_)) { -1.0 } else { 1.0 }
-    }
-
     /// Whether a sphere at rest in this place would be pushed further along the leg. Then it cannot have turned there.
     fn is_pushed_on(&self, d: f64) -> bool {
         // right beside its place of rest, a turn is accepted: the creep ends there anyway
         let distance = d * self.path.sizes.distance;
         let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
-        self.sign() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
+        self.path.leg.direction() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
     }
 
     /// Whether a speed of the wrong sign comes only from the error of the speed, as in a creep slower than that error. So it
     /// is if the sphere, even without drag, cannot get from `last` to a place where it could turn.
     fn cannot_turn(&self, last: Node, node: Node) -> bool {
-        let sign = self.sign();
+        let sign = self.path.leg.direction();
         let time = node[0] - last[0];
         // on the way out only the pull speeds the sphere up; on the way back only the law does, and its force falls
         let sizes = &self.path.sizes;
@@ -118,7 +112,7 @@ impl Equations<'_> {
 
     /// Whether the contact force vanishes and comes again on the step to this node.
     fn dips_before(&self, node: Node) -> bool {
-        let Some(last) = self.nodes.and_then(|nodes| nodes.borrow().last().copied()) else { return false };
+        let Some(&last) = self.log.as_ref().and_then(|log| log.nodes.last()) else { return false };
         if !self.path.can_lift_off() || node[0] <= last[0] {
             return false;
         }
@@ -131,56 +125,42 @@ impl Equations<'_> {
 
 impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
-        self.evaluations.set(self.evaluations.get() + 1);
         let (acceleration, drag) = self.accelerations(y[0], y[1]);
         *dy = Vector3::new(y[1], acceleration, drag * y[1]);
     }
 
     fn solout(&mut self, time: f64, y: &Vector3<f64>, _dy: &Vector3<f64>) -> bool {
-        let Some(nodes) = self.nodes else { return false };
         let node = [time, y[0], y[1], y[2]];
-        let last = nodes.borrow().last().copied().unwrap_or(node);
-        if self.passed(last, node).is_some() || self.dips_before(node) {
-            return true;
-        }
-        nodes.borrow_mut().push(node);
+        let Some(last) = self.log.as_ref().map(|log| log.nodes.last().copied().unwrap_or(node)) else { return false };
+        let is_past = self.passed(last, node).is_some() || self.dips_before(node);
+        let Some(log) = self.log.as_mut().filter(|_| !is_past) else { return true };
+        log.nodes.push(node);
         let sizes = &self.path.sizes;
-        let is_at_rest = time > 0.0 && self.path.is_at_rest(y[0] * sizes.distance, y[1] * sizes.speed);
-        if is_at_rest {
-            self.landing.set(Some(Landing::Rest));
-        }
-        is_at_rest
+        log.is_at_rest = time > 0.0 && self.path.is_at_rest(y[0] * sizes.distance, y[1] * sizes.speed);
+        log.is_at_rest
     }
 }
 
 impl Driver {
     /// The state a `time` after a node.
-    fn after(&mut self, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
-        let (evaluations, landing) = (Cell::new(0), Cell::new(None));
-        let equations = Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
-        let end = self.drive(
-            equations,
-            &evaluations,
-            tolerance(self, path),
-            node[0],
-            node[0] + time,
-            Vector3::new(node[1], node[2], node[3]),
-        )?;
-        Ok([node[0] + time, end[0], end[1], end[2]])
+    pub(super) fn after(&mut self, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
+        let ([from, d, u, loss], to) = (node, node[0] + time);
+        let equations = Equations { path, log: None };
+        let end = self.drive(equations, tolerance(self, path), from, to, Vector3::new(d, u, loss))?;
+        Ok([to, end[0], end[1], end[2]])
     }
 
     /// From the last node before an event to the event that comes first; `None` if at a loose tolerance the shorter steps
     /// of the search do not find what the long one had passed.
     fn land(&mut self, path: &Path, node: Node) -> Result<Option<(Landing, Node)>, IntegrationError> {
-        let (evaluations, landing) = (Cell::new(0), Cell::new(None));
-        let equations = || Equations { path, nodes: None, landing: &landing, evaluations: &evaluations };
+        let equations = Equations { path, log: None };
         let is_back = matches!(path.leg, Leg::Back(_));
         let candidates = [if path.can_lift_off() { Crossing::LiftOff } else { Crossing::End }, Crossing::Turning];
         let mut first: Option<(Crossing, Node)> = None;
         for event in candidates {
             let limit = first.map_or(f64::INFINITY, |(_, at)| at[0] - node[0]);
-            let Some(at) = self.reach(&equations(), path, event, node, limit)? else { continue };
-            if event == Crossing::Turning && equations().is_pushed_on(at[1]) {
+            let Some(at) = self.reach(&equations, event, node, limit)? else { continue };
+            if event == Crossing::Turning && equations.is_pushed_on(at[1]) {
                 continue;
             }
             if first.is_none_or(|(_, earlier)| at[0] < earlier[0]) {
@@ -198,7 +178,6 @@ impl Driver {
     fn reach(
         &mut self,
         equations: &Equations,
-        path: &Path,
         event: Crossing,
         node: Node,
         limit: f64,
@@ -231,7 +210,7 @@ impl Driver {
                 break;
             }
             tau = next;
-            at = self.after(path, node, tau)?;
+            at = self.after(equations.path, node, tau)?;
         }
         // found if the bracket has closed, if Newton's method has converged, or if the function is zero but for rounding
         let size = if event == Crossing::LiftOff { equations.event(event, node).0 } else { 1.0 };
@@ -273,23 +252,20 @@ pub(super) fn run(
     /// and goes on from there, this many times at most.
     const MOST_ATTEMPTS: u64 = 10_000;
     const STRETCH: f64 = 0.25;
-    let nodes = RefCell::new(vec![start]);
-    let (evaluations, resting) = (Cell::new(0), Cell::new(None));
+    let mut log = Log { nodes: vec![start], is_at_rest: false };
+    let mut last = start;
     let mut landed = None;
     for _ in 0..MOST_ATTEMPTS {
-        let equations = Equations { path, nodes: Some(&nodes), landing: &resting, evaluations: &evaluations };
-        let [t, d, u, loss] = nodes.borrow().last().copied().unwrap_or(start);
-        driver.drive(equations, &evaluations, tolerance(driver, path), t, LONG, Vector3::new(d, u, loss))?;
-        let last = nodes.borrow().last().copied().unwrap_or(start);
-        landed = match resting.get() {
-            Some(landing) => Some((landing, last)),
-            None => driver.land(path, last)?,
-        };
+        let equations = Equations { path, log: Some(&mut log) };
+        let [t, d, u, loss] = last;
+        driver.drive(equations, tolerance(driver, path), t, LONG, Vector3::new(d, u, loss))?;
+        last = log.nodes.last().copied().unwrap_or(start);
+        landed = if log.is_at_rest { Some((Landing::Rest, last)) } else { driver.land(path, last)? };
         if landed.is_some() {
             break;
         }
         let further = driver.after(path, last, STRETCH)?;
-        let equations = Equations { path, nodes: None, landing: &resting, evaluations: &evaluations };
+        let equations = Equations { path, log: None };
         if let Some(event) = equations.passed(last, further)
             && equations.event(event, last).0 > 0.0
         {
@@ -299,13 +275,9 @@ pub(super) fn run(
                 break;
             }
         }
-        nodes.borrow_mut().push(further);
+        log.nodes.push(further);
+        last = further;
     }
     let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
-    Ok((nodes.into_inner(), landing, end))
-}
-
-/// The state at `time`, from a node before it.
-pub(super) fn after(driver: &mut Driver, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
-    driver.after(path, node, time - node[0])
+    Ok((log.nodes, landing, end))
 }

@@ -3,10 +3,10 @@
 
 use pulp::{Arch, Simd};
 
-use super::{AllLanes, At, Kernel, LANES, Landed, Lanes, Row, Started, of_lane, put};
+use super::{AllLanes, At, Ended, Kernel, LANES, Lanes, Row, Started, of_lane, put};
 use crate::integrate::landing::{AT_END, Node, Target};
 use crate::integrate::lanes::Lane;
-use crate::integrate::piece::NoPull;
+use crate::integrate::piece::NO_PULL;
 use crate::integrate::piece::mixed::Mixed;
 use crate::integrate::piece::power::Hertz;
 use crate::integrate::piece::straight::Straight;
@@ -51,7 +51,6 @@ pub struct Conservative {
 
 impl Conservative {
     /// Lanes of this relative tolerance, all idle.
-    #[must_use]
     pub fn new(tolerance: f64) -> Self {
         let rows = Rows { h: [1.0; LANES], ..Rows::default() };
         Self { rows: Box::new(rows), begun: [None; LANES], rk8: Rk8::new(tolerance), steps: 0, arch: Arch::new() }
@@ -68,10 +67,10 @@ impl Lanes for Conservative {
         let rows = &mut *self.rows;
         let (field, (leg, node, h)) = match path.restoring {
             Restoring::Straight { at_start: a, slope: b } => {
-                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::new(a, b, NoPull), path, state))
+                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::new(a, b, NO_PULL), path, state))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
-                let hertz = Hertz::new(coefficient, NoPull);
+                let hertz = Hertz::new(coefficient, NO_PULL);
                 ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, state))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
@@ -93,7 +92,7 @@ impl Lanes for Conservative {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed> {
+    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended> {
         let rows = &*self.rows;
         if rows.landed[lane] == 0.0 {
             if !self.steps.is_multiple_of(LOOK) {
@@ -111,10 +110,10 @@ impl Lanes for Conservative {
         let landing = if rows.landed[lane] == AT_END { Landing::End } else { Landing::Turning };
         let state = match path.restoring {
             Restoring::Straight { at_start, slope } => {
-                landed_state(Straight::new(at_start, slope, NoPull), path, landing, &node, 0.0)
+                landed_state(Straight::new(at_start, slope, NO_PULL), path, landing, &node, 0.0)
             }
             Restoring::Power { coefficient, .. } => {
-                landed_state(Hertz::new(coefficient, NoPull), path, landing, &node, 0.0)
+                landed_state(Hertz::new(coefficient, NO_PULL), path, landing, &node, 0.0)
             }
             // never started
             Restoring::Smooth { .. } => return None,
@@ -122,7 +121,7 @@ impl Lanes for Conservative {
         Some(Ok((landing, state)))
     }
 
-    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Landed> {
+    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended> {
         // with no FEW, every leg is stepped to its end
         self.take_landing(lane, path, begun)
     }
@@ -160,18 +159,18 @@ fn step<T: Lane>(field: Mixed<T>, leg: &Constants<T>, now: &Node<T>, h: T) -> (N
     let this = reach.if_less(gap, h, limited);
     let may_land = reach.if_less(gap, zero, h.if_less(last, zero, one));
 
-    let stepped = leg.step(field, now, this);
-    let landed = leg.target.land(field, &stepped.node);
-    let is_rejected = one.if_less(stepped.error, one, zero);
+    let (stepped, error) = leg.step(field, now, this);
+    let landed = leg.target.land(field, &stepped);
+    let is_rejected = one.if_less(error, one, zero);
     let is_mended = landed.left_out_squared.if_less(leg.left_out_squared, may_land, zero);
     let lands = zero.if_less(is_rejected, zero, is_mended);
 
     macro_rules! pick {
         ($part:ident) => {
-            zero.if_less(is_rejected, now.$part, zero.if_less(lands, landed.node.$part, stepped.node.$part))
+            zero.if_less(is_rejected, now.$part, zero.if_less(lands, landed.node.$part, stepped.$part))
         };
     }
     let node = Node { y: pick!(y), u: pick!(u), g: pick!(g), t: pick!(t) };
-    let next = zero.if_less(is_rejected, shrunk(this, stepped.error), grown(this, stepped.error));
+    let next = zero.if_less(is_rejected, shrunk(this, error), grown(this, error));
     (node, next, zero.if_less(lands, landed.kind, zero))
 }

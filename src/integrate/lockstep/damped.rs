@@ -6,7 +6,7 @@ mod rows;
 
 use pulp::Arch;
 
-use super::{AllLanes, LANES, Landed, Lanes, Started, put};
+use super::{AllLanes, Ended, LANES, Lanes, Started, put};
 use crate::integrate::damped::finish;
 use crate::integrate::damped::run::{Limits, Progress, Run, Verdict, least_share};
 use crate::integrate::piece::power::DraggedHertz;
@@ -38,14 +38,12 @@ pub struct Damped<const M: u8> {
 
 impl<const M: u8> Damped<M> {
     /// Lanes of this relative tolerance, all idle.
-    #[must_use]
     pub fn new(tolerance: f64) -> Self {
         let (rows, ways) = (Box::new(Rows::default()), Box::new([None; LANES]));
         Self { rows, ways, tolerance, least: least_share(tolerance), steps: 0, arch: Arch::new() }
     }
 
     /// Whether these are the lanes for this drag.
-    #[must_use]
     pub fn fits(drag: Drag) -> bool {
         drag != Drag::NONE && (drag.eta == 0.0) == (M == 2)
     }
@@ -118,7 +116,7 @@ impl<const M: u8> Lanes for Damped<M> {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize, _: &Path, _: &State) -> Option<Landed> {
+    fn take_landing(&mut self, lane: usize, _: &Path, _: &State) -> Option<Ended> {
         let rows = &mut *self.rows;
         if rows.clear[lane] > 0.0 {
             return None;
@@ -147,7 +145,7 @@ impl<const M: u8> Lanes for Damped<M> {
         Some(landed)
     }
 
-    fn finish(&mut self, lane: usize, _: &Path, _: &State) -> Option<Landed> {
+    fn finish(&mut self, lane: usize, _: &Path, _: &State) -> Option<Ended> {
         let (mut run, piece) = self.leave(lane)?;
         self.rows.catch_up(lane, &mut run);
         Some(match piece {

@@ -8,28 +8,28 @@ use crate::math::power::power_turn;
 
 /// Any power law without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Power<P> {
+pub(in crate::integrate) struct Power<const PULLED: bool> {
     c: f64,
     m: f64,
-    pull: P,
+    pull: Pull<PULLED>,
 }
 
 /// The same for n = 3/2: g = 2 γ y − c y⁴.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Hertz<P> {
+pub(in crate::integrate) struct Hertz<const PULLED: bool> {
     pub(in crate::integrate) c: f64,
-    pull: P,
+    pull: Pull<PULLED>,
 }
 
-impl<P: Pull> Hertz<P> {
+impl<const PULLED: bool> Hertz<PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(k: f64, pull: P) -> Self {
+    pub(in crate::integrate) fn new(k: f64, pull: Pull<PULLED>) -> Self {
         Self { c: 2.0 * k, pull }
     }
 }
 
-impl<P: Pull> Power<P> {
-    pub(in crate::integrate) fn new(k: f64, n: f64, pull: P) -> Self {
+impl<const PULLED: bool> Power<PULLED> {
+    pub(in crate::integrate) fn new(k: f64, n: f64, pull: Pull<PULLED>) -> Self {
         Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
     }
 
@@ -38,13 +38,13 @@ impl<P: Pull> Power<P> {
     fn any_potential(self, y: f64) -> f64 {
         let q = self.m + 1.0;
         let of_force = self.c / q * pow(y.abs(), q);
-        if P::ACTS { of_force - self.pull.acceleration() * y * y } else { of_force }
+        if PULLED { of_force - self.pull.acceleration() * y * y } else { of_force }
     }
 
     /// The y of that potential.
     #[inline(always)]
     fn at_any_potential(self, potential: f64) -> f64 {
-        if P::ACTS {
+        if PULLED {
             // potential = k d^(n+1)/(n+1) − γ d
             let (n, k) = (0.5 * (self.m - 1.0), 0.5 * self.c);
             power_turn(k, n, potential.max(0.0), self.pull.acceleration()).sqrt()
@@ -57,7 +57,7 @@ impl<P: Pull> Power<P> {
 /// Where the pull is stronger than the force, it sets the pace.
 macro_rules! pulled {
     () => {
-        const IS_PULLED: bool = P::ACTS;
+        const IS_PULLED: bool = PULLED;
         #[inline(always)]
         fn stiffness(self, y: f64) -> f64 {
             4.0 * self.pull.acceleration() - self.derivatives(y).0
@@ -65,7 +65,7 @@ macro_rules! pulled {
     };
 }
 
-impl<P: Pull> Field<f64> for Hertz<P> {
+impl<const PULLED: bool> Field<f64> for Hertz<PULLED> {
     const IS_TIME: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
@@ -83,12 +83,12 @@ impl<P: Pull> Field<f64> for Hertz<P> {
     }
 }
 
-impl<P: Pull> Variables for Hertz<P> {
+impl<const PULLED: bool> Variables for Hertz<PULLED> {
     const IS_POLYNOMIAL: bool = true;
     pulled!();
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
-        if P::ACTS {
+        if PULLED {
             return Power { c: self.c, m: 4.0, pull: self.pull }.any_potential(y);
         }
         let square = y * y;
@@ -100,7 +100,7 @@ impl<P: Pull> Variables for Hertz<P> {
     }
 }
 
-impl<P: Pull> Field<f64> for Power<P> {
+impl<const PULLED: bool> Field<f64> for Power<PULLED> {
     const IS_TIME: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
@@ -117,7 +117,7 @@ impl<P: Pull> Field<f64> for Power<P> {
     }
 }
 
-impl<P: Pull> Variables for Power<P> {
+impl<const PULLED: bool> Variables for Power<PULLED> {
     const IS_POLYNOMIAL: bool = false;
     pulled!();
     #[inline(always)]

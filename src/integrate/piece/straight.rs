@@ -1,31 +1,28 @@
 //! A straight piece: g = a + b d.
 
-use std::marker::PhantomData;
-
 use super::{Dragged, Field, Motion, Pull, Quad, Variables};
 use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. The pull stands in a, which may be negative where one acts.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Straight<P> {
+pub(in crate::integrate) struct Straight<const PULLED: bool> {
     pub(in crate::integrate) a: f64,
     pub(in crate::integrate) b: f64,
-    pull: PhantomData<P>,
 }
 
-impl<P: Pull> Straight<P> {
+impl<const PULLED: bool> Straight<PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: P) -> Self {
-        Self { a: at_start - pull.acceleration(), b: slope, pull: PhantomData }
+    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: Pull<PULLED>) -> Self {
+        Self { a: at_start - pull.acceleration(), b: slope }
     }
 }
 
-impl<P: Pull> Field<f64> for Straight<P> {
+impl<const PULLED: bool> Field<f64> for Straight<PULLED> {
     const IS_TIME: bool = true;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
-        Self { a: self.a * factor, b: self.b * factor, ..self }
+        Self { a: self.a * factor, b: self.b * factor }
     }
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
@@ -37,9 +34,9 @@ impl<P: Pull> Field<f64> for Straight<P> {
     }
 }
 
-impl<P: Pull> Variables for Straight<P> {
+impl<const PULLED: bool> Variables for Straight<PULLED> {
     const IS_POLYNOMIAL: bool = true;
-    const IS_PULLED: bool = P::ACTS;
+    const IS_PULLED: bool = PULLED;
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
         y * (self.a + 0.5 * self.b * y)
@@ -47,7 +44,7 @@ impl<P: Pull> Variables for Straight<P> {
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         let root = (self.a * self.a + 2.0 * self.b * potential).max(0.0).sqrt();
-        if P::ACTS && self.a <= 0.0 { (root - self.a) / self.b } else { 2.0 * potential / (self.a + root) }
+        if PULLED && self.a <= 0.0 { (root - self.a) / self.b } else { 2.0 * potential / (self.a + root) }
     }
 }
 
