@@ -4,8 +4,8 @@
 //! it by its own formulas; nothing here knows of motion.
 
 use crate::impact::Warning;
-use crate::law::published::Loaded;
-use crate::law::{Bodies, ContactLaw, LawChoice, OutsideLaw, Peak, Plm, Unloading};
+use crate::law::published::PeakState;
+use crate::law::{Bodies, LawChoice, OutsideLaw, Peak, Plm, Unloading};
 use crate::reference::quasi_static::{self, Unloaded, UnloadingCurve};
 
 /// Where a peak comes from.
@@ -25,7 +25,7 @@ pub struct Comparison {
     /// E_s \[Pa\].
     pub sphere_modulus: f64,
     /// The peak.
-    pub peak: Loaded,
+    pub peak: PeakState,
     /// Where the peak comes from.
     pub origin: Origin,
     /// The laws, in the order of table and picture.
@@ -46,23 +46,21 @@ pub struct Compared {
 impl Comparison {
     /// The state of the PLM at x.
     #[must_use]
-    pub fn of_plm(bodies: Bodies, sphere_modulus: f64, plm: &Plm, x: f64, laws: Vec<LawChoice>) -> Option<Self> {
-        let law = plm.law(&bodies)?;
-        let Peak { indentation, force, elastic_approach } = law.loaded_to(x);
-        let radius = law.contact_radius(&law.loaded_to(x));
+    pub fn of_plm(bodies: Bodies, sphere_modulus: f64, plm: &Plm, x: f64, laws: Vec<LawChoice>) -> Self {
+        let law = plm.of_bodies(&bodies);
+        let loaded = law.loaded_to(x);
+        let Peak { indentation, force, elastic_approach } = loaded;
+        let radius = law.contact_radius(&loaded);
         let (elastic_approach, spent) = (Some(elastic_approach), law.loading.work(x));
-        let peak = Loaded { indentation, force, radius, elastic_approach, spent };
-        Some(Self { bodies, sphere_modulus, peak, origin: Origin::Plm, laws, warnings: Vec::new() })
+        let peak = PeakState { indentation, force, radius, elastic_approach, spent };
+        Self { bodies, sphere_modulus, peak, origin: Origin::Plm, laws, warnings: Vec::new() }
     }
 
     /// Every law's branch.
     #[must_use]
     pub fn compared(&self) -> Vec<Compared> {
-        let unload = |law: &LawChoice| {
-            let recovery = law.get().recovery(&self.bodies)?;
-            Some(Compared { name: law.name(), unloading: self.peak.unload(&recovery) })
-        };
-        self.laws.iter().filter_map(unload).collect()
+        let unload = |law: &LawChoice| self.peak.unload(&law.get().recovery(&self.bodies));
+        self.laws.iter().map(|law| Compared { name: law.name(), unloading: unload(law) }).collect()
     }
 
     /// The finite-element unloading of the same materials whose peak is nearest to this one, within 1 % in indentation.

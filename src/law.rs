@@ -13,7 +13,7 @@
 
 pub mod brake;
 pub mod catalogue;
-pub mod contact_law;
+mod contact_law;
 pub mod curve;
 pub mod hertz;
 pub mod jackson_green;
@@ -157,8 +157,7 @@ impl Law {
 
     /// [`Law::state_at`] of a law that [is plain](Law::is_plain).
     #[inline(always)]
-    #[must_use]
-    pub fn plain_state_at(&self, index: usize, distance: f64) -> Peak {
+    pub(crate) fn plain_state_at(&self, index: usize, distance: f64) -> Peak {
         let piece = &self.loading.pieces()[index];
         let indentation = piece.start + distance;
         let force = piece.force_at(indentation);
@@ -173,7 +172,7 @@ impl Law {
     }
 
     /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice. It never
-    /// gives back more than was spent ([`unloading::exponent_within`]). On the branch of a spot that was loaded before it is
+    /// gives back more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is
     /// that branch.
     #[inline(always)]
     #[must_use]
@@ -187,8 +186,7 @@ impl Law {
 
     /// [`Law::unloading`] of a law that [is plain](Law::is_plain), where loading took the work `spent`.
     #[inline(always)]
-    #[must_use]
-    pub fn plain_unloading(&self, peak: Peak, spent: f64) -> Unloading {
+    pub(crate) fn plain_unloading(&self, peak: Peak, spent: f64) -> Unloading {
         Unloading::power(peak, unloading::exponent_within(spent, &peak, self.exponent_asked(&peak)))
     }
 
@@ -228,37 +226,24 @@ impl Law {
     }
 
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
-    #[must_use]
-    pub fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
-        match &self.elastic {
-            ElasticApproach::Published(law) => law.outside_stated(peak),
-            ElasticApproach::Reloaded(reloaded) => reloaded.outside_stated(peak),
+    pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        match &self.fresh().elastic {
+            ElasticApproach::Published(law) if self.branch_at(peak.indentation).is_none() => law.outside_stated(peak),
             _ => None,
         }
     }
 
     /// Largest a/R of the finite elements behind the law.
-    #[must_use]
-    pub fn widest_contact(&self) -> f64 {
-        match &self.elastic {
-            ElasticApproach::Hardening(_) => 0.32,
-            ElasticApproach::Reloaded(reloaded) => reloaded.fresh.widest_contact(),
-            _ => 0.45,
-        }
+    pub(crate) fn widest_contact(&self) -> f64 {
+        if matches!(self.fresh().elastic, ElasticApproach::Hardening(_)) { 0.32 } else { 0.45 }
     }
 
     /// The largest plastic strain that loading to a peak asks the flow curve for, and the last that the curve is known for,
     /// where the first is the larger.
-    #[must_use]
-    pub fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
-        match &self.elastic {
-            ElasticApproach::Hardening(hardening) => {
-                let (strain, last) = (hardening.largest_strain(peak.indentation), hardening.last_strain()?);
-                (strain > last).then_some((strain, last))
-            }
-            ElasticApproach::Reloaded(reloaded) => reloaded.fresh.beyond_flow_curve(peak),
-            _ => None,
-        }
+    pub(crate) fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
+        let ElasticApproach::Hardening(hardening) = &self.fresh().elastic else { return None };
+        let (strain, last) = (hardening.largest_strain(peak.indentation), hardening.last_strain()?);
+        (strain > last).then_some((strain, last))
     }
 
     /// Whether the law says anything of a peak.
@@ -267,9 +252,8 @@ impl Law {
     /// [`OutsideLaw`] where a published law has no answer there.
     #[inline]
     pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
-        match &self.elastic {
-            ElasticApproach::Published(law) => law.accept(peak),
-            ElasticApproach::Reloaded(reloaded) => reloaded.accept(peak),
+        match &self.fresh().elastic {
+            ElasticApproach::Published(law) if self.branch_at(peak.indentation).is_none() => law.accept(peak),
             _ => Ok(()),
         }
     }

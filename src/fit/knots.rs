@@ -16,13 +16,7 @@ pub fn with_knots(table: &PlmCoefficients, knots: &[f64]) -> Result<PlmCoefficie
         );
         return Err(FitError::Request(message));
     }
-    let force = &table.force;
-    let [soft, stiff] = [0.0, 1.0].map(|kappa_squared| {
-        let pieces = force.from.iter().zip(&force.slope).zip(&force.slope_kappa_squared);
-        pieces.fold(Curve::hertz(), |curve, ((from, slope), per_kappa)| {
-            curve.then_straight(*from, slope + per_kappa * kappa_squared)
-        })
-    });
+    let [soft, stiff] = [0.0, 1.0].map(|kappa_squared| table.force.curve(kappa_squared));
     let mut new = table.clone();
     new.force.from = knots.to_vec();
     let ends: Vec<f64> = knots.iter().skip(1).copied().chain(knots.last().map(|last| 10.0 * last)).collect();

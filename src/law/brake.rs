@@ -1,9 +1,7 @@
 //! Brake (2015): unloading only.
 
-use std::sync::Arc;
-
 use super::contact_law::{About, Bodies, ContactLaw};
-use super::published::{Recovered, RecoveryRule};
+use super::published::{RecoveryRule, hertzian};
 
 /// The unloading of Brake.
 ///
@@ -36,7 +34,7 @@ impl ContactLaw for Brake {
         }
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| Recovered::hertzian(peak.force / peak.indentation.sqrt())))
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        hertzian(|peak| peak.force / peak.indentation.sqrt())
     }
 }

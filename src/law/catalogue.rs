@@ -81,8 +81,7 @@ impl LawChoice {
         if let Some((loading, unloading)) = name.split_once('+') {
             let half = |name: &str| Self::from_name(name.trim()).map(Box::new);
             let (loading, unloading) = (half(loading)?, half(unloading)?);
-            let is_whole = loading.has_loading() && unloading.has_unloading();
-            return is_whole.then_some(Self::Combined(Combined { loading, unloading }));
+            return loading.has_loading().then_some(Self::Combined(Combined { loading, unloading }));
         }
         Self::all().into_iter().find(|law| law.about().name == name)
     }
@@ -108,22 +107,15 @@ impl LawChoice {
         self.get().about()
     }
 
-    /// Whether it says how a contact loads. What loads here also unloads, if need be by the paper's law.
+    /// Whether it says how a contact loads. All laws unload, if need be by the paper's law.
     #[must_use]
     pub fn has_loading(&self) -> bool {
-        self.about().loading != NONE
-    }
-
-    /// Whether it says how a contact unloads.
-    #[must_use]
-    pub fn has_unloading(&self) -> bool {
-        self.about().unloading != NONE
+        self.about().loading != "none"
     }
 
     /// Whether its unloading is its own, not borrowed.
-    #[must_use]
-    pub fn has_own_unloading(&self) -> bool {
-        self.has_unloading() && !matches!(self, Self::KogutKomvopoulos(_))
+    pub(crate) fn has_own_unloading(&self) -> bool {
+        !matches!(self, Self::KogutKomvopoulos(_))
     }
 
     /// Its name in tables: of a combination "loading + unloading".
@@ -175,13 +167,10 @@ impl ContactLaw for Combined {
         self.loading.get().loading(bodies)
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         self.unloading.get().recovery(bodies)
     }
 }
-
-/// What [`About`] says of a half that a law lacks.
-const NONE: &str = "none";
 
 /// A law that is not here, and why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -17,7 +17,7 @@ pub struct About {
     pub source: &'static str,
     /// Its loading, or "none".
     pub loading: &'static str,
-    /// Its unloading, or "none".
+    /// Its unloading.
     pub unloading: &'static str,
     /// Where it holds.
     pub validity: &'static str,
@@ -93,29 +93,23 @@ pub trait ContactLaw: Debug {
         None
     }
 
-    /// Its unloading for these bodies; `None` for a law of loading only.
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule>;
+    /// Its unloading for these bodies.
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule;
 
-    /// The whole law; `None` if it lacks a half.
+    /// The whole law; `None` if it lacks its loading.
     fn law(&self, bodies: &Bodies) -> Option<Law> {
-        Some(assemble(self.loading(bodies)?, self.recovery(bodies)?))
+        let (loading, recovery) = (self.loading(bodies)?, self.recovery(bodies));
+        let curve = loading.curve.clone();
+        let elastic = ElasticApproach::Published(Box::new(Published { loading, recovery }));
+        Some(Law { loading: curve, elastic, ..Law::hertz() })
     }
 
     /// The whole law of a pair of bodies; `None` for a half-space without a yield strength, on which every contact is Hertz's.
     ///
     /// # Errors
-    /// [`OutsideLaw::Incomplete`] for a law that lacks a half.
+    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
     fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
         let incomplete = OutsideLaw::Incomplete { name: self.about().name };
         Bodies::new(pair, half_space).map(|bodies| self.law(&bodies).ok_or(incomplete)).transpose()
-    }
-}
-
-/// A law from two halves.
-fn assemble(loading: Loading, recovery: RecoveryRule) -> Law {
-    Law {
-        loading: loading.curve.clone(),
-        elastic: ElasticApproach::Published(Box::new(Published { loading, recovery })),
-        ..Law::hertz()
     }
 }

@@ -84,8 +84,7 @@ impl Piece {
     }
 
     /// The same at a distance from the start of the piece.
-    #[must_use]
-    pub fn slope_beyond(&self, distance: f64) -> f64 {
+    pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
         match self.shape {
             Shape::Power { stiffness, exponent } => stiffness * exponent * power(distance, exponent - 1.0),
             Shape::Straight { slope, .. } => slope,
@@ -115,8 +114,7 @@ impl Piece {
     }
 
     /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
-    #[must_use]
-    pub fn indentation_at_force(&self, force: f64) -> f64 {
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         self.start
             + match self.shape {
                 Shape::Power { stiffness, exponent } => pow(force / stiffness, 1.0 / exponent),
@@ -135,8 +133,7 @@ impl Piece {
 
     /// The same measured from the start of the piece: near a start far from zero it has digits that x has lost.
     #[inline(always)]
-    #[must_use]
-    pub fn distance_at_work(&self, work: f64) -> f64 {
+    pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
         let rest = work - self.work;
         match self.shape {
             Shape::Power { stiffness, exponent } => pow((exponent + 1.0) / stiffness * rest, work_share(exponent)),
@@ -165,14 +162,13 @@ impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     #[must_use]
     pub fn hertz() -> Self {
-        let shape = Shape::Power { stiffness: 1.0, exponent: 1.5 };
-        Self { pieces: vec![Piece { start: 0.0, force: 0.0, work: 0.0, shape }] }
+        Self { pieces: Vec::new() }.then(0.0, 0.0, Shape::Power { stiffness: 1.0, exponent: 1.5 })
     }
 
     /// f = s x without end.
     #[must_use]
     pub fn straight(slope: f64) -> Self {
-        Self { pieces: Vec::with_capacity(1) }.then_straight(0.0, slope)
+        Self { pieces: Vec::new() }.then_straight(0.0, slope)
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -184,22 +180,19 @@ impl Curve {
 
     /// The same curve, going on from (`start`, `force`) as a straight line.
     #[must_use]
-    pub fn then_straight_from(mut self, start: f64, force: f64, slope: f64) -> Self {
-        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
-        self.pieces.push(Piece {
-            start,
-            force,
-            work,
-            shape: Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() },
-        });
-        self
+    pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
+        self.then(start, force, Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() })
     }
 
     /// The same curve, going on from `start` as a formula says; the force may jump there.
     #[must_use]
-    pub fn then_smooth(mut self, start: f64, smooth: Smooth) -> Self {
+    pub fn then_smooth(self, start: f64, smooth: Smooth) -> Self {
+        self.then(start, smooth.value(start, 0.0), Shape::Smooth(smooth))
+    }
+
+    fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
         let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
-        self.pieces.push(Piece { start, force: smooth.value(start, 0.0), work, shape: Shape::Smooth(smooth) });
+        self.pieces.push(Piece { start, force, work, shape });
         self
     }
 
@@ -211,8 +204,7 @@ impl Curve {
     }
 
     /// x of the first jump of the force on the way to x; `None` if the force is continuous so far.
-    #[must_use]
-    pub fn jump_before(&self, x: f64) -> Option<f64> {
+    pub(crate) fn jump_before(&self, x: f64) -> Option<f64> {
         /// Pieces that meet do so to rounding, or to the accuracy of a crossing that was searched for.
         const MEETS: f64 = 1e-9;
         let jumps = |pair: &&[Piece]| (pair[0].force_at(pair[1].start) - pair[1].force).abs() > MEETS * pair[1].force;
@@ -245,8 +237,7 @@ impl Curve {
     }
 
     /// The x at which the force is `force` ≥ 0.
-    #[must_use]
-    pub fn indentation_at_force(&self, force: f64) -> f64 {
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         let index = self.pieces.partition_point(|piece| piece.force <= force).saturating_sub(1);
         let x = self.pieces[index].indentation_at_force(force);
         // no further than the piece goes

@@ -1,11 +1,9 @@
 //! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
 
-use std::sync::Arc;
-
 use super::Law;
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 
 use crate::math::functions::pow;
 
@@ -43,8 +41,8 @@ impl ContactLaw for Hertz {
         Some(Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt()))
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| Recovered::hertzian(pow(peak.force, 2.0 / 3.0))))
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        hertzian(|peak| pow(peak.force, 2.0 / 3.0))
     }
 
     fn law(&self, _: &Bodies) -> Option<Law> {

@@ -1,12 +1,11 @@
 //! Jackson and Green (2005) loading, Jackson, Chusoipin and Green (2005) residual indentation.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
 use super::jumps::{Jumps, crossing};
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -64,8 +63,8 @@ const STATED_RADIUS: f64 = 0.412;
 const LARGEST_STRAIN: f64 = 0.05;
 
 /// Parameters s = δ_y/δ_Y, σ_Y/E*, C.
-static EXPONENTIAL: Formula = Formula::new("jackson_green", exponential::<f64>, exponential::<Jet>, None);
-static COSINE: Formula = Formula::new("jackson_green, cosine", cosine::<f64>, cosine::<Jet>, None);
+static EXPONENTIAL: Formula = Formula::new(exponential::<f64>, exponential::<Jet>, None);
+static COSINE: Formula = Formula::new(cosine::<f64>, cosine::<Jet>, None);
 
 /// B.
 fn growth(strain: f64) -> f64 {
@@ -158,10 +157,8 @@ impl ContactLaw for JacksonGreen {
         Some(loading)
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let s = bodies.yield_at(self.factor(bodies));
-        Some(Arc::new(move |peak| {
-            Recovered::hertzian(peak.indentation * (1.0 - residual((peak.indentation / s).max(1.0))))
-        }))
+        hertzian(move |peak| peak.indentation * (1.0 - residual((peak.indentation / s).max(1.0))))
     }
 }

@@ -1,11 +1,10 @@
 //! Johnson (1985): rigid-plastic loading, Hertz rebound.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 
 use crate::math::functions::{pow, powi};
 
@@ -59,7 +58,7 @@ impl ContactLaw for Johnson {
         Some(Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt()))
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| Recovered::hertzian(peak.force / peak.radius)))
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        hertzian(|peak| peak.force / peak.radius)
     }
 }

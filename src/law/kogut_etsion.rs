@@ -8,7 +8,7 @@ use super::curve::Curve;
 use super::jumps::Jumps;
 use super::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::pow;
-use crate::math::smooth::{POWER, Smooth};
+use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Kogut and Etsion.
 ///
@@ -45,6 +45,17 @@ pub struct KogutEtsion {
     pub yield_factor: Option<f64>,
     /// What becomes of the printed jumps.
     pub jumps: Jumps,
+}
+
+/// k x^p; parameters k, p.
+static FIT: Formula = Formula::new(fit::<f64>, fit::<Jet>, Some(fit_integral));
+
+fn fit<N: Number>([k, p, _]: &Parameters, x: N) -> N {
+    x.powf(*p) * *k
+}
+
+fn fit_integral([k, p, _]: &Parameters, x: f64) -> f64 {
+    k / (p + 1.0) * pow(x, p + 1.0)
 }
 
 /// H/σ_Y.
@@ -94,7 +105,7 @@ impl ContactLaw for KogutEtsion {
         };
         let is_whole = third >= 1.0;
         // k s^1.5 (x/s)^p
-        let fit = |k: f64, p: f64| Smooth::new(&POWER, [k * pow(s, 1.5 - p), p, 0.0]);
+        let fit = |k: f64, p: f64| Smooth::new(&FIT, [k * pow(s, 1.5 - p), p, 0.0]);
         let mut curve = Curve::hertz();
         for (from, k, p) in [(first, k1, p1), (second, k2, p2)] {
             if from < third {
@@ -119,16 +130,13 @@ impl ContactLaw for KogutEtsion {
         Some(loading)
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let s = bodies.yield_at(self.factor(bodies));
-        Some(Arc::new(move |peak| {
+        Arc::new(move |peak| {
             let m = (peak.indentation / s).max(1.0);
             let residual = (1.0 - pow(m, -0.28)) * (1.0 - pow(m, -0.69));
-            Recovered {
-                elastic_approach: peak.indentation * (1.0 - residual),
-                exponent: 1.5 * pow(m, -0.0331),
-                shape: UnloadingShape::Power,
-            }
-        }))
+            let shape = UnloadingShape::Power(1.5 * pow(m, -0.0331));
+            Recovered { elastic_approach: peak.indentation * (1.0 - residual), shape }
+        })
     }
 }

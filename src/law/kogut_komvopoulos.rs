@@ -44,8 +44,8 @@ const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
 
 /// Parameters δ_Y/R, E*/σ_Y, and the force unit σ_Y π R δ_Y/F_Y.
-static MIXED: Formula = Formula::new("kogut_komvopoulos", mixed::<f64>, mixed::<Jet>, None);
-static FULLY: Formula = Formula::new("kogut_komvopoulos, plastic", fully::<f64>, fully::<Jet>, Some(fully_integral));
+static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>, None);
+static FULLY: Formula = Formula::new(fully::<f64>, fully::<Jet>, Some(fully_integral));
 
 /// r'²/(R δ_Y) = 2x − x² δ_Y/R.
 fn cut<N: Number>([depth, ..]: &Parameters, x: N) -> N {
@@ -135,7 +135,7 @@ impl ContactLaw for KogutKomvopoulos {
         Some(loading)
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         Plm::default().recovery(bodies)
     }
 }

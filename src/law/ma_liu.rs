@@ -1,10 +1,8 @@
 //! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
 
-use std::sync::Arc;
-
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 use super::thornton;
 use crate::math::functions::{cbrt, ln, powi};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
@@ -45,7 +43,7 @@ impl Default for MaLiu {
 }
 
 /// x (c_1 + c_2 ln x) + c_3.
-static MIXED: Formula = Formula::new("ma_liu", mixed::<f64>, mixed::<Jet>, Some(mixed_integral));
+static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>, Some(mixed_integral));
 
 fn mixed<N: Number>([c1, c2, c3]: &Parameters, x: N) -> N {
     x * (x.ln() * *c2 + *c1) + *c3
@@ -96,8 +94,8 @@ impl ContactLaw for MaLiu {
         Some(Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force)))
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let elastic_approach = self.elastic_approach(bodies);
-        Some(Arc::new(move |peak| Recovered::hertzian(elastic_approach(peak.force))))
+        hertzian(move |peak| elastic_approach(peak.force))
     }
 }

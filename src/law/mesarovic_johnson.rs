@@ -65,12 +65,11 @@ impl ContactLaw for MesarovicJohnson {
         Some(loading)
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| Recovered {
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        Arc::new(|peak| Recovered {
             // 2F/(πE* a) in units of δ_Y; 3F/(4E* a) is f/(a/a_Y)
             elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.radius,
-            exponent: 1.5,
             shape: UnloadingShape::UniformPressure,
-        }))
+        })
     }
 }

@@ -58,6 +58,19 @@ impl Plm {
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
         Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: None }
     }
+
+    /// The law of these bodies.
+    #[must_use]
+    pub fn of_bodies(&self, bodies: &Bodies) -> Law {
+        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
+        match &self.flow {
+            None => self.coefficients.law(pair, ratio, self.exponent),
+            Some(flow) => {
+                let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
+                self.coefficients.hardening_law(pair, ratio, rise, self.exponent)
+            }
+        }
+    }
 }
 
 impl ContactLaw for Plm {
@@ -74,7 +87,7 @@ impl ContactLaw for Plm {
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let law = self.law(bodies)?;
+        let law = self.of_bodies(bodies);
         let curve = law.loading.clone();
         Some(Loading::new(curve, 1.0, move |x, force| {
             let elastic_approach = law.elastic_approach(x, force);
@@ -82,9 +95,9 @@ impl ContactLaw for Plm {
         }))
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
-        let law = self.law(bodies)?;
-        Some(Arc::new(move |peak| {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
+        let law = self.of_bodies(bodies);
+        Arc::new(move |peak| {
             let of_plm = || law.elastic_approach(peak.indentation, peak.force);
             let elastic_approach = peak.elastic_approach.unwrap_or_else(of_plm);
             let exponent = match law.exponent {
@@ -100,18 +113,11 @@ impl ContactLaw for Plm {
                     law.pressure_shape(&Peak { indentation: peak.indentation, force: peak.force, elastic_approach })
                 }
             };
-            Recovered { elastic_approach, exponent, shape: UnloadingShape::Power }
-        }))
+            Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
+        })
     }
 
     fn law(&self, bodies: &Bodies) -> Option<Law> {
-        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        Some(match &self.flow {
-            None => self.coefficients.law(pair, ratio, self.exponent),
-            Some(flow) => {
-                let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
-                self.coefficients.hardening_law(pair, ratio, rise, self.exponent)
-            }
-        })
+        Some(self.of_bodies(bodies))
     }
 }

@@ -23,7 +23,7 @@ pub const LARGEST_CUT: f64 = 0.05;
 
 /// A point of a loading curve, as unloading sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Loaded {
+pub struct PeakState {
     /// x_m.
     pub indentation: f64,
     /// f_m.
@@ -36,17 +36,15 @@ pub struct Loaded {
     pub spent: f64,
 }
 
-impl Loaded {
+impl PeakState {
     /// What an unloading law gives back from here.
     ///
     /// # Errors
     /// [`OutsideLaw`] where the law has no answer.
     pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
         let raw = recovery(*self);
-        raw.accept(self.indentation, self.force, self.spent)?;
-        let elastic_approach = raw.bounded(self.indentation, self.force, self.spent);
-        let peak = Peak { indentation: self.indentation, force: self.force, elastic_approach };
-        Ok(Unloading::new(peak, raw.exponent, raw.shape))
+        raw.accept(self)?;
+        Ok(raw.branch(self, raw.bounded(self)))
     }
 }
 
@@ -58,8 +56,6 @@ const NO_DENT: f64 = 1e-13;
 pub struct Recovered {
     /// ε = x_m − x_r.
     pub elastic_approach: f64,
-    /// n, for a power.
-    pub exponent: f64,
     /// The shape.
     pub shape: UnloadingShape,
 }
@@ -68,24 +64,27 @@ impl Recovered {
     /// Hertz-type unloading, n = 3/2.
     #[must_use]
     pub fn hertzian(elastic_approach: f64) -> Self {
-        Self { elastic_approach, exponent: 1.5, shape: UnloadingShape::Power }
+        Self { elastic_approach, shape: UnloadingShape::Power(1.5) }
     }
 
-    /// n (or its equivalent) with this elastic approach.
-    fn exponent(&self, x: f64, force: f64, elastic_approach: f64) -> f64 {
-        Unloading::new(Peak { indentation: x, force, elastic_approach }, self.exponent, self.shape).exponent
+    /// The branch with this elastic approach.
+    fn branch(&self, at: &PeakState, elastic_approach: f64) -> Unloading {
+        let &PeakState { indentation, force, .. } = at;
+        Unloading::new(Peak { indentation, force, elastic_approach }, self.shape)
     }
 
     /// ε, at most x and at most what the work of loading allows.
-    fn bounded(&self, x: f64, force: f64, spent: f64) -> f64 {
+    fn bounded(&self, at: &PeakState) -> f64 {
+        let &PeakState { indentation: x, force, spent, .. } = at;
         let raw = self.elastic_approach;
         let bounded = if raw > 0.0 { raw.min(x) } else { x };
-        let bounded = bounded.min((self.exponent(x, force, bounded) + 1.0) * spent / force);
+        let bounded = bounded.min((self.branch(at, bounded).exponent + 1.0) * spent / force);
         if bounded < (1.0 - NO_DENT) * x { bounded } else { x }
     }
 
     /// Refuses what is farther from the possible than [`LARGEST_CUT`].
-    fn accept(&self, x: f64, force: f64, spent: f64) -> Result<(), OutsideLaw> {
+    fn accept(&self, at: &PeakState) -> Result<(), OutsideLaw> {
+        let &PeakState { indentation: x, force, spent, .. } = at;
         let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
         let raw = self.elastic_approach;
         if raw.is_nan() || raw <= 0.0 {
@@ -95,7 +94,7 @@ impl Recovered {
             return refuse("its residual indentation is negative");
         }
         let bounded = raw.min(x);
-        let given_back = force * bounded / (self.exponent(x, force, bounded) + 1.0);
+        let given_back = force * bounded / (self.branch(at, bounded).exponent + 1.0);
         if given_back > (1.0 + LARGEST_CUT) * spent {
             return refuse("it gives back more energy than was spent");
         }
@@ -103,10 +102,15 @@ impl Recovered {
     }
 }
 
+/// The rule of Hertz-type unloading with this elastic approach.
+pub(super) fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
+    Arc::new(move |peak| Recovered::hertzian(elastic_approach(peak)))
+}
+
 /// a/a_Y at (x, f) of the loading curve.
 pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 /// What a peak gives back.
-pub type RecoveryRule = Arc<dyn Fn(Loaded) -> Recovered + Send + Sync>;
+pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
 /// The loading half of a law.
 #[derive(Clone)]
@@ -186,27 +190,31 @@ impl Published {
         x <= self.loading.elastic_until
     }
 
-    /// By the law's own formulas.
-    fn recovered(&self, indentation: f64, force: f64) -> Recovered {
-        if self.is_elastic(indentation) {
-            return Recovered::hertzian(indentation);
-        }
+    /// A point of the loading curve, and what it gives back by the law's own formulas.
+    fn recovered(&self, indentation: f64, force: f64) -> (PeakState, Recovered) {
         let Loading { curve, radius, .. } = &self.loading;
         let (radius, spent) = (radius(indentation, force), curve.work(indentation));
-        (self.recovery)(Loaded { indentation, force, radius, elastic_approach: None, spent })
+        let at = PeakState { indentation, force, radius, elastic_approach: None, spent };
+        (at, (self.recovery)(at))
     }
 
     /// ε, at most x and at most what the work of loading allows.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
     pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        if self.is_elastic(x) { x } else { self.recovered(x, force).bounded(x, force, self.loading.curve.work(x)) }
+        if self.is_elastic(x) {
+            return x;
+        }
+        let (at, recovered) = self.recovered(x, force);
+        recovered.bounded(&at)
     }
 
     /// The branch from a peak.
     #[cold]
     pub(super) fn unloading(&self, peak: Peak) -> Unloading {
-        let Recovered { exponent, shape, .. } = self.recovered(peak.indentation, peak.force);
-        Unloading::new(peak, exponent, shape)
+        if self.is_elastic(peak.indentation) {
+            return Unloading::power(peak, 1.5);
+        }
+        Unloading::new(peak, self.recovered(peak.indentation, peak.force).1.shape)
     }
 
     /// a/a_Y at a peak.
@@ -234,6 +242,7 @@ impl Published {
         if indentation > self.loading.holds_until {
             return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
         }
-        self.recovered(indentation, force).accept(indentation, force, self.loading.curve.work(indentation))
+        let (at, recovered) = self.recovered(indentation, force);
+        recovered.accept(&at)
     }
 }

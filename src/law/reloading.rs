@@ -14,7 +14,6 @@
 //! ```
 
 use super::curve::{Curve, Piece, Shape};
-use super::published::OutsideLaw;
 use super::unloading::GRAZING;
 use super::{ElasticApproach, Law, Peak, Reloaded, Unloading};
 
@@ -59,16 +58,6 @@ impl Reloaded {
         if self.is_on_branch(peak.indentation) { self.branch.below(peak) } else { self.fresh.unloading(peak) }
     }
 
-    /// Whether the law says anything of a peak.
-    pub(super) fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
-        if self.is_on_branch(peak.indentation) { Ok(()) } else { self.fresh.accept(peak) }
-    }
-
-    /// The range that the law is stated for, of a peak outside it.
-    pub(super) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
-        if self.is_on_branch(peak.indentation) { None } else { self.fresh.outside_stated(peak) }
-    }
-
     /// a/a_Y at a peak.
     pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
         if self.is_on_branch(peak.indentation) {
@@ -103,11 +92,10 @@ impl Law {
     /// The law of a spot whose largest state so far is `memory`, a peak of this law. The deeper of two memories stays.
     #[must_use]
     pub fn reloaded(&self, memory: Peak) -> Self {
-        let fresh = match &self.elastic {
-            ElasticApproach::Reloaded(old) if old.is_on_branch(memory.indentation) => return self.clone(),
-            ElasticApproach::Reloaded(old) => old.fresh.clone(),
-            _ => self.clone(),
-        };
+        if self.branch_at(memory.indentation).is_some() {
+            return self.clone();
+        }
+        let fresh = self.fresh().clone();
         let branch = fresh.unloading(memory);
         let radius = fresh.contact_radius(&memory);
         Self {
@@ -117,6 +105,12 @@ impl Law {
             exponent: fresh.exponent,
             elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius, fresh })),
         }
+    }
+
+    /// The law of the surface before any impact.
+    #[inline]
+    pub(super) fn fresh(&self) -> &Self {
+        self.memory_of().map_or(self, |reloaded| &reloaded.fresh)
     }
 
     fn memory_of(&self) -> Option<&Reloaded> {
@@ -133,8 +127,7 @@ impl Law {
     }
 
     /// The branch, if a state at x lies on it.
-    #[must_use]
-    pub fn branch_at(&self, x: f64) -> Option<&Unloading> {
+    pub(crate) fn branch_at(&self, x: f64) -> Option<&Unloading> {
         self.branch().filter(|branch| x <= branch.peak.indentation)
     }
 
@@ -152,16 +145,14 @@ impl Law {
 
     /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
     #[inline]
-    #[must_use]
-    pub fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
+    pub(crate) fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
         self.memory_of()
             .is_some_and(|reloaded| reloaded.holds(kinetic + weight * reloaded.branch.peak.elastic_approach))
     }
 
     /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.
     #[inline(always)]
-    #[must_use]
-    pub fn turning_piece(&self, kinetic: f64) -> usize {
+    pub(crate) fn turning_piece(&self, kinetic: f64) -> usize {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if reloaded.holds(kinetic) => 0,
             _ => self.loading.index_at_work(kinetic),
@@ -170,15 +161,13 @@ impl Law {
 
     /// Whether an impact that turns at x leaves the contact as it was: at most first yield, or on the branch.
     #[inline(always)]
-    #[must_use]
-    pub fn is_elastic_to(&self, x: f64) -> bool {
+    pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
         x <= self.elastic_until()
     }
 
     /// The state at a distance from the start of a piece.
     #[inline(always)]
-    #[must_use]
-    pub fn state_at(&self, index: usize, distance: f64) -> Peak {
+    pub(crate) fn state_at(&self, index: usize, distance: f64) -> Peak {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if index == 0 => reloaded.state_at(distance),
             ElasticApproach::Reloaded(_) | ElasticApproach::Published(_) => {
@@ -190,8 +179,7 @@ impl Law {
     }
 
     /// Work from first touch to a state of the loading curve; on the branch from ε, not from x.
-    #[must_use]
-    pub fn work_to(&self, state: &Peak) -> f64 {
+    pub(crate) fn work_to(&self, state: &Peak) -> f64 {
         match self.branch_at(state.indentation) {
             Some(branch) => branch.stored_after(state.elastic_approach, state.force),
             None => self.loading.work(state.indentation),

@@ -1,10 +1,8 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
-use std::sync::Arc;
-
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -49,7 +47,7 @@ impl Default for Stronge {
 const FULLY_PLASTIC: f64 = 84.0;
 
 /// s^1.5 (2x/s − 1)(1 + ln(2x/s − 1)/(3ϑ)), parameters s = δ_y/δ_Y and 3ϑ.
-static MIDDLE: Formula = Formula::new("stronge", middle::<f64>, middle::<Jet>, Some(middle_integral));
+static MIDDLE: Formula = Formula::new(middle::<f64>, middle::<Jet>, Some(middle_integral));
 
 fn middle<N: Number>([s, three_theta, _]: &Parameters, x: N) -> N {
     let area = x * (2.0 / s) + -1.0;
@@ -86,10 +84,10 @@ impl ContactLaw for Stronge {
         Some(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()))
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let s = bodies.yield_at(1.5 * self.yield_pressure_ratio);
         let unit = s * s.sqrt();
         let factor = s * pow(self.unloading_factor, 0.25);
-        Some(Arc::new(move |peak| Recovered::hertzian(factor * (peak.force / unit).sqrt())))
+        hertzian(move |peak| factor * (peak.force / unit).sqrt())
     }
 }

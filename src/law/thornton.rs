@@ -1,11 +1,10 @@
 //! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::published::{Loading, RecoveryRule, hertzian};
 
 use crate::math::functions::{cbrt, pow, powi};
 
@@ -82,9 +81,9 @@ impl ContactLaw for Thornton {
         Some(Loading::new(curve, yields, |x, _| x.sqrt()))
     }
 
-    fn recovery(&self, bodies: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let yields = self.yield_at(bodies);
         let unit = yields * yields.sqrt();
-        Some(Arc::new(move |peak| Recovered::hertzian(yields * elastic_approach(peak.force / unit))))
+        hertzian(move |peak| yields * elastic_approach(peak.force / unit))
     }
 }

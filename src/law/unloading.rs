@@ -35,11 +35,10 @@ impl Peak {
 }
 
 /// How the force falls between the peak and the residual indentation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum UnloadingShape {
-    /// f = f_m (d/ε_m)^n.
-    #[default]
-    Power,
+    /// f = f_m (d/ε_m)^n, with this n.
+    Power(f64),
     /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε_m: unloading from uniform pressure (Mesarovic and Johnson 2000).
     UniformPressure,
     /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved (Yigit and Christoforou 1994).
@@ -47,8 +46,7 @@ pub enum UnloadingShape {
 }
 
 /// (2 f_m/π)(θ − sin θ cos θ) with 1 − cos θ = d/ε, a function of √d: sin(θ/2) = √(d/2ε). Parameters f_m, ε.
-static UNIFORM_PRESSURE: Formula =
-    Formula::of_root("uniform pressure", uniform_pressure::<f64>, uniform_pressure::<Jet>);
+static UNIFORM_PRESSURE: Formula = Formula::of_root(uniform_pressure::<f64>, uniform_pressure::<Jet>);
 
 fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: N) -> N {
     let theta = (root * (0.5 / elastic_approach).sqrt()).asin() * 2.0;
@@ -56,7 +54,7 @@ fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: 
 }
 
 /// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
-static SHIFTED_HERTZ: Formula = Formula::of_root("shifted Hertz", shifted::<f64>, shifted::<Jet>);
+static SHIFTED_HERTZ: Formula = Formula::of_root(shifted::<f64>, shifted::<Jet>);
 
 fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
     // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
@@ -137,8 +135,7 @@ pub const UNIFORM_PRESSURE_EXPONENT: f64 = 0.75 * std::f64::consts::PI - 1.0;
 /// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the exponent that was asked for, if that is below 3/2; if
 /// it is above, n jumps to it.
 #[inline(always)]
-#[must_use]
-pub fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
+pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent
     if whole * work_share(asked) > spent * (1.0 + 0.5 * GRAZING) { whole / spent - 1.0 } else { asked }
@@ -155,9 +152,9 @@ pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
 impl Unloading {
     /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.
     #[must_use]
-    pub fn new(peak: Peak, exponent: f64, shape: UnloadingShape) -> Self {
+    pub fn new(peak: Peak, shape: UnloadingShape) -> Self {
         match shape {
-            UnloadingShape::Power => Self::power(peak, exponent),
+            UnloadingShape::Power(exponent) => Self::power(peak, exponent),
             // not moved at all: Hertz itself
             UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
             UnloadingShape::UniformPressure => {
@@ -187,8 +184,7 @@ impl Unloading {
 
     /// Whether the branch is the power law of its exponent.
     #[inline]
-    #[must_use]
-    pub fn is_power(&self) -> bool {
+    pub(crate) fn is_power(&self) -> bool {
         self.curve.is_none()
     }
 
@@ -211,8 +207,7 @@ impl Unloading {
     }
 
     /// Force where `recovered`, x − x_r, is still to be recovered.
-    #[must_use]
-    pub fn force_of(&self, recovered: f64) -> f64 {
+    pub(crate) fn force_of(&self, recovered: f64) -> f64 {
         if recovered <= 0.0 {
             return 0.0;
         }
@@ -233,14 +228,12 @@ impl Unloading {
     }
 
     /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
-    #[must_use]
-    pub fn indentation_at_force(&self, force: f64) -> f64 {
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         self.peak.residual() + self.recovered_at(force)
     }
 
     /// df/dx where unloading begins, n f_m/ε_m.
-    #[must_use]
-    pub fn initial_slope(&self) -> f64 {
+    pub(crate) fn initial_slope(&self) -> f64 {
         match self.curve {
             None => self.exponent * self.peak.force / self.peak.elastic_approach,
             Some(curve) => curve.slope(self.peak.residual(), self.peak.elastic_approach),
@@ -267,8 +260,7 @@ impl Unloading {
     }
 
     /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
-    #[must_use]
-    pub fn force_after(&self, recovered: f64) -> f64 {
+    pub(crate) fn force_after(&self, recovered: f64) -> f64 {
         match self.curve {
             None => self.stiffness() * power(recovered, self.exponent),
             Some(curve) => self.force_on(&curve, recovered),
@@ -276,8 +268,7 @@ impl Unloading {
     }
 
     /// df/dx there.
-    #[must_use]
-    pub fn slope_after(&self, recovered: f64) -> f64 {
+    pub(crate) fn slope_after(&self, recovered: f64) -> f64 {
         match self.curve {
             None => self.stiffness() * self.exponent * power(recovered, self.exponent - 1.0),
             Some(curve) => curve.slope(self.peak.residual(), recovered),
@@ -285,8 +276,7 @@ impl Unloading {
     }
 
     /// What is still to be recovered where the force is `force`; all of it from f_m on.
-    #[must_use]
-    pub fn recovered_at(&self, force: f64) -> f64 {
+    pub(crate) fn recovered_at(&self, force: f64) -> f64 {
         match self.curve {
             None => self.peak.elastic_approach * pow((force / self.peak.force).min(1.0), 1.0 / self.exponent),
             Some(_) if force >= self.peak.force => self.peak.elastic_approach,
@@ -295,8 +285,7 @@ impl Unloading {
     }
 
     /// Elastic energy stored there; `force` is the force there.
-    #[must_use]
-    pub fn stored_after(&self, recovered: f64, force: f64) -> f64 {
+    pub(crate) fn stored_after(&self, recovered: f64, force: f64) -> f64 {
         match self.curve {
             None => force * recovered * work_share(self.exponent),
             Some(curve) => self.stored_on(&curve, recovered),

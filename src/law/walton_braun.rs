@@ -53,12 +53,8 @@ impl ContactLaw for WaltonBraun {
         Some(Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt()))
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
         let k2 = self.loading_stiffness / self.stiffness_ratio;
-        Some(Arc::new(move |peak| Recovered {
-            elastic_approach: peak.force / k2,
-            exponent: 1.0,
-            shape: UnloadingShape::Power,
-        }))
+        Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape: UnloadingShape::Power(1.0) })
     }
 }

@@ -59,8 +59,8 @@ impl ContactLaw for YigitChristoforou {
         Some(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()))
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
-        Some(Arc::new(|peak| {
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        Arc::new(|peak| {
             let x = peak.indentation;
             // where there is no such depth, twice the indentation: more than any law may give back
             let hertz = x * x.sqrt();
@@ -73,7 +73,7 @@ impl ContactLaw for YigitChristoforou {
             } else {
                 2.0 * x
             };
-            Recovered { elastic_approach, exponent: 1.5, shape: UnloadingShape::ShiftedHertz }
-        }))
+            Recovered { elastic_approach, shape: UnloadingShape::ShiftedHertz }
+        })
     }
 }

@@ -21,8 +21,7 @@ pub fn max_or_nan(a: f64, b: f64) -> f64 {
 
 /// 1/(n + 1), the share of force times distance that is the work; n = 3/2 without a division.
 #[inline(always)]
-#[must_use]
-pub fn work_share(exponent: f64) -> f64 {
+pub(crate) fn work_share(exponent: f64) -> f64 {
     #[allow(clippy::float_cmp)] // as above
     if exponent == 1.5 { 0.4 } else { 1.0 / (exponent + 1.0) }
 }
@@ -32,8 +31,7 @@ pub fn work_share(exponent: f64) -> f64 {
 /// With z = 1 − (exit/entry)² = (d/d_max)^(n+1) and a = 1/(n+1) the time is
 /// (d/entry) ₂F₁(½, a; 1 + a; z), or for z near 1 the whole quarter period less the rest.
 #[inline]
-#[must_use]
-pub fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
+pub(crate) fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
     if distance == 0.0 {
         0.0
     } else if exit == 0.0 {
@@ -104,8 +102,7 @@ fn sum(z: f64, coefficients: &[f64; TERMS]) -> f64 {
 
 /// arctan t; by its series for small t, as on the pieces that are crossed fast.
 #[inline]
-#[must_use]
-pub fn arctangent(t: f64) -> f64 {
+pub(crate) fn arctangent(t: f64) -> f64 {
     // the first term left out is t^15/15 < 2^-60/15 · t
     const SMALL: f64 = 0.0625;
     if t.abs() > SMALL {
@@ -135,8 +132,7 @@ fn other_quarter_period(exponent: f64) -> f64 {
 /// inverse of [`power_time`].
 ///
 /// Solved for φ in u = entry cos φ, (d/d_max)^(n+1) = sin² φ, by Newton's method kept inside a bracket.
-#[must_use]
-pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64, f64) {
+pub(crate) fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64, f64) {
     let a = 1.0 / (exponent + 1.0);
     let at = |phi: f64| {
         let (sin, cos) = sin_cos(phi);
@@ -162,8 +158,7 @@ pub fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64,
 ///
 /// With a the root without weight, b the one without `rest`, and d = (a + b) z it is z^(n+1) = â^(n+1) + b̂^n z (hats:
 /// over a + b), convex and not negative at z = 1, so that Newton's method from there falls towards the root.
-#[must_use]
-pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
+pub(crate) fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
     let p = exponent + 1.0;
     let of_rest = pow(p * rest / stiffness, 1.0 / p);
     if weight == 0.0 {
@@ -179,8 +174,7 @@ pub fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 
 }
 
 /// The one of two numbers that is farther from zero; NaN if either is NaN.
-#[must_use]
-pub fn farther_or_nan(a: f64, b: f64) -> f64 {
+pub(crate) fn farther_or_nan(a: f64, b: f64) -> f64 {
     if a.is_nan() || a.abs() >= b.abs() { a } else { b }
 }
 

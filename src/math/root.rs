@@ -3,7 +3,7 @@
 //! All of them end after a fixed number of guesses, whatever the function returns, so that a number that is none cannot
 //! keep them busy.
 
-/// Guesses of a search that is not told how many.
+/// Most guesses of a search.
 const MOST: u32 = 200;
 
 /// Two bounds that close in on a zero of a function that falls through it.
@@ -34,7 +34,7 @@ impl Bracket {
 /// # Errors
 /// What `at` reports.
 #[inline]
-pub fn bracketed<E>(
+pub(crate) fn bracketed<E>(
     (low, high): (f64, f64),
     first: f64,
     is_near: impl Fn(f64, f64) -> bool,
@@ -64,7 +64,7 @@ pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> boo
 /// The zero of a convex function below a place where it is positive and rises: from there Newton's method falls towards it,
 /// and ends where rounding stops the fall. `step` is the value over the derivative.
 #[inline]
-pub fn fallen_from(start: f64, step: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn fallen_from(start: f64, step: impl Fn(f64) -> f64) -> f64 {
     let mut x = start;
     for _ in 0..100 {
         let next = x - step(x);
@@ -78,7 +78,7 @@ pub fn fallen_from(start: f64, step: impl Fn(f64) -> f64) -> f64 {
 
 /// The zero by Newton's method from `first` on, kept between two bounds, until a step is no longer than `resolution`.
 /// `step` is the value over the derivative.
-pub fn kept_between((low, high): (f64, f64), first: f64, resolution: f64, step: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn kept_between((low, high): (f64, f64), first: f64, resolution: f64, step: impl Fn(f64) -> f64) -> f64 {
     let mut x = first;
     for _ in 0..60 {
         let next = (x - step(x)).clamp(low, high);

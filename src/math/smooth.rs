@@ -6,7 +6,7 @@
 
 use std::convert::Infallible;
 
-use crate::math::functions::{exp, ln, pow};
+use crate::math::functions::{exp, ln};
 use crate::math::quadrature;
 use crate::math::root::{bracketed, fallen_from};
 
@@ -29,7 +29,6 @@ pub enum Variable {
 /// A force law as code: one for all contacts, with [`Parameters`] of each.
 #[derive(Debug)]
 pub struct Formula {
-    name: &'static str,
     variable: Variable,
     value: fn(&Parameters, f64) -> f64,
     jet: fn(&Parameters, Jet) -> Jet,
@@ -41,22 +40,16 @@ impl Formula {
     /// A function of x.
     #[must_use]
     pub const fn new(
-        name: &'static str,
         value: fn(&Parameters, f64) -> f64,
         jet: fn(&Parameters, Jet) -> Jet,
         integral: Option<fn(&Parameters, f64) -> f64>,
     ) -> Self {
-        Self { name, variable: Variable::Indentation, value, jet, integral }
+        Self { variable: Variable::Indentation, value, jet, integral }
     }
 
     /// A function of √d.
-    #[must_use]
-    pub const fn of_root(
-        name: &'static str,
-        value: fn(&Parameters, f64) -> f64,
-        jet: fn(&Parameters, Jet) -> Jet,
-    ) -> Self {
-        Self { name, variable: Variable::RootOfDistance, value, jet, integral: None }
+    pub(crate) const fn of_root(value: fn(&Parameters, f64) -> f64, jet: fn(&Parameters, Jet) -> Jet) -> Self {
+        Self { variable: Variable::RootOfDistance, value, jet, integral: None }
     }
 }
 
@@ -73,28 +66,11 @@ impl PartialEq for Smooth {
     }
 }
 
-/// k x^p; parameters k, p. Power laws whose zero is not where their piece begins.
-pub static POWER: Formula = Formula::new("power", raised::<f64>, raised::<Jet>, Some(raised_integral));
-
-fn raised<N: Number>([k, p, _]: &Parameters, x: N) -> N {
-    x.powf(*p) * *k
-}
-
-fn raised_integral([k, p, _]: &Parameters, x: f64) -> f64 {
-    k / (p + 1.0) * pow(x, p + 1.0)
-}
-
 impl Smooth {
     /// A formula with its parameters.
     #[must_use]
     pub const fn new(formula: &'static Formula, parameters: Parameters) -> Self {
         Self { formula, parameters }
-    }
-
-    /// What the formula is called.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        self.formula.name
     }
 
     /// What it is a function of.
@@ -131,15 +107,13 @@ impl Smooth {
 
     /// f and its derivatives as a function of its own variable.
     #[inline]
-    #[must_use]
-    pub fn jet(&self, argument: f64) -> Jet {
+    pub(crate) fn jet(&self, argument: f64) -> Jet {
         (self.formula.jet)(&self.parameters, Jet::variable(argument))
     }
 
     /// f as a function of its own variable.
     #[inline]
-    #[must_use]
-    pub fn at_variable(&self, argument: f64) -> f64 {
+    pub(crate) fn at_variable(&self, argument: f64) -> f64 {
         (self.formula.value)(&self.parameters, argument)
     }
 
@@ -168,8 +142,7 @@ impl Smooth {
     /// Newton's method in ln x and ln w, where forces of contacts are almost straight, each step integrated from the last
     /// point on; then in x, where the work is convex, so that it ends on the root.
     #[cold]
-    #[must_use]
-    pub fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
+    pub(crate) fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
         if work <= 0.0 || !work.is_finite() {
             return work.max(0.0);
         }
@@ -211,8 +184,7 @@ impl Smooth {
     }
 
     /// The distance at which f = `force` > f(0), by Newton's method on a function that rises, kept between bounds.
-    #[must_use]
-    pub fn distance_at_force(&self, start: f64, force: f64) -> f64 {
+    pub(crate) fn distance_at_force(&self, start: f64, force: f64) -> f64 {
         let (mut low, mut high) = (0.0, if start > 0.0 { start } else { 1.0 });
         while self.value(start, high) < force && high.is_finite() {
             (low, high) = (high, 4.0 * high);
@@ -224,8 +196,7 @@ impl Smooth {
     }
 
     /// The distance at which the work from the start less that of a constant `pull` is `work` ≥ 0, beyond where they balance.
-    #[must_use]
-    pub fn distance_at_work_against(&self, start: f64, before: f64, work: f64, pull: f64) -> f64 {
+    pub(crate) fn distance_at_work_against(&self, start: f64, before: f64, work: f64, pull: f64) -> f64 {
         let mut distance = self.distance_at_work(start, before, work);
         if pull == 0.0 {
             return distance;
@@ -260,12 +231,19 @@ impl Smooth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::functions::pow;
     use crate::math::power::{power_time, quarter_period};
 
-    /// x^1.5 as a formula, without its antiderivative.
-    static HERTZ: Formula = Formula::new("hertz", raised::<f64>, raised::<Jet>, None);
+    /// x^1.5 as a formula, with its antiderivative.
+    static POWER: Formula = Formula::new(raised::<f64>, raised::<Jet>, Some(|_, x| 0.4 * pow(x, 2.5)));
+    /// The same without.
+    static HERTZ: Formula = Formula::new(raised::<f64>, raised::<Jet>, None);
     /// The same as a function of the root: y³.
-    static CUBE: Formula = Formula::of_root("cube", cube::<f64>, cube::<Jet>);
+    static CUBE: Formula = Formula::of_root(cube::<f64>, cube::<Jet>);
+
+    fn raised<N: Number>(_: &Parameters, x: N) -> N {
+        x.powf(1.5)
+    }
 
     fn cube<N: Number>(_: &Parameters, y: N) -> N {
         y * y * y

@@ -83,7 +83,7 @@ fn curves() -> Result<Vec<UnloadingCurve>, ReferenceError> {
 /// the yield point know no radius.
 #[must_use]
 pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
-    let materials = [sphere_modulus, half_space_modulus(bodies), bodies.yield_strength];
+    let materials = [sphere_modulus, bodies.half_space_modulus(), bodies.yield_strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
     let Some((case, _)) = case.filter(|_| (bodies.poissons_ratio - 0.3).abs() <= 1e-9) else { return Vec::new() };
@@ -92,15 +92,12 @@ pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded
     rows
 }
 
-/// E_h from E_h* = E*/ρ_E.
-fn half_space_modulus(bodies: &Bodies) -> f64 {
-    let nu = bodies.poissons_ratio;
-    bodies.pair.effective_modulus / bodies.pair.half_space_compliance * (1.0 - nu * nu)
-}
-
 /// The unloading curve of case 3 whose peak is within 1 % of this depth.
-#[must_use]
-pub fn unloading_curve(sphere_modulus: f64, bodies: &Bodies, indentation: f64) -> Option<&'static UnloadingCurve> {
+pub(crate) fn unloading_curve(
+    sphere_modulus: f64,
+    bodies: &Bodies,
+    indentation: f64,
+) -> Option<&'static UnloadingCurve> {
     if unloadings(sphere_modulus, bodies).first()?.case != "case3" {
         return None;
     }

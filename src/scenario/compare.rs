@@ -3,7 +3,7 @@
 use super::flow::FLOW;
 use super::{Kind, Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
-use crate::law::published::Loaded;
+use crate::law::published::PeakState;
 use crate::law::{Bodies, LawChoice, Plm};
 use crate::material::Pair;
 use crate::units::{Dimension, human};
@@ -58,8 +58,7 @@ impl Scenario {
             ));
         }
         let laws = self.compared_laws(&plm)?;
-        let of_plm = Comparison::of_plm(bodies, material.youngs_modulus, &plm, x, laws);
-        let mut comparison = of_plm.ok_or_else(|| refuse("law", "the PLM cannot be built for these bodies"))?;
+        let mut comparison = Comparison::of_plm(bodies, material.youngs_modulus, &plm, x, laws);
         match (given("peak_force"), given("peak_contact_radius"), given("peak_sphere_indentation")) {
             (None, None, None) => {}
             (Some(force), Some(radius), Some(sphere)) => {
@@ -79,7 +78,7 @@ impl Scenario {
                 let (force, radius) = (force / point.force, radius / point.contact_radius);
                 let spent = comparison.peak.spent * (force / comparison.peak.force);
                 comparison.peak =
-                    Loaded { indentation: x, force, radius, elastic_approach: Some(elastic_approach), spent };
+                    PeakState { indentation: x, force, radius, elastic_approach: Some(elastic_approach), spent };
                 comparison.origin = Origin::Given;
             }
             _ => {

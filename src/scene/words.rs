@@ -28,8 +28,7 @@ pub static LAWS: Words = Words { one: "law", several: "laws", known: || names(La
 /// Names of laws that load.
 pub static LOADINGS: Words = Words { one: "loading", several: "loadings", known: || names(LawChoice::has_loading) };
 /// Names of laws that unload.
-pub static UNLOADINGS: Words =
-    Words { one: "unloading", several: "unloadings", known: || names(LawChoice::has_unloading) };
+pub static UNLOADINGS: Words = Words { one: "unloading", several: "unloadings", known: || names(|_| true) };
 /// Names of laws with an unloading of their own.
 pub static OWN_UNLOADINGS: Words =
     Words { one: "unloading", several: "unloadings", known: || names(LawChoice::has_own_unloading) };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::ValidationError;
 use super::check::{Check, Tolerance, rms};
 use crate::impact::{Contact, Solver};
-use crate::law::{ContactLaw, Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
+use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::Sphere;
 use crate::reference::hardening::{ExactImpact, Materials, Unloaded, impacts, unloadings};
 
@@ -92,8 +92,7 @@ pub(super) fn law(
         exponent: UnloadingExponent::PressureShape,
         flow: materials.curve().filter(|_| hardens),
     };
-    let Some(bodies) = materials.bodies()? else { return Ok(None) };
-    Ok(plm.law(&bodies).map(|law| (law, bodies.yield_radius_ratio())))
+    Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
 }
 
 pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {

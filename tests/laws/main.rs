@@ -7,6 +7,7 @@ mod closed_forms;
 mod common;
 mod crossed;
 mod every_law;
+mod response;
 mod shallow_dents;
 mod slow;
 mod tabulated;
@@ -48,8 +49,7 @@ fn law_of(law: &dyn ContactLaw) -> Law {
 
 /// Every whole law, with printed and crossed jumps, and halves that only combinations use.
 fn whole_laws() -> Vec<(String, LawChoice)> {
-    let mut laws: Vec<LawChoice> =
-        LawChoice::all().into_iter().filter(|law| law.has_loading() && law.has_unloading()).collect();
+    let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
     laws.push(LawChoice::JacksonGreen(JacksonGreen {
         hardness: Hardness::Cosine,
         jumps: Jumps::Crossed,

@@ -33,13 +33,12 @@ impl ContactLaw for Dented {
         Some(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()))
     }
 
-    fn recovery(&self, _: &Bodies) -> Option<RecoveryRule> {
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
         let recovered = 1.0 - self.0;
-        Some(Arc::new(move |peak| Recovered {
+        Arc::new(move |peak| Recovered {
             elastic_approach: recovered * peak.indentation,
-            exponent: 1.5,
             shape: UnloadingShape::ShiftedHertz,
-        }))
+        })
     }
 }
 

@@ -1,5 +1,6 @@
 //! The coefficients of the PLM: a table that is data, with its check, and the law that follows from it for a pair of bodies.
 
+use std::fmt::Debug;
 use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
@@ -37,6 +38,17 @@ pub struct ForceTable {
     pub slope: Vec<f64>,
     /// What κ² adds to it.
     pub slope_kappa_squared: Vec<f64>,
+}
+
+impl ForceTable {
+    /// The loading curve for this κ².
+    #[must_use]
+    pub fn curve(&self, kappa_squared: f64) -> Curve {
+        let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
+        pieces.fold(Curve::hertz(), |curve, ((from, slope), per_kappa)| {
+            curve.then_straight(*from, slope + per_kappa * kappa_squared)
+        })
+    }
 }
 
 /// The polyline of ε in A.
@@ -93,15 +105,6 @@ pub enum CoefficientsError {
     },
 }
 
-fn check(
-    holds: bool,
-    key: &'static str,
-    value: impl std::fmt::Debug,
-    rule: &'static str,
-) -> Result<(), CoefficientsError> {
-    if holds { Ok(()) } else { Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }) }
-}
-
 fn is_rising(values: &[f64]) -> bool {
     values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
 }
@@ -141,78 +144,67 @@ impl PlmCoefficients {
     /// [`CoefficientsError::Value`] for the first value that breaks a rule.
     pub fn check(&self) -> Result<(), CoefficientsError> {
         let (f, e, r) = (&self.force, &self.elastic_approach, &self.contact_radius);
-        let same = f.from.len() == f.slope.len() && f.from.len() == f.slope_kappa_squared.len();
-        check(same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length")?;
-        let starts = is_rising(&f.from) && f.from.first().is_none_or(|x| *x >= 1.0);
-        check(starts, "force.from", &f.from, "rising, the first at least 1 (first yield)")?;
-        check(is_positive(&f.slope), "force.slope", &f.slope, "> 0")?;
         let steepest: Vec<f64> = f.slope.iter().zip(&f.slope_kappa_squared).map(|(s, k)| s + k).collect();
-        check(
-            is_positive(&steepest),
-            "force.slope_kappa_squared",
-            &f.slope_kappa_squared,
-            "slope + slope_kappa_squared > 0",
-        )?;
-        check(
-            is_positive(&[e.first_slope, e.first_slope + e.first_slope_kappa_squared]),
-            "elastic_approach.first_slope",
-            e.first_slope,
-            "> 0, with first_slope_kappa_squared too",
-        )?;
-        check(is_positive(&[e.first_slope_limit]), "elastic_approach.first_slope_limit", e.first_slope_limit, "> 0")?;
-        check(
-            is_positive(&[e.plastic_slope, e.plastic_slope + e.plastic_slope_kappa_squared]),
-            "elastic_approach.plastic_slope",
-            e.plastic_slope,
-            "> 0, with plastic_slope_kappa_squared too",
-        )?;
-        check(is_not_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", e.plastic_from_rho, ">= 0")?;
-        check(
-            is_rising(&e.geometry_from) && is_positive(&e.geometry_from),
-            "elastic_approach.geometry_from",
-            &e.geometry_from,
-            "> 0 and rising",
-        )?;
+        let same = f.from.len() == f.slope.len() && f.from.len() == f.slope_kappa_squared.len();
+        let starts = is_rising(&f.from) && f.from.first().is_none_or(|x| *x >= 1.0);
+        let with_kappa = |value: f64, kappa_squared: f64| [value, value + kappa_squared];
+        let first = is_positive(&with_kappa(e.first_slope, e.first_slope_kappa_squared));
+        let plastic = is_positive(&with_kappa(e.plastic_slope, e.plastic_slope_kappa_squared));
+        let geometry = is_rising(&e.geometry_from) && is_positive(&e.geometry_from);
         let factors = e.geometry_from.len() == e.geometry_factor.len() && is_positive(&e.geometry_factor);
-        check(factors, "elastic_approach.geometry_factor", &e.geometry_factor, "> 0, as many as geometry_from")?;
-        check(
-            is_rising(&r.from) && r.from.len() == r.ratio.len(),
-            "contact_radius.from",
-            &r.from,
-            "rising, as many as ratio",
-        )?;
-        check(
-            r.ratio.iter().all(|v| (1.0..=1.6).contains(v)),
-            "contact_radius.ratio",
-            &r.ratio,
-            "from 1 (Hertz pressure) to 1.6",
-        )?;
-        check(is_not_negative(&[r.geometry_from]), "contact_radius.geometry_from", r.geometry_from, ">= 0")?;
-        check(
-            is_not_negative(&[r.geometry_slope, r.geometry_slope + r.geometry_slope_kappa_squared]),
-            "contact_radius.geometry_slope",
-            r.geometry_slope,
-            ">= 0, with geometry_slope_kappa_squared too",
-        )
+        let knots = is_rising(&r.from) && r.from.len() == r.ratio.len();
+        let ratios = r.ratio.iter().all(|v| (1.0..=1.6).contains(v));
+        let narrower = is_not_negative(&with_kappa(r.geometry_slope, r.geometry_slope_kappa_squared));
+        let rules: [(bool, &'static str, &dyn Debug, &'static str); 14] = [
+            (same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length"),
+            (starts, "force.from", &f.from, "rising, the first at least 1 (first yield)"),
+            (is_positive(&f.slope), "force.slope", &f.slope, "> 0"),
+            (
+                is_positive(&steepest),
+                "force.slope_kappa_squared",
+                &f.slope_kappa_squared,
+                "slope + slope_kappa_squared > 0",
+            ),
+            (first, "elastic_approach.first_slope", &e.first_slope, "> 0, with first_slope_kappa_squared too"),
+            (is_positive(&[e.first_slope_limit]), "elastic_approach.first_slope_limit", &e.first_slope_limit, "> 0"),
+            (plastic, "elastic_approach.plastic_slope", &e.plastic_slope, "> 0, with plastic_slope_kappa_squared too"),
+            (is_not_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", &e.plastic_from_rho, ">= 0"),
+            (geometry, "elastic_approach.geometry_from", &e.geometry_from, "> 0 and rising"),
+            (factors, "elastic_approach.geometry_factor", &e.geometry_factor, "> 0, as many as geometry_from"),
+            (knots, "contact_radius.from", &r.from, "rising, as many as ratio"),
+            (ratios, "contact_radius.ratio", &r.ratio, "from 1 (Hertz pressure) to 1.6"),
+            (is_not_negative(&[r.geometry_from]), "contact_radius.geometry_from", &r.geometry_from, ">= 0"),
+            (
+                narrower,
+                "contact_radius.geometry_slope",
+                &r.geometry_slope,
+                ">= 0, with geometry_slope_kappa_squared too",
+            ),
+        ];
+        match rules.iter().find(|(holds, ..)| !holds) {
+            Some((_, key, value, rule)) => Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }),
+            None => Ok(()),
+        }
     }
 
     /// The law for a pair whose half-space yields at `a_Y` / R = `yield_radius_ratio`.
     #[must_use]
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
-        let table = &self.force;
-        let mut loading = Curve::hertz();
-        for ((from, slope), per_kappa) in table.from.iter().zip(&table.slope).zip(&table.slope_kappa_squared) {
-            loading = loading.then_straight(*from, slope + per_kappa * kappa_squared);
-        }
+        let loading = self.force.curve(kappa_squared);
         let elastic = ElasticApproach::Line(ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio));
         let (radius_ratio, radius_geometry) = self.contact_radius.of(kappa_squared, yield_radius_ratio);
         Law { loading, elastic, radius_ratio, radius_geometry, exponent }
     }
 
     /// The same for a half-space that hardens as its flow stress rises.
-    #[must_use]
-    pub fn hardening_law(&self, pair: &Pair, yield_radius_ratio: f64, rise: Rise, exponent: UnloadingExponent) -> Law {
+    pub(crate) fn hardening_law(
+        &self,
+        pair: &Pair,
+        yield_radius_ratio: f64,
+        rise: Rise,
+        exponent: UnloadingExponent,
+    ) -> Law {
         let perfect = self.law(pair, yield_radius_ratio, exponent);
         let hardening = Hardening::new(rise, yield_radius_ratio, self.line_slopes(pair));
         let loading = hardening.loading(&perfect.loading);

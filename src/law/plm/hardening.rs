@@ -57,14 +57,12 @@ impl Hardening {
     }
 
     /// The largest plastic strain that the flow curve is asked for on the way to x.
-    #[must_use]
-    pub fn largest_strain(&self, x: f64) -> f64 {
+    pub(crate) fn largest_strain(&self, x: f64) -> f64 {
         (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
     }
 
     /// The largest plastic strain that the flow curve is known for; `None` for a formula.
-    #[must_use]
-    pub fn last_strain(&self) -> Option<f64> {
+    pub(crate) fn last_strain(&self) -> Option<f64> {
         match &self.rise {
             Rise::Points { points, .. } => points.last().map(|point| point.strain),
             Rise::Power { .. } | Rise::Voce { .. } | Rise::Linear { .. } => None,

@@ -1,6 +1,6 @@
 //! A number, or a number with two derivatives: what formulas of forces are written in.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg};
 
 use crate::math::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
 
@@ -8,7 +8,6 @@ use crate::math::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
 pub trait Number:
     Copy
     + Add<Output = Self>
-    + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
@@ -123,13 +122,6 @@ impl Add for Jet {
     }
 }
 
-impl Sub for Jet {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
 impl Mul for Jet {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -179,7 +171,7 @@ mod tests {
     fn a_jet_has_the_derivatives_of_central_differences() {
         fn formula<N: Number>(x: N) -> N {
             let root = x.powf(0.5);
-            (-root).exp() * x.ln() + (x * 0.3).sin() / (x + 2.0) - (x * 0.1).asin() * x.cos()
+            (-root).exp() * x.ln() + (x * 0.3).sin() / (x + 2.0) + -(x * 0.1).asin() * x.cos()
         }
         let (x, h) = (1.7, 1e-4);
         let jet = formula(Jet::variable(x));

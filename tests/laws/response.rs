@@ -1,0 +1,88 @@
+//! The law as a force of its own: energy, stiffness, and what no input may do.
+
+use plm_impact::impact::{Contact, ContactEnergy, Memory};
+use plm_impact::law::{LawChoice, Plm};
+use plm_impact::material::{HalfSpace, Material, Sphere};
+
+const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+
+fn bodies(yield_strength: Option<f64>) -> (Sphere, HalfSpace) {
+    (
+        Sphere { radius: 5e-3, material: STEEL, density: 7850.0, yield_strength: None },
+        HalfSpace { material: STEEL, yield_strength, density: None },
+    )
+}
+
+/// Energy is conserved: along loading, unloading, reloading the work done on the contact (trapezoids of the force) is
+/// what is stored and what the dent has taken; and at the peak and the end they are those of the closed form.
+#[test]
+fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
+    for law in LawChoice::all() {
+        let (sphere, half_space) = bodies(Some(345e6));
+        let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
+        let exact = contact.closed_form(1.0).expect("an impact at 1 m/s");
+        let deepest = exact.peak_indentation;
+        let mut memory = Memory::default();
+        let (mut work, mut last, mut plastic_so_far) = (0.0, (0.0, 0.0), 0.0);
+        let turns = [0.0, 0.6 * deepest, 0.55 * deepest, deepest, 0.0];
+        for (from, to) in turns.iter().zip(&turns[1..]) {
+            for i in 1..=20_000 {
+                let indentation = from + (to - from) * f64::from(i) / 20_000.0;
+                let force = contact.force(indentation, &mut memory);
+                work += 0.5 * (force + last.1) * (indentation - last.0);
+                if indentation > last.0 {
+                    assert_eq!(contact.force(indentation, &mut memory.clone()), force, "{law:?}: asked twice");
+                }
+                last = (indentation, force);
+            }
+            let ContactEnergy { stored, plastic } = contact.energy(last.0, last.1, &memory);
+            let kinetic = 0.5 * contact.mass();
+            assert!((stored + plastic - work).abs() < 2e-6 * kinetic, "{law:?}: {stored} + {plastic} is not {work}");
+            assert!(plastic >= plastic_so_far * (1.0 - 1e-12), "{law:?}: the dent gives back");
+            plastic_so_far = plastic;
+        }
+        let kinetic = 0.5 * contact.mass();
+        let restitution = (1.0 - plastic_so_far / kinetic).sqrt();
+        assert!((restitution - exact.restitution).abs() < 1e-9, "{law:?}: e {restitution}, {}", exact.restitution);
+        assert!((memory.force / exact.peak_force - 1.0).abs() < 1e-12, "{law:?}");
+        assert!((memory.dent() - exact.residual_indentation).abs() < 1e-9 * deepest, "{law:?}");
+    }
+}
+
+/// The slope is the derivative of the force (central difference), on both branches and on Hertz's curve.
+#[test]
+fn the_stiffness_is_the_slope_of_the_force() {
+    for strength in [Some(345e6), None] {
+        let (sphere, half_space) = bodies(strength);
+        let contact = Contact::try_new(sphere, half_space, &Plm::default()).expect("a contact");
+        let mut memory = Memory::default();
+        contact.force(2e-5, &mut memory);
+        for (indentation, memory) in [(1e-8, Memory::default()), (3e-5, memory), (1.95e-5, memory)] {
+            let step = 1e-6 * indentation;
+            let force = |at: f64| contact.force(at, &mut memory.clone());
+            let slope = (force(indentation + step) - force(indentation - step)) / (2.0 * step);
+            let stiffness = contact.stiffness(indentation, &memory);
+            assert!((stiffness / slope - 1.0).abs() < 1e-6, "{strength:?}, {indentation}: {stiffness}, {slope}");
+        }
+    }
+}
+
+#[test]
+fn no_indentation_and_no_memory_makes_it_panic() {
+    let hostile = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324, 1e-5, f64::MAX];
+    for strength in [Some(345e6), None] {
+        let (sphere, half_space) = bodies(strength);
+        let contact = Contact::try_new(sphere, half_space, &Plm::default()).expect("a contact");
+        for case in 0..hostile.len().pow(4) {
+            let [indentation, a, b, c] =
+                [0, 1, 2, 3].map(|place| hostile[case / hostile.len().pow(place) % hostile.len()]);
+            let mut memory = Memory { indentation: a, force: b, elastic_approach: c };
+            let stiffness = contact.stiffness(indentation, &memory);
+            let force = contact.force(indentation, &mut memory);
+            let energy = contact.energy(indentation, force, &memory);
+            if indentation.is_nan() {
+                assert!(force.is_nan() && stiffness.is_nan() && energy.stored.is_nan());
+            }
+        }
+    }
+}
