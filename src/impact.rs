@@ -3,7 +3,7 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
-//! The files depend on each other in this order: what acts ([`scales`], [`forces`], [`scaled_forces`]); what an impact comes
+//! The files depend on each other in this order: what acts ([`scales`], [`forces`], `scaled_forces`); what an impact comes
 //! to ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
 //! is reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
 //! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
@@ -22,7 +22,7 @@ pub mod outcome;
 pub mod record;
 mod response;
 pub mod result;
-pub mod scaled_forces;
+mod scaled_forces;
 pub mod scales;
 pub mod solve;
 pub mod spot;
@@ -44,5 +44,5 @@ pub use scaled_forces::ScaledForces;
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
-pub use validity::of_peak;
+pub(crate) use validity::of_peak;
 pub use warning::Warning;

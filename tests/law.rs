@@ -10,6 +10,7 @@ use std::f64::consts::PI;
 use common::{Scene, any_scene, off};
 use plm_impact::law::curve::Curve;
 use plm_impact::law::{ElasticApproach, Law, Peak, PlmCoefficients, UnloadingExponent, pressure_shape_exponent};
+use plm_impact::material::yield_factor;
 use proptest::prelude::*;
 
 /// Restitution of a quasi-static cycle to x: recovered over spent work.
@@ -370,4 +371,10 @@ fn plain_laws_unload_as_they_say() {
     let Peak { force, elastic_approach, .. } = law.loaded_to(5.0);
     assert!(off(force, 7.0) < 1e-15 && off(elastic_approach, approach) < 1e-15);
     assert!(off(restitution(&law, 5.0), (7.0 * approach / (2.5 * 16.4)).sqrt()) < 1e-15);
+}
+
+#[test]
+fn yield_factor_is_the_papers_at_nu_0_3() {
+    // Xie et al. 2024, below Eq. 18
+    approx::assert_relative_eq!(yield_factor(0.3), 1.61316, max_relative = 1e-5);
 }

@@ -9,6 +9,7 @@ use crate::impact::{Method, Outcome, ScaledForces, batch, closed_form, course, v
 use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
+use crate::law::Law;
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
 
@@ -136,45 +137,28 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// One impact; of a batch all impacts, and the outcome is that of the first, the problem itself.
-    fn run(&mut self, problem: &Problem) -> Result<Outcome, IntegrationError> {
-        let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
-        match self {
-            Self::Rk8(rk8) => course::integrate(law, speed, &NONE, rk8, None),
-            Self::Library(library) => course::integrate(law, speed, &NONE, library, None),
-            Self::Verlet { step, most_steps } => {
-                verlet::march(law, speed, &NONE, *step, *most_steps, &mut Work::default(), None)
-            }
-            Self::Exact => Ok(closed_form::solve(law, speed)),
-            Self::Batch { problems, tolerance } => {
-                let mut outcomes = batch::integrate(black_box(problems), *tolerance);
-                outcomes.swap_remove(0)
-            }
+    /// One impact with its cost. Of a batch all impacts: the outcome is that of the first, the problem itself, and the cost
+    /// is left out.
+    fn run(&self, problem: &Problem) -> Result<(Outcome, Work), IntegrationError> {
+        fn by(mut integrator: impl Integrator, law: &Law, speed: f64) -> Result<(Outcome, Work), IntegrationError> {
+            let outcome = course::integrate(law, speed, &NONE, &mut integrator, None)?;
+            Ok((outcome, integrator.work()))
         }
+        let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
+        let mut work = Work::default();
+        let outcome = match self {
+            Self::Rk8(rk8) => return by(rk8.clone(), law, speed),
+            Self::Library(library) => return by(library.clone(), law, speed),
+            Self::Verlet { step, most_steps } => verlet::march(law, speed, &NONE, *step, *most_steps, &mut work, None)?,
+            Self::Exact => closed_form::solve(law, speed),
+            Self::Batch { problems, tolerance } => batch::integrate(black_box(problems), *tolerance).swap_remove(0)?,
+        };
+        Ok((outcome, work))
     }
 
     /// How many impacts a run computes.
     fn size(&self) -> usize {
         if let Self::Batch { problems, .. } = self { problems.len() } else { 1 }
-    }
-
-    /// Cost of one impact. A lane of a batch takes the steps that rk8 takes alone.
-    fn work(&self, problem: &Problem) -> Work {
-        match self {
-            Self::Rk8(rk8) => rk8.work(),
-            Self::Library(library) => library.work(),
-            Self::Verlet { step, most_steps } => {
-                let mut work = Work::default();
-                let _ = verlet::march(&problem.law, problem.speed, &NONE, *step, *most_steps, &mut work, None);
-                work
-            }
-            Self::Exact => Work::default(),
-            Self::Batch { tolerance, .. } => {
-                let mut alone = Runner::Rk8(Rk8::new(*tolerance));
-                let _ = alone.run(problem);
-                alone.work(problem)
-            }
-        }
     }
 }
 
@@ -186,7 +170,7 @@ fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 4
     let exact = &problem.exact;
     let mut worst = [0.0_f64; 4];
     for phase in phases {
-        let outcome = Runner::new(contender, rung, *phase, problem).run(problem).ok()?;
+        let (outcome, _) = Runner::new(contender, rung, *phase, problem).run(problem).ok()?;
         let seen = outcome.fixed_steps.map_or(outcome.contact_time, |fixed| fixed.contact_time);
         let errors = [
             relative(outcome.restitution, exact.restitution),
@@ -208,10 +192,11 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
     let mut entries: Vec<(Runner, u32, Measurement)> = Vec::new();
     for contender in Contender::ALL {
         for rung in contender.rungs(is_quick) {
-            let mut runner = Runner::new(contender, rung, PHASES[0], problem);
+            let runner = Runner::new(contender, rung, PHASES[0], problem);
             let Some(errors) = errors(contender, rung, problem) else { continue };
-            let _ = runner.run(problem);
-            let work = runner.work(problem);
+            // a lane of a batch takes the steps that rk8 takes alone
+            let alone = if contender == Contender::Batch { Contender::Method(Method::Rk8) } else { contender };
+            let Ok((_, work)) = Runner::new(alone, rung, PHASES[0], problem).run(problem) else { continue };
             let started = Instant::now();
             let _ = black_box(runner.run(problem));
             let once = started.elapsed().max(Duration::from_nanos(20));

@@ -1,8 +1,9 @@
 //! An impact without stepping: energy balance for the peak and the restitution, exact times on every piece.
 //!
-//! Without gravity and damping (for those see `with_forces`) the motion is conservative on each branch, u² = q² − (5/2) w(x), so the peak is where the
-//! work is the kinetic energy, w(x_m) = (2/5) q², and e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an
-//! arctangent, on a power piece an incomplete beta function, on any other a quadrature.
+//! Without gravity and damping (for those see `with_forces`) the motion is conservative on each branch,
+//! u² = q² − (5/2) w(x). So the peak is where the work is the kinetic energy, w(x_m) = (2/5) q², and
+//! e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an arctangent, on a power piece an incomplete beta
+//! function, on any other a quadrature.
 
 mod with_forces;
 
@@ -15,7 +16,8 @@ use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time, quarter_period};
 use crate::math::smooth::Smooth;
 
-pub use with_forces::{closes, way_to_peak};
+pub use with_forces::closes;
+pub(crate) use with_forces::way_to_peak;
 
 /// The exact outcome of an impact at q = v/V, where there is one: without forces, under gravity without damping, or with
 /// the damping of Hunt and Crossley without gravity.

@@ -66,14 +66,12 @@ impl Contact {
     }
 
     /// The same contact, where the sphere is only the tip of the body that moves: nothing is known of waves in it.
-    #[must_use]
-    pub fn of_a_body(self) -> Self {
+    pub(crate) fn of_a_body(self) -> Self {
         Self { is_tip: true, ..self }
     }
 
     /// Whether the sphere is only the tip of the body that moves.
-    #[must_use]
-    pub fn is_of_a_body(&self) -> bool {
+    pub(crate) fn is_of_a_body(&self) -> bool {
         self.is_tip
     }
 

@@ -244,7 +244,7 @@ impl<'a> Course<'a> {
 
     /// Compression has ended: onto the way back, unless the sphere has crept up to its static indentation.
     fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) -> Option<Outcome> {
-        let unloading = unloading_from(self.law, piece, self.at.distance);
+        let unloading = self.law.unloading(self.law.state_at(piece, self.at.distance - entry_of(self.law, piece)));
         if let Some(recorder) = recorder {
             let event = if is_at_rest { Event::Captured } else { Event::Peak };
             recorder.take(&self.along(piece), Some((event, &self.at)));
@@ -267,7 +267,8 @@ impl<'a> Course<'a> {
             back_to = creep.map_or(back_to, |creep| at_rest + creep.within);
         }
         (self.path.restoring, self.path.leg) = (restoring(&unloading.branch()), Leg::Back(back_to));
-        self.path.sizes = sizes_back(&unloading);
+        let distance = unloading.peak.elastic_approach;
+        self.path.sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
         self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
         None
     }
@@ -315,18 +316,7 @@ fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
     (restoring(&pieces[index]), Leg::Outward(end))
 }
 
-/// The unloading branch from where a piece of the loading curve was left.
-fn unloading_from(law: &Law, index: usize, distance: f64) -> Unloading {
-    law.unloading(law.state_at(index, distance - entry_of(law, index)))
-}
-
 /// The distance of the integrator at the start of a piece.
 fn entry_of(law: &Law, index: usize) -> f64 {
     law.loading.pieces()[index].shape.lead()
-}
-
-/// What errors on the way back are measured against.
-fn sizes_back(unloading: &Unloading) -> Sizes {
-    let distance = unloading.peak.elastic_approach;
-    Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() }
 }

@@ -90,8 +90,7 @@ impl Forces {
 
     /// Whether an impact under them can be solved without steps on a law of powers and straight lines: without damping, or
     /// with that of Hunt and Crossley and no gravity.
-    #[must_use]
-    pub fn have_closed_form(&self) -> bool {
+    pub(crate) fn have_closed_form(&self) -> bool {
         let drag = self.damping.map_or(Drag::NONE, Damping::drag);
         drag.of_force_alone().is_some_and(|chi| chi == 0.0 || self.gravity.is_none())
     }

@@ -31,7 +31,7 @@ impl Contact {
     }
 
     /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form, or by
-    /// rk8 at the default tolerance where [`Contact::auto_integrates`].
+    /// rk8 at the default tolerance where there is none, and with damping.
     ///
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, or the integrator gives up.
@@ -134,8 +134,7 @@ impl Contact {
 
     /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers
     /// nor straight lines. Elsewhere it takes the closed form.
-    #[must_use]
-    pub fn auto_integrates(&self) -> bool {
+    pub(crate) fn auto_integrates(&self) -> bool {
         let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !closed_form::closes(law));
         self.forces().damping.is_some() || self.forces().gravity.is_some() && is_open()
     }

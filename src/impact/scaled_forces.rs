@@ -27,8 +27,7 @@ impl ScaledForces {
     }
 
     /// Whether nothing takes energy but the dent.
-    #[must_use]
-    pub fn is_conservative(&self) -> bool {
+    pub(crate) fn is_conservative(&self) -> bool {
         self.drag() == Drag::NONE
     }
 
@@ -42,14 +41,12 @@ impl ScaledForces {
     }
 
     /// Elastic approach at which the unloading branch carries the weight; at most that of the peak.
-    #[must_use]
-    pub fn static_approach(&self, unloading: &Unloading) -> f64 {
+    pub(crate) fn static_approach(&self, unloading: &Unloading) -> f64 {
         unloading.recovered_at(self.weight)
     }
 
     /// Tangent stiffness of the branch there, at the elastic approach `at_rest`.
-    #[must_use]
-    pub fn static_slope(&self, unloading: &Unloading, at_rest: f64) -> f64 {
+    pub(crate) fn static_slope(&self, unloading: &Unloading, at_rest: f64) -> f64 {
         if unloading.is_power() { unloading.exponent * self.weight / at_rest } else { unloading.slope_after(at_rest) }
     }
 

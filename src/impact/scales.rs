@@ -25,8 +25,7 @@ pub struct Scales {
 
 impl Scales {
     /// Yield scales; `speed` is v_Y of the sphere.
-    #[must_use]
-    pub fn of_yield(point: &YieldPoint, speed: f64) -> Self {
+    pub(crate) fn of_yield(point: &YieldPoint, speed: f64) -> Self {
         Self { length: point.indentation, force: point.force, speed, contact_radius: point.contact_radius }
     }
 
@@ -34,7 +33,7 @@ impl Scales {
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
-    pub fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
+    pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
         let per_stiffness = 1.25 * mass / stiffness;
         let power = per_stiffness * (speed * speed);

@@ -34,12 +34,6 @@ impl Spot {
     pub fn memory(&self) -> Option<Peak> {
         Some(self.law.as_ref()?.branch()?.peak)
     }
-
-    fn remember(&mut self, after: Option<Law>) {
-        if after.is_some() {
-            self.law = after;
-        }
-    }
 }
 
 impl Contact {
@@ -82,14 +76,11 @@ impl Contact {
     ) -> Result<Impact, ImpactError> {
         let case = self.case(spot.law.as_ref(), speed)?;
         let (impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
-        spot.remember(after(case.law, &outcome.unloading.peak));
+        let (law, peak) = (case.law, outcome.unloading.peak);
+        // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
+        if !(matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation)) {
+            spot.law = Some(law.reloaded(peak));
+        }
         Ok(impact)
     }
-}
-
-/// The law of the place after an impact that turned at `peak`; `None` if it is as before.
-fn after(law: &Law, peak: &Peak) -> Option<Law> {
-    // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
-    let stays = matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation);
-    (!stays).then(|| law.reloaded(*peak))
 }

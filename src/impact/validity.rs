@@ -8,7 +8,7 @@ use crate::law::{Law, Peak};
 use crate::math::power::max_or_nan;
 
 /// Where a peak is outside of what the law, or its flow curve, is known for.
-pub fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
+pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     let stated = law.outside_stated(peak);
     let stated = stated.map(|(from, to)| Warning::OutsideStated { indentation: peak.indentation, from, to });
     let curve = law.beyond_flow_curve(peak).map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });

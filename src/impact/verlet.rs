@@ -100,7 +100,7 @@ impl<'a> Remembering<'a> {
 ///
 /// # Errors
 /// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
-pub fn march(
+pub(crate) fn march(
     law: &Law,
     q: f64,
     forces: &ScaledForces,

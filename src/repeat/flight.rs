@@ -62,29 +62,3 @@ impl Flight {
         self.height + 0.5 * self.speed * self.speed / self.gravity
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_fall_takes_the_time_of_galilei() {
-        // t = √(2 h/g): 2 s from 19.62 m at 9.81 m/s²
-        let fall = Flight::fall(9.81, 19.62);
-        approx::assert_relative_eq!(fall.duration, 2.0, max_relative = 1e-15);
-        approx::assert_relative_eq!(fall.landing_speed, 19.62, max_relative = 1e-15);
-        approx::assert_abs_diff_eq!(fall.height_at(2.0), 0.0, epsilon = 1e-14);
-        approx::assert_relative_eq!(fall.speed_at(2.0), 19.62, max_relative = 1e-15);
-    }
-
-    #[test]
-    fn a_flight_out_of_a_dent_loses_its_depth() {
-        // from 1 m below at 6 m/s under 10 m/s²: 0.8 m above the surface, back on it at 4 m/s after 1 s
-        let flight = Flight::between(10.0, 3.0, 1.0, 6.0, 0.0).unwrap();
-        assert_eq!((flight.landing_speed, flight.duration, flight.top()), (4.0, 1.0, 0.8));
-        assert_eq!(flight.height_at(1.0), 0.0);
-        // just to the rim is not onto fresh surface; on the same spot every speed comes back
-        assert_eq!(Flight::between(10.0, 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
-        assert_eq!(Flight::between(10.0, 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
-    }
-}

@@ -40,8 +40,7 @@ fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
 }
 
 /// The whole way from first touch to the turning point of an impact of energy `kinetic`, as it would be without damping.
-#[must_use]
-pub fn way_to_peak(law: &Law, kinetic: f64, forces: &ScaledForces) -> f64 {
+pub(crate) fn way_to_peak(law: &Law, kinetic: f64, forces: &ScaledForces) -> f64 {
     let pieces = law.loading.pieces();
     if forces.is_none() {
         let last = &pieces[law.turning_piece(kinetic)];
