@@ -5,7 +5,7 @@
 //! as a rule, what is missing is far below the tolerance, and the end is moved along its rates.
 //!
 //! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
-//! [`super::lockstep`]).
+//! `lockstep`).
 
 use super::dop853::{self, EVALUATIONS, Step};
 use super::piece::power::{DraggedHertz, DraggedPower};
