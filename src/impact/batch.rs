@@ -127,7 +127,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
         }
     }
     for (lane, impact) in flying.iter_mut().enumerate().filter_map(|(lane, slot)| Some((lane, slot.as_mut()?))) {
-        if let Some(landed) = lanes.finish(lane, impact.course.path(), &impact.course.at) {
+        if let Some(landed) = lanes.finish(lane) {
             put(impact.index, impact.go_on(landed).unwrap_or_else(|| impact.course.finish(alone, None)).as_ref());
         }
     }

@@ -9,7 +9,7 @@
 
 use super::dop853::{self, EVALUATIONS, Step};
 use super::piece::power::{DraggedHertz, DraggedPower};
-use super::piece::smooth::{DraggedOfDistance, DraggedOfRoot};
+use super::piece::smooth::{Curve, DraggedOfDistance, DraggedOfRoot};
 use super::piece::straight::DraggedStraight;
 use super::piece::{Dragged, Quad};
 use super::{IntegrationError, Integrator, Landing, Path, Restoring, Sampler, State, Work};
@@ -117,11 +117,13 @@ impl Integrator for Damped {
     ) -> Result<Landing, IntegrationError> {
         /// In r = d^(1/4) where the drag goes with the stiffness, else in r = √d.
         macro_rules! in_root {
-            ($piece:ident, $($of:expr),*) => {
+            ($m:ident, $piece:expr) => {
                 if path.drag.eta == 0.0 {
-                    self.run($piece::<2>::along($($of),*, path), path, state, samples)
+                    const $m: u8 = 2;
+                    self.run($piece, path, state, samples)
                 } else {
-                    self.run($piece::<4>::along($($of),*, path), path, state, samples)
+                    const $m: u8 = 4;
+                    self.run($piece, path, state, samples)
                 }
             };
         }
@@ -129,14 +131,19 @@ impl Integrator for Damped {
             Restoring::Straight { at_start, slope } => {
                 self.run(DraggedStraight::along(at_start, slope, path), path, state, samples)
             }
-            Restoring::Power { coefficient, exponent: 1.5 } => in_root!(DraggedHertz, coefficient),
-            Restoring::Power { coefficient, exponent } => in_root!(DraggedPower, coefficient, exponent),
-            Restoring::Smooth { force, start, factor } => match force.variable() {
-                Variable::Indentation => {
-                    self.run(DraggedOfDistance::along(force, start, factor, path), path, state, samples)
+            Restoring::Power { coefficient, exponent: 1.5 } => {
+                in_root!(M, DraggedHertz::<M>::along(coefficient, path))
+            }
+            Restoring::Power { coefficient, exponent } => {
+                in_root!(M, DraggedPower::<M>::along(coefficient, exponent, path))
+            }
+            Restoring::Smooth { force, start, factor } => {
+                let curve = Curve::along(force, start, factor, path);
+                match force.variable() {
+                    Variable::Indentation => self.run(DraggedOfDistance(curve), path, state, samples),
+                    Variable::RootOfDistance => in_root!(M, DraggedOfRoot::<M>(curve)),
                 }
-                Variable::RootOfDistance => in_root!(DraggedOfRoot, force, start, factor),
-            },
+            }
         }
     }
 

@@ -37,7 +37,7 @@ pub type Ended = Result<(Landing, State), IntegrationError>;
 /// Lanes of one stepper.
 pub trait Lanes {
     /// So few motions under way are done faster one by one.
-    const FEW: usize;
+    const FEW: usize = 0;
 
     /// Puts a leg into a lane.
     fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started;
@@ -49,8 +49,10 @@ pub trait Lanes {
     /// path from the state `begun`.
     fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
 
-    /// Takes the rest of a leg out of its lane and goes it alone; `None` in a lane that is idle.
-    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
+    /// Takes the rest of a leg out of its lane and goes it alone; `None` in a lane that is idle. Never asked without FEW.
+    fn finish(&mut self, _lane: usize) -> Option<Ended> {
+        None
+    }
 }
 
 /// The numbers of one lane.

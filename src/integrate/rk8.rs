@@ -134,7 +134,8 @@ impl Rk8 {
             }
             now = next;
             if let Some(landing) = landing {
-                *state = landed_state(field, path, landing, &now, state.loss);
+                let distance = path.landed_at(landing, field.distance_at(now.y));
+                *state = State { time: now.t, distance, speed: now.u, ..*state };
                 return Ok(landing);
             }
             h = grown(this, error);
@@ -201,18 +202,6 @@ pub(super) fn grown<T: Lane>(h: T, error: T) -> T {
 #[inline(always)]
 pub(super) fn shrunk<T: Lane>(h: T, error: T) -> T {
     h.abs() * (error.inverse_eighth_root() * 0.9).max(error.all(0.2))
-}
-
-/// The state at a landing, with the distance exactly the end's.
-#[inline(always)]
-pub(super) fn landed_state<F: Variables>(
-    field: F,
-    path: &Path,
-    landing: Landing,
-    node: &Node<f64>,
-    loss: f64,
-) -> State {
-    State { time: node.t, distance: path.landed_at(landing, field.distance_at(node.y)), speed: node.u, loss }
 }
 
 /// Whether the balance of energy sees a way back to the zero of the force: rounding may not, where all of it is needed.

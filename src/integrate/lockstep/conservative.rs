@@ -10,7 +10,7 @@ use crate::integrate::piece::NO_PULL;
 use crate::integrate::piece::mixed::Mixed;
 use crate::integrate::piece::power::Hertz;
 use crate::integrate::piece::straight::Straight;
-use crate::integrate::rk8::{Constants, Rk8, grown, landed_state, shrunk};
+use crate::integrate::rk8::{Constants, Rk8, grown, shrunk};
 use crate::integrate::{Drag, Integrator as _, Landing, MOST_STEPS, Path, Restoring, State};
 
 /// Lanes whose state is no number, or that go on for ever, are looked for once in so many common steps.
@@ -28,13 +28,6 @@ struct Rows {
     leg: [Row; 8],
     /// 0 on the way, else the kind of landing.
     landed: Row,
-}
-
-impl Rows {
-    fn node(&self, lane: usize) -> Node<f64> {
-        let [y, u, g, t] = of_lane(&self.node, lane);
-        Node { y, u, g, t }
-    }
 }
 
 /// The lanes.
@@ -58,8 +51,6 @@ impl Conservative {
 }
 
 impl Lanes for Conservative {
-    const FEW: usize = 0;
-
     fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started {
         if path.pull != 0.0 || path.drag != Drag::NONE {
             return Started::Foreign;
@@ -98,7 +89,7 @@ impl Lanes for Conservative {
             if !self.steps.is_multiple_of(LOOK) {
                 return None;
             }
-            let Node { y, u, t, .. } = rows.node(lane);
+            let [y, u, _, t] = of_lane(&rows.node, lane);
             let is_number = [y, u, t, rows.h[lane]].iter().all(|part| part.is_finite());
             self.begun[lane].take_if(|begun| !is_number || self.steps - *begun >= MOST_STEPS)?;
             // by itself it says what is wrong, or does not fail
@@ -106,24 +97,11 @@ impl Lanes for Conservative {
             return Some(self.rk8.traverse(path, &mut state, None).map(|landing| (landing, state)));
         }
         self.begun[lane].take()?;
-        let node = rows.node(lane);
+        let [y, u, _, t] = of_lane(&rows.node, lane);
         let landing = if rows.landed[lane] == AT_END { Landing::End } else { Landing::Turning };
-        let state = match path.restoring {
-            Restoring::Straight { at_start, slope } => {
-                landed_state(Straight::new(at_start, slope, NO_PULL), path, landing, &node, 0.0)
-            }
-            Restoring::Power { coefficient, .. } => {
-                landed_state(Hertz::new(coefficient, NO_PULL), path, landing, &node, 0.0)
-            }
-            // never started
-            Restoring::Smooth { .. } => return None,
-        };
-        Some(Ok((landing, state)))
-    }
-
-    fn finish(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended> {
-        // with no FEW, every leg is stepped to its end
-        self.take_landing(lane, path, begun)
+        let is_straight = rows.field[3][lane] > 0.0;
+        let distance = path.landed_at(landing, if is_straight { y } else { y * y });
+        Some(Ok((landing, State { time: t, distance, speed: u, loss: 0.0 })))
     }
 }
 

@@ -63,24 +63,24 @@ impl<const M: u8> Lanes for Damped<M> {
             return Started::Foreign;
         }
         let rows = &mut *self.rows;
-        let (run, piece) = match path.restoring {
-            Restoring::Straight { at_start, slope } => {
-                let piece = DraggedStraight::along(at_start, slope, path);
-                (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (piece.a, piece.b, 0.0, 1.0);
-                put(&mut rows.drag, lane, piece.drag.into());
-                (Run::begin(piece, path, state, self.tolerance), LanePiece::Straight(piece))
+        let (run, piece, numbers, drag) = match path.restoring {
+            Restoring::Straight { at_start: a, slope: b } => {
+                let piece = DraggedStraight::along(a, b, path);
+                let run = Run::begin(piece, path, state, self.tolerance);
+                (run, LanePiece::Straight(piece), [a, b, 0.0, 1.0], piece.drag)
             }
-            Restoring::Power { coefficient, exponent: 1.5 } => {
-                let piece = DraggedHertz::<M>::along(coefficient, path);
-                (rows.a[lane], rows.b[lane], rows.k[lane], rows.is_straight[lane]) = (0.0, 0.0, piece.k, 0.0);
-                put(&mut rows.drag, lane, piece.drag.into());
-                (Run::begin(piece, path, state, self.tolerance), LanePiece::Hertz(piece))
+            Restoring::Power { coefficient: k, exponent: 1.5 } => {
+                let piece = DraggedHertz::<M>::along(k, path);
+                let run = Run::begin(piece, path, state, self.tolerance);
+                (run, LanePiece::Hertz(piece), [0.0, 0.0, k, 0.0], piece.drag)
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
         };
         let Some(run) = run else {
             return Started::Landed(Landing::Turning, State { speed: 0.0, ..*state });
         };
+        put(&mut rows.piece, lane, numbers);
+        put(&mut rows.drag, lane, drag.into());
         rows.pull[lane] = path.pull;
         rows.put(lane, &run);
         put(&mut rows.inverse_sizes, lane, run.inverse_sizes);
@@ -130,11 +130,7 @@ impl<const M: u8> Lanes for Damped<M> {
             LanePiece::Hertz(piece) => run.tell(*piece, &next, verdict),
         };
         let landed = match told {
-            Ok(Progress::Again) => {
-                rows.put_length(lane, run);
-                return None;
-            }
-            Ok(Progress::Moved { .. }) => {
+            Ok(Progress::Again | Progress::Moved { .. }) => {
                 rows.put(lane, run);
                 return None;
             }
@@ -145,7 +141,7 @@ impl<const M: u8> Lanes for Damped<M> {
         Some(landed)
     }
 
-    fn finish(&mut self, lane: usize, _: &Path, _: &State) -> Option<Ended> {
+    fn finish(&mut self, lane: usize) -> Option<Ended> {
         let (mut run, piece) = self.leave(lane)?;
         self.rows.catch_up(lane, &mut run);
         Some(match piece {

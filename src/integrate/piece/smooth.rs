@@ -72,7 +72,7 @@ impl Variables for OfRoot {
 
 /// A formula with drag and pull: d'' = γ − f − drag, f = factor × formula.
 #[derive(Debug, Clone, Copy)]
-struct Curve {
+pub(in crate::integrate) struct Curve {
     force: Smooth,
     start: f64,
     factor: f64,
@@ -81,7 +81,8 @@ struct Curve {
 }
 
 impl Curve {
-    fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
+    /// The formula with the pull and the drag of a path.
+    pub(in crate::integrate) fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
         Self { force, start, factor, drag: path.drag, pull: path.pull }
     }
 
@@ -102,14 +103,7 @@ impl Curve {
 
 /// A curve that is smooth in d: y = d, σ = t.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedOfDistance(Curve);
-
-impl DraggedOfDistance {
-    /// The formula with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
-        Self(Curve::along(force, start, factor, path))
-    }
-}
+pub(in crate::integrate) struct DraggedOfDistance(pub(in crate::integrate) Curve);
 
 impl Motion<f64> for DraggedOfDistance {
     fn rates(&self, y: f64, u: f64) -> Quad {
@@ -134,14 +128,9 @@ impl Dragged for DraggedOfDistance {
 
 /// A curve that is smooth in √d: d = r^m, m = 4 where the drag goes with √f', that is with d^¼.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedOfRoot<const M: u8>(Curve);
+pub(in crate::integrate) struct DraggedOfRoot<const M: u8>(pub(in crate::integrate) Curve);
 
 impl<const M: u8> DraggedOfRoot<M> {
-    /// The formula with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
-        Self(Curve::along(force, start, factor, path))
-    }
-
     /// √d.
     fn root(r: f64) -> f64 {
         if M == 2 { r } else { r * r }

@@ -17,13 +17,11 @@ pub(super) struct Rows {
     pub(super) node: [Row; 4],
     pub(super) rates: [Row; 4],
     pub(super) h: Row,
-    pub(super) a: Row,
-    pub(super) b: Row,
-    pub(super) k: Row,
+    /// a and b of a straight piece, k of a Hertz piece, and 1 on a straight piece or 0 on a Hertz piece.
+    pub(super) piece: [Row; 4],
     /// The parts of [`Drag`].
     pub(super) drag: [Row; 2],
     pub(super) pull: Row,
-    pub(super) is_straight: Row,
     pub(super) inverse_sizes: [Row; 3],
     pub(super) next: [Row; 4],
     pub(super) next_rates: [Row; 4],
@@ -47,11 +45,6 @@ impl Rows {
     pub(super) fn put(&mut self, lane: usize, run: &Run) {
         put(&mut self.node, lane, run.node);
         put(&mut self.rates, lane, run.rates);
-        self.put_length(lane, run);
-    }
-
-    #[inline(always)]
-    pub(super) fn put_length(&mut self, lane: usize, run: &Run) {
         self.h[lane] = run.length;
         self.marches[lane] = f64::from(u8::from(run.is_marching()));
         self.untold[lane] = 0.0;
@@ -80,11 +73,9 @@ impl<const M: u8> Kernel for Stepping<'_, M> {
     fn run<S: Simd>(&mut self, at: At<S>) {
         let rows = &mut *self.0;
         let (drag, pull) = (Drag::from(at.load_all(&rows.drag)), at.load(&rows.pull));
-        let motion = DraggedMixed {
-            straight: DraggedStraight { a: at.load(&rows.a), b: at.load(&rows.b), drag, pull },
-            hertz: DraggedHertz::<M, _> { k: at.load(&rows.k), drag, pull },
-            is_straight: at.load(&rows.is_straight),
-        };
+        let [a, b, k, is_straight] = at.load_all(&rows.piece);
+        let (straight, hertz) = (DraggedStraight { a, b, drag, pull }, DraggedHertz::<M, _> { k, drag, pull });
+        let motion = DraggedMixed { straight, hertz, is_straight };
         let (node, rates) = (at.load_all(&rows.node), at.load_all(&rows.rates));
         let next = dop853::step(motion, &node, &rates, at.load(&rows.h), &at.load_all(&rows.inverse_sizes));
         let [direction, end, lifts_off, rests] = at.load_all(&rows.limits);
