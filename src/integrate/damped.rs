@@ -52,9 +52,12 @@ fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Q
             let next = step(piece, run, node, rates, h);
             run.work.force_evaluations += EVALUATIONS;
             at = next.node;
-            let change = (at[2] - time) / next.rates[2];
+            let miss = at[2] - time;
+            let change = miss / next.rates[2];
             let better = (h - change).clamp(0.0, length);
-            if !change.is_finite() || change.abs() <= 1e-14 * length || better == h {
+            // a short step late in time cannot hit it better than time is rounded
+            let is_there = miss.abs() <= f64::EPSILON * time || change.abs() <= 1e-14 * length;
+            if !change.is_finite() || is_there || better == h {
                 break;
             }
             h = better;
