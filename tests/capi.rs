@@ -43,7 +43,9 @@ fn library() -> PathBuf {
     let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
-        .args(["rustc", "--quiet", "--lib", "--features", "capi", "--crate-type", "staticlib", "--target-dir"])
+        .args(["rustc", "--quiet", "--lib", "--crate-type", "staticlib", "--features"])
+        // those of this build, so that what it uses is there already
+        .args([if cfg!(feature = "parquet") { "parquet,capi" } else { "capi" }, "--target-dir"])
         .arg(&target)
         .output()
         .unwrap();

@@ -1,4 +1,4 @@
-"""The module against the command, which stands beside it: `cargo build` makes it."""
+"""The module against the command, which stands beside it."""
 
 import subprocess
 from pathlib import Path
@@ -12,7 +12,8 @@ STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
 @pytest.fixture(scope="session")
 def command() -> Path:
-    subprocess.run(["cargo", "build", "--quiet"], cwd=ROOT, check=True)
+    # as `cargo test` builds it, so that nothing is built twice
+    subprocess.run(["cargo", "test", "--quiet", "--no-run", "--test", "tables"], cwd=ROOT, check=True)
     return ROOT / "target" / "debug" / "plm-impact"
 
 

@@ -1,0 +1,69 @@
+//! Synthetic data of known strength: how often the interval has the truth in it.
+
+use plm_impact::calibrate::Fit;
+use plm_impact::calibrate::data::{Data, Row, Value};
+use plm_impact::calibrate::problem::Problem;
+use plm_impact::calibrate::quantity::Measured;
+use plm_impact::math::functions::normal_quantile;
+use plm_impact::plan::free::Free;
+use plm_impact::scenario::Scenario;
+use plm_impact::scene::Key;
+use rayon::prelude::*;
+
+const TRUTH: f64 = 345e6;
+const SD: f64 = 0.01;
+
+/// Normal numbers of mean 0 and sd 1; the same for every run of the test.
+fn normals(set: u64, count: usize) -> Vec<f64> {
+    let mut state = set.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(99);
+    let mut next = || {
+        // splitmix64 of Steele, Lea and Flood 2014
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        #[allow(clippy::cast_precision_loss)] // 53 bits
+        normal_quantile((((mixed ^ (mixed >> 31)) >> 11) as f64 + 0.5) / (1_u64 << 53) as f64)
+    };
+    (0..count).map(|_| next()).collect()
+}
+
+/// The share of the sets whose 68 % and 95 % intervals have the truth in them.
+fn covered(sets: u64, is_estimated: bool) -> [f64; 2] {
+    let scene = Scenario::from_text("steel", crate::common::STEEL, &[]).unwrap().resolve().unwrap();
+    let contact = scene.contact().unwrap();
+    let speeds = [0.3, 0.6, 1.0, 1.7, 3.0, 5.0];
+    let exact: Vec<f64> = speeds.iter().map(|speed| contact.closed_form(*speed).unwrap().restitution).collect();
+    let range = |path, from, to| Free { key: Key::find(path).unwrap(), from, to, is_logarithmic: true };
+    let free = [range("half_space.yield_strength", 200e6, 600e6)];
+    let what = Measured::find("restitution").unwrap();
+    let hits = (0..sets).into_par_iter().map(|set| {
+        let noise = normals(set, speeds.len());
+        let value = |row: usize| Value { row, what, value: exact[row] * (1.0 + SD * noise[row]), deviation: None };
+        let data = Data {
+            name: "made".to_owned(),
+            keys: vec![Key::find("impact.speed").unwrap()],
+            rows: speeds.iter().map(|speed| Row { keys: vec![*speed], ..Row::default() }).collect(),
+            values: (0..speeds.len()).map(value).collect(),
+        };
+        let deviations = if is_estimated {
+            data.values.iter().map(|value| value.value).collect()
+        } else {
+            exact.iter().map(|e| SD * e).collect()
+        };
+        let fit = Fit::of(Problem::new(&scene, &free, &data, deviations, false), is_estimated).unwrap();
+        fit.interval(0).map(|[low, high]| low.unwrap() <= TRUTH && TRUTH <= high.unwrap())
+    });
+    let hits: Vec<[bool; 2]> = hits.collect();
+    #[allow(clippy::cast_precision_loss)] // a few thousand
+    [0, 1].map(|level| hits.iter().filter(|hit| hit[level]).count() as f64 / sets as f64)
+}
+
+#[test]
+fn intervals_cover_the_truth_as_often_as_they_say() {
+    for (sets, is_estimated) in [(2000, false), (1000, true)] {
+        let [narrow, wide] = covered(sets, is_estimated);
+        // the share of 1000 sets has a standard deviation of 0.7 % at 95 %, and of 1.5 % at 68 %
+        assert!((wide - 0.95).abs() < 0.03, "{is_estimated}: {wide}");
+        assert!((narrow - 0.6827).abs() < 0.05, "{is_estimated}: {narrow}");
+    }
+}

@@ -1,0 +1,249 @@
+//! The command through a real process: outputs, messages, exit codes, and nothing written where the input is wrong.
+
+use std::fs;
+use std::path::Path;
+
+use crate::common::command::{Desk, text};
+
+const STEEL: &str = include_str!("../../scenarios/steel-on-steel.toml");
+const FILES: [&str; 4] = ["force_indentation.png", "history.png", "summary.json", "trace.csv"];
+
+/// Refused with exit code 2, a message that holds all of `wants`, and nothing but the scenario in the directory.
+fn assert_refused(desk: &Desk, arguments: &[&str], wants: &[&str]) {
+    let before = desk.files("");
+    let output = desk.call(arguments);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty(), "{arguments:?}: {}", text(&output.stdout));
+    for want in wants {
+        assert!(message.contains(want), "{arguments:?}: {want:?} is not in\n{message}");
+    }
+    assert!(message.len() < 2000, "{arguments:?}: {} bytes of message", message.len());
+    assert_eq!(desk.files(""), before, "{arguments:?}");
+}
+
+#[test]
+fn run_writes_all_outputs_and_prints_the_table_alone() {
+    let desk = Desk::with(STEEL);
+    let output = desk.call(&["run", "s.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(desk.files("plots/s"), FILES);
+    let table = text(&output.stdout);
+    // the oracle's e = 0.49246
+    assert!(table.starts_with("restitution") && table.contains("0.4925"), "{table}");
+    assert!(text(&output.stderr).contains("wrote summary.json"));
+
+    let summary: serde_json::Value =
+        serde_json::from_slice(&fs::read(desk.path("plots/s/summary.json")).unwrap()).unwrap();
+    let restitution = summary["restitution"].as_f64().unwrap();
+    // src/reference/oracle.csv, "steel on steel, 3 m/s"
+    assert!((restitution / 0.492_463_617_254_029_9 - 1.0).abs() < 1e-8, "{restitution}");
+    assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml");
+    assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
+}
+
+#[test]
+fn overrides_directory_and_quiet_do_what_they_say() {
+    let desk = Desk::with(STEEL);
+    let output = desk.call(&["run", "s.toml", "--out", "a/b", "--set", "impact.speed=1 m/s", "--quiet"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+    assert_eq!(desk.files("a/b"), FILES);
+    let summary = fs::read_to_string(desk.path("a/b/summary.json")).unwrap();
+    assert!(summary.contains("\"impact_speed_m_per_s\": 1.0"), "{summary}");
+    assert!(summary.contains("--set 'impact.speed=1 m/s'"), "{summary}");
+}
+
+#[test]
+fn a_second_run_replaces_outputs_and_leaves_other_files_alone() {
+    let desk = Desk::with(STEEL);
+    let faster = ["run", "s.toml", "--out", "out", "--set", "impact.speed=4 m/s"];
+    assert_eq!(desk.call(&faster).status.code(), Some(0));
+    let old = desk.read("out/summary.json");
+    fs::write(desk.path("out/notes.txt"), "mine").unwrap();
+    assert_eq!(desk.call(&["run", "s.toml", "--out", "out"]).status.code(), Some(0));
+    assert_ne!(desk.read("out/summary.json"), old);
+    assert!(fs::read_to_string(desk.path("out/summary.json")).unwrap().contains("restitution"));
+    assert_eq!(fs::read_to_string(desk.path("out/notes.txt")).unwrap(), "mine");
+    assert_eq!(desk.files("out").len(), FILES.len() + 1);
+}
+
+#[test]
+fn check_prints_what_was_understood_and_writes_nothing() {
+    let desk = Desk::with(STEEL);
+    let output = desk.call(&["check", "s.toml", "--set", "sphere.youngs_modulus=rigid"]);
+    assert_eq!(output.status.code(), Some(0));
+    let table = text(&output.stdout);
+    for want in ["0.005 m (5 mm)", "rigid", "3.45e8 Pa (345 MPa)", "yield speed v_Y", "effective modulus E*", "kappa  "]
+    {
+        assert!(table.contains(want), "{want}: {table}");
+    }
+    assert_eq!(desk.files(""), ["s.toml"]);
+}
+
+#[test]
+fn an_elastic_scene_reports_nothing_plastic() {
+    let desk = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"", ""));
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0));
+    // the scenario names an exponent, which then has no effect
+    assert!(text(&output.stderr).contains("warning: law.plm.unloading_exponent is not used"));
+    let summary = fs::read_to_string(desk.path("out/summary.json")).unwrap();
+    assert!(!summary.contains("dent_radius") && !summary.contains("plastic_J"), "{summary}");
+    let checked = desk.call(&["check", "s.toml"]);
+    assert!(text(&checked.stderr).contains("is not used"));
+    assert!(text(&checked.stdout).contains("stays elastic"));
+}
+
+#[test]
+fn a_reader_who_has_left_is_no_failure() {
+    let desk = Desk::with(STEEL);
+    // warnings, and where the files are
+    for arguments in [&["run", "s.toml", "--set", "impact.speed=200 m/s"][..], &["check", "none.toml"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        command.current_dir(desk.path("")).args(arguments).stdout(writer.try_clone().unwrap()).stderr(writer);
+        let want = if arguments[0] == "run" { 0 } else { 2 };
+        assert_eq!(command.status().unwrap().code(), Some(want), "{arguments:?}");
+    }
+    assert_eq!(desk.files("plots/s"), FILES);
+}
+
+#[test]
+fn strict_makes_warnings_errors_and_writes_nothing() {
+    let desk = Desk::with(STEEL);
+    // far beyond a/R = 0.45
+    let arguments = ["run", "s.toml", "--out", "out", "--set", "impact.speed=200 m/s"];
+    let output = desk.call(&arguments);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stderr).contains("warning: "));
+    fs::remove_dir_all(desk.path("out")).unwrap();
+    let output = desk.call(&[&arguments[..], &["--strict"]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("--strict"));
+    assert!(output.stdout.is_empty());
+    assert_eq!(desk.files(""), ["s.toml"]);
+}
+
+#[test]
+fn wrong_scenarios_are_refused_by_both_commands() {
+    // what is changed, into what, what the message holds
+    let table: &[(&str, &str, &[&str])] = &[
+        ("[impact]\nspeed = \"3 m/s\"", "", &["s.toml: the table [impact] is missing", "speed = \"3 m/s\""]),
+        ("\"5 mm\"", "\"5 MPa\"", &["s.toml:7:10: sphere.radius: \"5 MPa\" is a pressure", "such as \"5 mm\""]),
+        ("\"5 mm\"", "\"-5 mm\"", &["s.toml:7:10: sphere.radius: \"-5 mm\" = -0.005 m", "> 0 m", "^^^^^^^"]),
+        ("poissons_ratio = 0.3", "poissons_ratio = 0.5", &["s.toml:9:18", "> -1 and < 0.5", "0.4999"]),
+        ("poissons_ratio = 0.3", "poissons_ratio = 0.7", &["s.toml:9:18", "0.7", "> -1 and < 0.5"]),
+        ("\"3 m/s\"", "0", &["s.toml:18:9: impact.speed: 0 m/s", "> 0 m/s and finite"]),
+        ("\"3 m/s\"", "-3", &["s.toml:18:9: impact.speed: -3 m/s"]),
+        ("\"3 m/s\"", "inf", &["s.toml:18:9: impact.speed: inf m/s"]),
+        ("\"3 m/s\"", "nan", &["s.toml:18:9: impact.speed: NaN m/s"]),
+        (
+            "\"3 m/s\"",
+            "1e-300",
+            &["s.toml:18:9: impact.speed: 1e-300 m/s", "peak force (N) = 0 cannot be held", "less extreme"],
+        ),
+        ("\"3 m/s\"", "1e308", &["s.toml:18:9: impact.speed: 1e308 m/s", "cannot be held in double precision"]),
+        ("\"5 mm\"", "1e308", &["s.toml:7:10: sphere.radius: 1e308 m", "sphere mass (kg) = inf", "such as \"5 mm\""]),
+        ("radius =", "raduis =", &["s.toml:7:1: sphere.raduis: unknown key `raduis`, did you mean `radius`?"]),
+        ("[solver]", "[law.thornton]\n[solver]", &["exactly one law, found plm and thornton"]),
+        ("[solver]", "[solver", &["s.toml:23:"]),
+        (
+            "speed = \"3 m/s\"\n\n[law.plm]\nunloading_exponent = 1.5",
+            "speed = \"0.1 m/s\"\n\n[law.johnson]",
+            &["s.toml:20:2: law: the law has no answer for a peak indentation of 3.917 x", "use another law, or"],
+        ),
+        (
+            "[solver]",
+            "[gravity]\nacceleration = 9.81\n[solver]\nmethod = \"closed_form\"",
+            &["s.toml:26:10: solver.method: method \"closed_form\" gives", "no trace", "use \"auto\" or \"rk8\""],
+        ),
+        ("speed = \"3 m/s\"", "speed = \"3 m/s\"\nspeed = 2", &["s.toml:19:1", "duplicate"]),
+    ];
+    for (from, to, wants) in table {
+        assert!(STEEL.contains(from), "{from}");
+        let desk = Desk::with(STEEL.replacen(from, to, 1));
+        assert_refused(&desk, &["run", "s.toml"], wants);
+        assert_refused(&desk, &["check", "s.toml"], wants);
+    }
+}
+
+#[test]
+fn no_number_is_called_extreme_where_none_stands_out() {
+    // the speed that underflows is one of a list
+    let shots = "[repeat]\nspot = \"same\"\nspeeds = [\"1 m/s\", \"1e-200 m/s\"]\n";
+    let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", shots));
+    assert_refused(&desk, &["run", "s.toml"], &["s.toml: kinetic energy", "choose a less extreme radius"]);
+}
+
+#[test]
+fn what_is_no_scenario_is_refused() {
+    assert_refused(&Desk::with(""), &["run", "s.toml"], &["s.toml: the table [sphere] is missing; give its radius"]);
+    let binary: Vec<u8> = (0..=255).cycle().take(4096).collect();
+    assert_refused(&Desk::with(binary), &["run", "s.toml"], &["s.toml:2: is not a text file"]);
+    assert_refused(&Desk::with([0; 100]), &["run", "s.toml"], &["s.toml:1:101: key with no value"]);
+    let desk = Desk::with("");
+    fs::create_dir(desk.path("d")).unwrap();
+    assert_refused(&desk, &["run", "d"], &["d: cannot be read"]);
+    assert_refused(&desk, &["run", "none.toml"], &["none.toml: cannot be read"]);
+    assert_refused(&desk, &["run"], &["FILE"]);
+    assert_refused(&desk, &["dance"], &["unrecognized subcommand"]);
+}
+
+#[test]
+fn almost_a_megabyte_is_read_or_refused_in_few_words() {
+    const SIZE: usize = 1_000_000;
+    assert_refused(&Desk::with("x".repeat(10 * SIZE)), &["check", "s.toml"], &["s.toml: is larger than 1 MiB"]);
+    let long_line = "x".repeat(SIZE);
+    assert_refused(&Desk::with(&long_line), &["check", "s.toml"], &["s.toml:1:"]);
+    let many_lines = "sped = 3\n".repeat(SIZE / 9);
+    assert_refused(&Desk::with(many_lines), &["check", "s.toml"], &["s.toml:2:1", "duplicate"]);
+    // a value or a key that long is shown by its ends
+    let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
+    assert_refused(
+        &Desk::with(digits),
+        &["check", "s.toml"],
+        &["s.toml:18:9: impact.speed: \"333", "> 0 m/s and finite"],
+    );
+    let key = format!("{long_line} = 1\n{STEEL}");
+    assert_refused(&Desk::with(key), &["check", "s.toml"], &["s.toml:1:1: xxx", "unknown table", "tables are sphere"]);
+    let long_comment = format!("{STEEL}\n# {long_line}");
+    assert_eq!(Desk::with(long_comment).call(&["check", "s.toml"]).status.code(), Some(0));
+}
+
+#[test]
+fn outputs_that_cannot_be_written_are_refused_before_anything_runs() {
+    let desk = Desk::with(STEEL);
+    fs::write(desk.path("file"), "mine").unwrap();
+    assert_refused(&desk, &["run", "s.toml", "--out", "file"], &["file: cannot be written", "--out"]);
+    assert_refused(&desk, &["run", "s.toml", "--out", "file/below"], &["file/below: cannot be written", "--out"]);
+    assert_eq!(fs::read_to_string(desk.path("file")).unwrap(), "mine");
+    // where even root may not write
+    if Path::new("/proc/self").exists() {
+        assert_refused(&desk, &["run", "s.toml", "--out", "/proc/plm"], &["/proc/plm: cannot be written"]);
+    }
+    // one of the outputs is a directory: none is replaced
+    fs::create_dir_all(desk.path("out/trace.csv")).unwrap();
+    assert_refused(&desk, &["run", "s.toml", "--out", "out"], &["out/trace.csv: cannot be written"]);
+    assert_eq!(desk.files("out"), ["trace.csv"]);
+}
+
+#[test]
+fn coefficients_come_from_a_file_beside_the_scenario() {
+    let built_in = include_str!("../../src/law/plm/coefficients.toml");
+    let desk = Desk::with("");
+    fs::create_dir(desk.path("sub")).unwrap();
+    fs::write(desk.path("sub/s.toml"), STEEL).unwrap();
+    let arguments = ["check", "sub/s.toml", "--set", "law.plm.coefficients=my.toml"];
+    assert_refused(&desk, &arguments, &["law.plm.coefficients: sub/my.toml: cannot be read"]);
+    let bad = built_in.replace("slope = [2.00,", "slope = [-2.00,");
+    fs::write(desk.path("sub/my.toml"), bad).unwrap();
+    assert_refused(&desk, &arguments, &["sub/my.toml", "force.slope", "-2.0", "> 0"]);
+    fs::write(desk.path("sub/my.toml"), built_in.replace("[force]", "[forse]")).unwrap();
+    assert_refused(&desk, &arguments, &["sub/my.toml", "unknown field `forse`"]);
+    fs::write(desk.path("sub/my.toml"), built_in.replace("name = \"", "name = \"mine, ")).unwrap();
+    let output = desk.call(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("mine, "));
+}

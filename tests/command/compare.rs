@@ -1,0 +1,264 @@
+//! Laws through the command: scenarios, sweeps over laws, the comparison of Figure 10, the list.
+
+use std::path::Path;
+use std::process::Output;
+
+use assert_cmd::Command;
+use plm_impact::law::LawChoice;
+
+use crate::common::command::column;
+
+const BODIES: &str = r#"
+[sphere]
+radius = "35 mm"
+youngs_modulus = "208 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "345 MPa"
+"#;
+
+fn scenario(directory: &Path, text: &str) -> std::path::PathBuf {
+    let path = directory.join("scenario.toml");
+    std::fs::write(&path, format!("{BODIES}{text}")).unwrap();
+    path
+}
+
+fn run(scenario: &Path, out: &Path) -> Output {
+    let mut command = Command::cargo_bin("plm-impact").unwrap();
+    command.arg("run").arg(scenario).arg("--out").arg(out).output().unwrap()
+}
+
+/// The message of a scenario that is refused with exit code 2, and nothing written.
+fn refusal(text: &str) -> String {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let output = run(&scenario(directory.path(), text), &out);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(!out.exists());
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn shipped(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(name)
+}
+
+#[test]
+fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures() {
+    let directory = tempfile::tempdir().unwrap();
+    let whole: Vec<String> = LawChoice::all().iter().filter(|law| law.has_loading()).map(LawChoice::name).collect();
+    let list: Vec<String> =
+        whole.iter().chain(["jackson_green + brake".to_owned()].iter()).map(|name| format!("{name:?}")).collect();
+    let text = format!(
+        "[impact]\nspeed = 1\n[sweep]\nlaw = [{}]\n\"impact.speed\" = {{ logspace = [1e-3, 10], points = 9 }}",
+        list.join(", ")
+    );
+    let out = directory.path().join("out");
+    let output = run(&scenario(directory.path(), &text), &out);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = std::fs::read_to_string(out.join("table.csv")).unwrap();
+    let (laws, status, e) = (column(&table, "law"), column(&table, "status"), column(&table, "restitution"));
+    assert_eq!(laws.len(), 9 * list.len());
+    for ((law, status), e) in laws.iter().zip(&status).zip(&e) {
+        match status.as_str() {
+            "ok" => assert!(e.parse::<f64>().unwrap() <= 1.0 + 1e-12, "{law} {e}"),
+            "outside_law" => assert!(["mesarovic_johnson", "johnson", "stronge"].contains(&law.as_str()), "{law}"),
+            other => panic!("{law}: {other}"),
+        }
+    }
+    assert!(status.iter().any(|status| status == "outside_law"));
+    let outside = status.iter().filter(|status| *status == "outside_law").count();
+    let summary: serde_json::Value = serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["outside_law"], outside);
+    assert_eq!(summary["failures"], 0);
+    // the rows of the PLM have the bits of a table of the PLM alone
+    let alone = "[impact]\nspeed = 1\n[sweep]\n\"impact.speed\" = { logspace = [1e-3, 10], points = 9 }";
+    let other = directory.path().join("alone");
+    assert!(run(&scenario(directory.path(), alone), &other).status.success());
+    let alone = std::fs::read_to_string(other.join("table.csv")).unwrap();
+    assert!(!alone.contains("law"));
+    let of_plm: Vec<String> = laws.iter().zip(&e).filter(|(law, _)| *law == "plm").map(|(_, e)| e.clone()).collect();
+    assert_eq!(column(&alone, "restitution"), of_plm);
+}
+
+#[test]
+fn swept_laws_by_rk8_agree_with_the_closed_form() {
+    let directory = tempfile::tempdir().unwrap();
+    let rows = |method: &str| {
+        let text = format!(
+            "[impact]\nspeed = 1\n[solver]\nmethod = \"{method}\"\n[sweep]\n\"impact.speed\" = [0.005, 0.5, 5]\nlaw = [\"plm\", \"jackson_green\", \"kogut_etsion\", \"mesarovic_johnson\", \"thornton\", \"kogut_etsion + mesarovic_johnson\"]"
+        );
+        let out = directory.path().join(method);
+        assert!(run(&scenario(directory.path(), &text), &out).status.success());
+        let table = std::fs::read_to_string(out.join("table.csv")).unwrap();
+        (column(&table, "restitution"), column(&table, "status"))
+    };
+    let (exact, stepped) = (rows("closed_form"), rows("rk8"));
+    assert_eq!(exact.1, stepped.1);
+    for (a, b) in exact.0.iter().zip(&stepped.0).filter(|(a, _)| !a.is_empty()) {
+        let (a, b): (f64, f64) = (a.parse().unwrap(), b.parse().unwrap());
+        // ten times the tolerance, 1e-10
+        assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    }
+}
+
+#[test]
+fn mistakes_in_laws_are_explained() {
+    let impact = "[impact]\nspeed = 1\n";
+    let with = |text: &str| refusal(&format!("{impact}{text}"));
+    let message = with("[law.thorton]\n");
+    assert!(message.contains("unknown law `thorton`, did you mean `thornton`?"), "{message}");
+    let message = with("[law.thornton]\nyield_presure = \"1 GPa\"");
+    assert!(message.contains("did you mean `yield_pressure`?"), "{message}");
+    let message = with("[law.thornton]\nyield_pressure = \"-1 GPa\"");
+    assert!(message.contains("> 0 Pa"), "{message}");
+    let message = with("[law.jackson_green]\njumps = \"smooth\"");
+    assert!(message.contains("printed") && message.contains("crossed"), "{message}");
+    let message = with("[law.brake]");
+    assert!(message.contains("unloading only") && message.contains("[law.combined]"), "{message}");
+    let message = with("[law.combined]\nloading = \"brake\"\nunloading = \"plm\"");
+    assert!(message.contains("unknown loading \"brake\""), "{message}");
+    let message = with("[law.combined]\nloading = \"plm\"\nunloading = \"thorton\"");
+    assert!(message.contains("did you mean \"thornton\"?"), "{message}");
+    let message = refusal("[impact]\nspeed = 0.05\n[law.mesarovic_johnson]\n");
+    assert!(message.contains("no answer") && message.contains("negative"), "{message}");
+    let message = with("[sweep]\nlaw = [\"thorton\"]");
+    assert!(message.contains("did you mean \"thornton\"?") && message.contains("loading + unloading"), "{message}");
+    let message = with("[sweep]\nlaw = [\"thornton\"]\n\"law.thornton.yield_pressure\" = [\"1 GPa\"]");
+    assert!(message.contains("cannot vary together"), "{message}");
+    let message = with("[sweep]\n\"law.thornton.yield_pressure\" = [\"1 GPa\"]");
+    assert!(message.contains("no case is under that law"), "{message}");
+}
+
+#[test]
+fn figure_10_compares_every_law_with_the_finite_elements() {
+    let directory = tempfile::tempdir().unwrap();
+    // e of the paper's own law against finite elements of the same peak: theory of the exponent says −0.9 to −4.5 %
+    for (name, depth) in [("13", 13.4969), ("105", 105.086), ("843", 843.257)] {
+        let out = directory.path().join(name);
+        let output = run(&shipped(&format!("figure-10-at-{name}-yield-indentations.toml")), &out);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains("mesarovic_johnson") && text.contains("against FE"), "{text}");
+        let table = std::fs::read_to_string(out.join("comparison.csv")).unwrap();
+        let laws = column(&table, "law");
+        assert_eq!(laws[..2], ["finite_elements", "plm"]);
+        assert_eq!(laws.len(), 12);
+        let number = |column_name: &str, law: &str| -> f64 {
+            column(&table, column_name)[laws.iter().position(|name| name == law).unwrap()].parse().unwrap()
+        };
+        let of_plm = number("restitution_deviation", "plm");
+        assert!((-0.045..-0.009).contains(&of_plm), "{name}: {of_plm}");
+        assert!(number("residual_deviation", "plm").abs() < 0.01);
+        // the file gives the finite elements' own peak, so that their energies are the table's
+        assert!(
+            (number("restitution", "finite_elements").powi(2) * spent(&out)
+                / number("recovered_energy_J", "finite_elements")
+                - 1.0)
+                .abs()
+                < 1e-3
+        );
+        let summary: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+        assert!((summary["peak"]["indentation_over_yield"].as_f64().unwrap() / depth - 1.0).abs() < 1e-12);
+        // F(δ_m) = F_m and the sphere's own share: R_e of Eq. 24 through the residual of Eq. 23
+        let peak = &summary["peak"];
+        let residual =
+            peak["indentation_m"].as_f64().unwrap() - peak["sphere_indentation_m"].as_f64().unwrap() / sphere_share();
+        assert!((number("residual_indentation_m", "plm") / residual - 1.0).abs() < 1e-9);
+        assert!(std::fs::metadata(out.join("unloading.png")).unwrap().len() > 10_000);
+    }
+}
+
+fn spent(out: &Path) -> f64 {
+    let summary: serde_json::Value = serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    summary["peak"]["spent_work_J"].as_f64().unwrap()
+}
+
+/// κ = E*/E_s* of case 3.
+fn sphere_share() -> f64 {
+    (1.0 / 208.0) / (1.0 / 208.0 + 1.0 / 210.0)
+}
+
+#[test]
+fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
+    let directory = tempfile::tempdir().unwrap();
+    let bodies = BODIES.replace("density = \"7850 kg/m^3\"\n", "");
+    let path = directory.path().join("scenario.toml");
+    std::fs::write(&path, format!("{bodies}[compare]\npeak_indentation_ratio = 105.1\nlaws = [\"plm\", \"thornton\"]"))
+        .unwrap();
+    let out = directory.path().join("out");
+    assert!(run(&path, &out).status.success());
+    let table = std::fs::read_to_string(out.join("comparison.csv")).unwrap();
+    let e: f64 = column(&table, "restitution")[1].parse().unwrap();
+    // theory's table for case 3: δ_r/δ_m = 0.700834, e = 0.5160391763
+    assert!((e - 0.516_039_176_3).abs() < 1e-9, "{e}");
+    let share: f64 = column(&table, "residual_share")[1].parse().unwrap();
+    assert!((share - 0.700_834).abs() < 1e-6, "{share}");
+}
+
+#[test]
+fn mistakes_in_comparisons_are_explained() {
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\nspent_work = \"1 nJ\"");
+    assert!(message.contains("compare.spent_work: 1 nJ is less than any"), "{message}");
+    let message = refusal("[compare]\n");
+    assert!(message.contains("`peak_indentation_ratio` is missing"), "{message}");
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_indentation = \"1 mm\"");
+    assert!(message.contains("write only one"), "{message}");
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_force = \"1 kN\"");
+    assert!(message.contains("peak_contact_radius"), "{message}");
+    let message = refusal("[compare]\npeak_indentation_ratio = 0.5");
+    assert!(message.contains("> 1"), "{message}");
+    let message = refusal("[compare]\npeak_indentation_ratio = 10\nlaws = [\"kogut_komvopoulos\"]");
+    assert!(message.contains("unknown unloading"), "{message}");
+    let message = refusal("[impact]\nspeed = 1\n[compare]\npeak_indentation_ratio = 10");
+    assert!(message.contains("no motion"), "{message}");
+    let message = refusal("[law.thornton]\n[compare]\npeak_indentation_ratio = 10");
+    assert!(message.contains("compare.laws"), "{message}");
+}
+
+#[test]
+fn laws_lists_every_law_and_those_that_are_missing() {
+    let output = Command::cargo_bin("plm-impact").unwrap().arg("laws").output().unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    for name in LawChoice::names() {
+        assert!(text.contains(&format!("\n{name}\n")), "{name}");
+    }
+    for missing in [
+        "PLM's own unloading",
+        "Kogut and Komvopoulos 2004, unloading",
+        "MYC",
+        "CYM",
+        "Rathbone",
+        "Du and Wang",
+        "Zhao",
+        "Dong",
+        "Chen",
+    ] {
+        assert!(text.contains(missing), "{missing}");
+    }
+    assert_eq!(text.matches("confidence").count(), LawChoice::names().len());
+}
+
+#[test]
+fn check_says_what_is_compared_and_for_which_bodies() {
+    let program = env!("CARGO_BIN_EXE_plm-impact");
+    let output =
+        Command::new(program).arg("check").arg(shipped("figure-10-at-13-yield-indentations.toml")).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    // case 3 of the paper's Table 1: delta_Y of Eq. 17
+    for wanted in [
+        "peak as given",
+        "0.035 m (35 mm)",
+        "(345 MPa)",
+        "kappa",
+        "2.02848 µm",
+        "law.plm.unloading_exponent",
+        "thornton",
+    ] {
+        assert!(text.contains(wanted), "{wanted}: {text}");
+    }
+}

@@ -1,0 +1,113 @@
+//! The forms a file of a curve may have, and curves that are nonsense.
+
+use std::fmt::Write as _;
+use std::fs;
+
+use approx::assert_relative_eq;
+use plm_impact::fit::{self, LoadingCurve, LoadingPoint, Plan};
+use plm_impact::law::PlmCoefficients;
+use plm_impact::material::{HalfSpace, Material, Pair};
+use proptest::prelude::*;
+
+use super::reference;
+
+const HEADER: &str = "# sphere.youngs_modulus = 208 GPa\n# sphere.poissons_ratio = 0.3\n# half_space.youngs_modulus = 210 GPa\n\
+                      # half_space.poissons_ratio = 0.3\n# half_space.yield_strength = 345 MPa\n";
+
+/// The curve of case 3 in another form.
+fn written(header: &str, columns: &str, row: impl Fn(&LoadingPoint) -> Vec<f64>) -> String {
+    let mut text = format!("{header}{columns}\n");
+    for point in LoadingCurve::load(&reference(3)).unwrap().points {
+        let cells: Vec<String> = row(&point).iter().map(ToString::to_string).collect();
+        writeln!(text, "{}", cells.join(",")).unwrap();
+    }
+    text
+}
+
+#[test]
+fn a_curve_in_si_units_is_the_same_curve() {
+    let want = LoadingCurve::load(&reference(3)).unwrap();
+    let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: material(210e9), yield_strength: Some(345e6), density: None };
+    let pair = Pair::try_new(0.035, &material(208e9), &half_space).unwrap();
+    let point = pair.yield_point.unwrap();
+    let header = format!("{HEADER}# sphere.radius = 35 mm\n");
+    let row = |of: &LoadingPoint, approach: f64| {
+        let radius = of.contact_radius.unwrap() * point.contact_radius;
+        vec![
+            radius,
+            of.force * point.force,
+            approach * of.elastic_approach * point.indentation,
+            of.indentation * point.indentation,
+        ]
+    };
+    for (column, factor) in [("sphere_indentation_m", pair.sphere_compliance), ("elastic_approach_m", 1.0)] {
+        let columns = format!("contact_radius_m,force_N,{column},indentation_m");
+        let curve = LoadingCurve::parse("si", &written(&header, &columns, |of| row(of, factor))).unwrap();
+        assert_eq!(curve.pair, pair);
+        for (found, want) in curve.points.iter().zip(&want.points) {
+            assert_relative_eq!(found.indentation, want.indentation, max_relative = 1e-12);
+            assert_relative_eq!(found.force, want.force, max_relative = 1e-12);
+            assert_relative_eq!(found.elastic_approach, want.elastic_approach, max_relative = 1e-12);
+            assert_relative_eq!(found.contact_radius.unwrap(), want.contact_radius.unwrap(), max_relative = 1e-12);
+        }
+    }
+}
+
+#[test]
+fn ratios_in_a_comment_do_for_the_keys() {
+    let want = LoadingCurve::load(&reference(3)).unwrap();
+    // E' of the paper's case 3, as the finite-element campaign prints it
+    let header = "# any text\n# E'=114833 MPa E'_s=228571 E'_h=230769 sY=345 a_Y/R=0.00761293\n";
+    let row = |of: &LoadingPoint| {
+        vec![of.indentation, of.force, of.elastic_approach * want.pair.sphere_compliance / of.indentation]
+    };
+    let curve =
+        LoadingCurve::parse("ratios", &written(header, "delta_over_deltaY,F_over_FY,delta_s_over_delta", row)).unwrap();
+    assert_relative_eq!(curve.pair.sphere_compliance, want.pair.sphere_compliance, max_relative = 1e-5);
+    assert_relative_eq!(curve.yield_radius_ratio, want.yield_radius_ratio, max_relative = 1e-5);
+    assert_relative_eq!(curve.points[30].elastic_approach, want.points[30].elastic_approach, max_relative = 1e-5);
+    assert!(curve.points[30].contact_radius.is_none());
+    // as a spreadsheet writes it
+    let text = fs::read_to_string(reference(3)).unwrap();
+    let with_mark = LoadingCurve::parse("mark", &format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
+    assert_eq!(with_mark.points, want.points);
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(12))]
+
+    #[test]
+    fn any_curve_that_can_be_read_gives_a_law_or_an_error(
+        steps in prop::collection::vec((0.01..3.0_f64, 0.01..5.0_f64, 0.02..1.1_f64), 9..30),
+        kappa in 1e-4..0.999_f64,
+        yield_radius_ratio in 1e-5..0.5_f64,
+        has_knots: bool,
+    ) {
+        let mut text = format!(
+            "# E'=1e11 E'_s={} E'_h={} a_Y/R={yield_radius_ratio}\ndelta_over_deltaY,F_over_FY,delta_s_over_delta\n",
+            1e11 / kappa,
+            1e11 / (1.0 - kappa)
+        );
+        let (mut x, mut f) = (1.0, 1.0);
+        for (ahead, up, share) in steps {
+            x += ahead;
+            f += up;
+            writeln!(text, "{x},{f},{}", share * kappa).unwrap();
+        }
+        let curve = LoadingCurve::parse("random", &text).unwrap();
+        if let Ok(fitted) = fit::fit(&[curve], &Plan { start: PlmCoefficients::built_in().clone(), has_knots }) {
+            prop_assert!(fitted.coefficients.check().is_ok());
+            prop_assert!(fitted.cases[0].force.rms.is_finite() && fitted.cases[0].approach.rms.is_finite());
+        }
+    }
+
+    #[test]
+    fn a_mangled_file_is_read_or_refused(at in 0..3000_usize, with in "[ -~\n]{0,8}", skipped in 0..40_usize) {
+        let text = fs::read_to_string(reference(3)).unwrap();
+        let mangled: String = text.chars().take(at).chain(with.chars()).chain(text.chars().skip(at + skipped)).collect();
+        if let Ok(curve) = LoadingCurve::parse("mangled", &mangled) {
+            prop_assert!(curve.points.windows(2).all(|pair| pair[0].force < pair[1].force));
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Input that is too long, that is more than it says, or that a terminal or a spreadsheet would obey: through real processes.
+
+use std::fs;
+
+use crate::common::STEEL;
+use crate::common::command::{Desk, text};
+
+/// What the command says of arguments that it refuses.
+fn refusal(desk: &Desk, arguments: &[&str]) -> String {
+    let output = desk.call(arguments);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty() && !desk.path("out").exists());
+    text(&output.stderr)
+}
+
+#[test]
+fn a_scenario_beyond_a_mebibyte_is_refused() {
+    let at_most = format!("{STEEL}{}", "#\n".repeat(((1 << 20) - STEEL.len()) / 2));
+    assert_eq!(Desk::with(&at_most).call(&["check", "s.toml"]).status.code(), Some(0));
+    let says = refusal(&Desk::with(at_most + "##\n"), &["check", "s.toml"]);
+    assert!(says.contains("s.toml: is larger than 1 MiB") && says.contains("linspace"), "{says}");
+}
+
+#[test]
+fn one_set_changes_one_key() {
+    let desk = Desk::with(STEEL);
+    for hidden in ["impact.speed=1\nsphere.radius=1", "impact.speed=1\r\nsphere.radius=1", "impact.speed=\u{1b}[2J1"] {
+        let says = refusal(&desk, &["run", "s.toml", "--out", "out", "--set", hidden]);
+        assert!(says.contains("control character") && says.contains("--set anew"), "{says}");
+        assert!(!says.contains(['\u{1b}', '\r']), "{says:?}");
+    }
+}
+
+#[test]
+fn the_last_of_many_overrides_holds_and_a_bad_one_is_shown() {
+    let desk = Desk::with(STEEL);
+    let speeds: Vec<String> = (1..=3000).map(|i| format!("impact.speed={i}")).collect();
+    let call = |last: &[&str]| {
+        let given = speeds.iter().flat_map(|speed| ["--set", speed.as_str()]);
+        let arguments: Vec<&str> = ["check", "s.toml"].into_iter().chain(given).chain(last.iter().copied()).collect();
+        desk.call(&arguments)
+    };
+    let output = call(&[]);
+    assert!(text(&output.stdout).contains("3000 m/s") || text(&output.stdout).contains("3 km/s"), "{output:?}");
+    let says = text(&call(&["--set", "solver.tolerance=7", "--set", "impact.speed=2"]).stderr);
+    assert!(says.contains("--set solver.tolerance=7: ") && says.contains("<= 0.01"), "{says}");
+    // also where the bad value is deep in a list
+    let says = text(&call(&["--set", "sweep={\"impact.speed\"=[1, -2]}", "--set", "impact.speed=2"]).stderr);
+    assert!(says.contains("--set sweep={") && says.contains("sweep.impact.speed"), "{says}");
+}
+
+#[test]
+fn control_characters_do_not_reach_the_terminal() {
+    let escape = "\u{1b}[31m";
+    let desk = Desk::with(STEEL);
+    let name = format!("{escape}.toml");
+    fs::write(desk.path(&name), format!("{STEEL}\"{}\" = 1\n", "\\u001b[31m")).unwrap();
+    let output = desk.call(&["run", &name, "--out", "out"]);
+    let says = text(&output.stderr);
+    assert!(
+        output.status.code() == Some(2) && says.contains("\\u{1b}[31m.toml:") && !says.contains('\u{1b}'),
+        "{says:?}"
+    );
+    // and of a run that goes well
+    fs::write(desk.path(&name), STEEL).unwrap();
+    let output = desk.call(&["run", &name, "--out", escape]);
+    let says = text(&output.stdout) + &text(&output.stderr);
+    assert!(output.status.success() && !says.contains('\u{1b}'), "{says:?}");
+    let output = desk.call(&["check", &name]);
+    assert!(output.status.success() && !text(&output.stdout).contains('\u{1b}'));
+}
+
+#[test]
+fn names_that_a_spreadsheet_or_a_terminal_would_obey_are_refused() {
+    const ALLOYS: &str = include_str!("../../scenarios/indentation-ti-nb.toml");
+    let named = |name: &str| ALLOYS.replacen("Ti-5Nb", name, 1);
+    assert!(Desk::with(named("5Nb = Ti")).call(&["check", "s.toml"]).status.success());
+    for name in ["=1+2", "+Ti", "-Ti", "@Ti", " =1+2"] {
+        let says = refusal(&Desk::with(named(name)), &["run", "s.toml", "--out", "out"]);
+        assert!(says.contains(name) && says.contains("a spreadsheet would take"), "{says}");
+    }
+    let says = refusal(&Desk::with(named("Ti\\u001b[2J")), &["run", "s.toml", "--out", "out"]);
+    assert!(says.contains("leave the control character out") && !says.contains('\u{1b}'), "{says}");
+}

@@ -1,0 +1,30 @@
+//! The command and its files: scenarios, messages, reports, pictures, evaluations of measurements.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bench;
+mod calibrate;
+mod cli;
+mod compare;
+mod experiments;
+mod export;
+mod fit;
+mod forces_output;
+mod hostile_input;
+mod indentation_cli;
+mod keys;
+mod material_keys;
+mod materials;
+mod oracle_cli;
+mod plots;
+mod plots_text;
+mod repeat_cli;
+mod report;
+mod scenario;
+mod strength_keys;
+mod units;
+mod validation;
+mod words;

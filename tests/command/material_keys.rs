@@ -1,0 +1,248 @@
+//! `material` in a scenario: what a body takes from it, what goes before it, and tables over materials.
+
+use plm_impact::law::LawChoice;
+use plm_impact::materials::{Property, all, find};
+use plm_impact::plan::Cases;
+use plm_impact::scenario::Scenario;
+use plm_impact::scene::Scene;
+use plm_impact::strength::flow::FlowCurve;
+use serde_json::Value;
+
+use crate::common::command::{Desk, text};
+use crate::common::off;
+
+/// A ball of one material on a plate of another, at 3 m/s.
+fn pair(sphere: &str, half_space: &str) -> String {
+    format!(
+        "[sphere]\nradius = \"5 mm\"\nmaterial = \"{sphere}\"\n[half_space]\nmaterial = \"{half_space}\"\n[impact]\nspeed = \"3 m/s\"\n"
+    )
+}
+
+fn steel() -> String {
+    pair("steel-52100-hardened", "steel-s235")
+}
+
+fn scene(text: &str) -> Scene {
+    Scenario::from_text("s.toml", text, &[]).unwrap().resolve().unwrap()
+}
+
+fn refused(text: &str) -> String {
+    let scenario = Scenario::from_text("s.toml", text, &[]);
+    scenario.and_then(|scenario| scenario.resolve().and_then(|_| scenario.plan())).unwrap_err().to_string()
+}
+
+fn value(name: &str, property: Property) -> f64 {
+    find(name).unwrap().of(property).unwrap().taken.value
+}
+
+#[test]
+fn every_material_makes_an_impact_as_ball_and_as_plate() {
+    for entry in all() {
+        let name = &entry.name;
+        for (sphere, half_space) in [(name.as_str(), "steel-s355"), ("alumina-99.5", name.as_str())] {
+            let scene = scene(&pair(sphere, half_space));
+            let restitution = scene.contact().unwrap().closed_form(scene.speed).unwrap().restitution;
+            let yields = find(half_space).unwrap().is_metal();
+            assert_eq!(scene.half_space.yield_strength.is_some(), yields, "{half_space}");
+            if !yields {
+                // brittle plates and polymers stay elastic
+                assert!(off(restitution, 1.0) < 1e-12, "{sphere} on {half_space}: {restitution}");
+            } else if sphere == "alumina-99.5" {
+                assert!(restitution > 0.02 && restitution < 1.0, "{sphere} on {half_space}: {restitution}");
+            } else {
+                // a soft and light ball may leave steel elastic
+                assert!(restitution > 0.5 && restitution <= 1.0, "{sphere} on {half_space}: {restitution}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_material_says_what_keys_would_say() {
+    let by_name = scene(&pair("steel-52100-hardened", "steel-304-annealed"));
+    let by_keys = scene(
+        "[sphere]\nradius = \"5 mm\"\nyoungs_modulus = \"207 GPa\"\npoissons_ratio = 0.3\ndensity = \"7830 kg/m^3\"\n\
+         [half_space]\nyoungs_modulus = \"193 GPa\"\npoissons_ratio = 0.29\nhardness = \"145 HV\"\ndensity = 8000\n\
+         flow_stress.power.exponent = 0.45\n[impact]\nspeed = 3\n",
+    );
+    assert_eq!(by_name.half_space, by_keys.half_space);
+    assert_eq!(by_name.law, by_keys.law);
+    assert_eq!((by_name.sphere.material, by_name.sphere.density), (by_keys.sphere.material, by_keys.sphere.density));
+    // the ball's own strength only warns: 63 HRC is 773 HV in ISO 18265 (61.8 HRC 740 HV, 63.3 HRC 780 HV), 3.647 MPa each
+    assert!(off(by_name.sphere.yield_strength.unwrap(), 3.647e6 * 772.0) < 1e-3, "{:?}", by_name.sphere);
+}
+
+#[test]
+fn a_key_beside_the_material_goes_before_its_value() {
+    let with = |key: &str| {
+        scene(&pair("steel-52100-hardened", "steel-304-annealed").replace("[impact]", &format!("{key}\n[impact]")))
+    };
+    assert_eq!(with("youngs_modulus = 2e11").half_space.material.youngs_modulus, 2e11);
+    assert_eq!(with("density = 7900").half_space.density, Some(7900.0));
+    // another hardness keeps the exponent; a yield strength takes the place of both
+    let harder = with("hardness = \"200 HV\"");
+    assert!(off(harder.hardness.unwrap(), 9.806_65e6 * 200.0 / 0.9272) < 1e-14);
+    assert_eq!(harder.law.flow(), Some(&FlowCurve::Power { exponent: 0.45 }));
+    let own = with("yield_strength = \"300 MPa\"");
+    assert_eq!((own.half_space.yield_strength, own.hardness, own.law.flow()), (Some(300e6), None, None));
+    let hardening = with("hardness = \"200 HV\"\nflow_stress.power.exponent = 0.2");
+    assert_eq!(hardening.law.flow(), Some(&FlowCurve::Power { exponent: 0.2 }));
+    // a mass in place of the density, a rigid sphere, and the command line
+    let hammer =
+        scene(&steel().replace("radius = \"5 mm\"", "radius = \"5 mm\"\nmass = \"5.5 g\"\nyoungs_modulus = \"rigid\""));
+    assert_eq!((hammer.mass, hammer.sphere.material.youngs_modulus), (Some(5.5e-3), f64::INFINITY));
+    let set = ["half_space.material=aluminium-7075-t6".to_owned(), "sphere.density=7000".to_owned()];
+    let set = Scenario::from_text("s.toml", &steel(), &set).unwrap().resolve().unwrap();
+    assert_eq!((set.half_space.material.youngs_modulus, set.sphere.density), (71.7e9, 7000.0));
+}
+
+#[test]
+fn what_a_scene_has_no_use_for_is_not_taken() {
+    let with = |tables: &str| scene(&(pair("steel-52100-hardened", "steel-304-annealed") + tables));
+    // no elastic waves beside gravity or damping; no hardening under another law
+    assert_eq!(with("[gravity]\nacceleration = 9.81\n").half_space.density, None);
+    assert_eq!(with("[damping]\nviscous = 0.1\n").half_space.density, None);
+    let thornton = with("[law.thornton]\n");
+    assert!(matches!(thornton.law, LawChoice::Thornton(_)) && thornton.hardness.is_some());
+    let idle = |text: &str| Desk::with(text).call(&["check", "s.toml"]);
+    let shape = steel().replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    for table in ["[compare]\npeak_indentation_ratio = 100\n", "[indentation]\nsteps = [{ load = \"200 N\" }]\n"] {
+        let output = idle(&(shape.clone() + table));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert!(!said.contains("warning"), "{said}");
+        assert!(said.contains("130 HB (104 HB to 154 HB)"), "{said}");
+    }
+}
+
+#[test]
+fn an_unknown_material_is_refused_with_the_nearest() {
+    let message = refused(&pair("steel-52100-hardend", "steel-s235"));
+    assert!(message.contains("s.toml:3") && message.contains("did you mean \"steel-52100-hardened\"?"), "{message}");
+    let message = refused(&steel().replace("material = \"steel-s235\"", "material = 3"));
+    assert!(message.contains("s.toml:5") && message.contains("a text in quotes"), "{message}");
+    // what a material does not know is still missing
+    let message = refused(&steel().replace("radius = \"5 mm\"\n", ""));
+    assert!(message.contains("radius"), "{message}");
+}
+
+#[test]
+fn check_and_summary_repeat_name_values_and_basis() {
+    let desk = Desk::with(pair("steel-52100-hardened", "steel-304-annealed"));
+    let check = text(&desk.call(&["check", "s.toml"]).stdout);
+    for line in ["sphere.material", "half_space.material", "145 HV (129 HV to 160 HV); hardness of the condition named"]
+    {
+        assert!(check.contains(line), "{line}: {check}");
+    }
+    assert_eq!(desk.call(&["run", "s.toml", "--out", "out", "--quiet"]).status.code(), Some(0));
+    let summary: Value = serde_json::from_str(&desk.read("out/summary.json")).unwrap();
+    let inputs = &summary["inputs"];
+    assert_eq!(inputs["half_space_material"], "steel-304-annealed");
+    assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
+    assert_eq!(inputs["half_space_youngs_modulus_Pa"], 193e9);
+    let said = |key: &str| inputs[key].as_str().unwrap_or_default().to_owned();
+    assert!(said("half_space_material_hardness").starts_with("145 HV (129 HV to 160 HV); hardness"), "{inputs}");
+    assert!(said("half_space_material_hardening_exponent").contains("K strain^n"), "{inputs}");
+    assert!(said("sphere_material_density").starts_with("7830 kg/m^3"), "{inputs}");
+}
+
+#[test]
+fn materials_are_an_axis() {
+    let plates = ["steel-s235", "steel-304-annealed", "aluminium-6061-t6", "copper-annealed"];
+    let sweep = format!("[sweep]\n\"half_space.material\" = {plates:?}\n\"impact.speed\" = [1, 3]\n");
+    let table = |text: &str| {
+        let desk = Desk::with(text);
+        let output = desk.call(&["run", "s.toml", "--out", "out", "--quiet"]);
+        assert_eq!(output.status.code(), Some(0), "{}", crate::common::command::text(&output.stderr));
+        let summary: Value = serde_json::from_str(&desk.read("out/summary.json")).unwrap();
+        (desk.read("out/table.csv"), summary["inputs"].clone())
+    };
+    let (csv, inputs) = table(&(steel() + &sweep));
+    let rows: Vec<Vec<&str>> =
+        csv.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|head| *head == name).unwrap();
+    let (material, speed, e) = (column("half_space_material"), column("impact_speed_m_per_s"), column("restitution"));
+    assert_eq!(rows.len(), 9);
+    for row in &rows[1..] {
+        let single = scene(&pair("steel-52100-hardened", row[material]));
+        let exact = single.contact().unwrap().closed_form(row[speed].parse().unwrap()).unwrap();
+        assert!(off(row[e].parse().unwrap(), exact.restitution) < 1e-12, "{row:?}");
+    }
+    // the ball is shared, the plate is not
+    assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
+    assert!(
+        inputs["half_space_youngs_modulus_Pa"].is_null() && inputs["half_space_yield_strength_Pa"].is_null(),
+        "{inputs}"
+    );
+    // the half-space needs no table of its own beside the axis, and a key of it still goes before
+    let balls = "[sphere]\nradius = \"5 mm\"\n[impact]\nspeed = 3\n[half_space]\nmaterial = \"steel-s355\"\n\
+                 [sweep]\n\"sphere.material\" = [\"glass-soda-lime\", \"steel-52100-hardened\", \"silicon-nitride\"]\n";
+    assert_eq!(table(balls).0.lines().filter(|line| !line.starts_with('#')).count(), 4);
+}
+
+#[test]
+fn an_axis_of_materials_is_refused_where_it_makes_no_table() {
+    let with = |axis: &str| refused(&(steel() + "[sweep]\n\"half_space.material\" = " + axis + "\n"));
+    for (axis, want) in [
+        ("[]", "an axis needs at least one value"),
+        ("[\"steel-s235\", \"steel-s235\"]", "is there twice"),
+        ("[\"steel-s236\"]", "did you mean \"steel-s235\"?"),
+        ("[\"steel-s235\", \"alumina-99.5\"]", "steel-s235 yields and alumina-99.5 has no strength"),
+        ("\"steel-s235\"", "a list"),
+    ] {
+        let message = with(axis);
+        assert!(message.contains("s.toml:") && message.contains(want), "{axis}: {message}");
+    }
+    let strong = steel().replace("[impact]", "yield_strength = 1e9\n[impact]")
+        + "[sweep]\n\"half_space.material\" = [\"steel-s235\", \"alumina-99.5\"]\n";
+    assert!(Scenario::from_text("s.toml", &strong, &[]).unwrap().plan().is_ok());
+}
+
+#[test]
+fn one_line_draws_from_the_ranges_of_a_material() {
+    let random = steel()
+        + "[monte_carlo]\nsamples = 20000\n\"half_space.material\" = \"uniform\"\n\"impact.speed\" = { uniform = [2, 4] }\n";
+    let plan = Scenario::from_text("s.toml", &random, &[]).unwrap().plan().unwrap().unwrap();
+    let Cases::MonteCarlo { variables, .. } = &plan.cases else { panic!("{plan:?}") };
+    let drawn: Vec<&str> = variables.iter().map(|variable| variable.key.path).collect();
+    // S235: one density and one Poisson's ratio
+    assert_eq!(drawn, ["half_space.youngs_modulus", "half_space.hardness", "impact.speed"]);
+    let ends = |place: usize| (variables[place].value(0.0), variables[place].value(1.0));
+    assert!(off(ends(0).0, 207e9) < 1e-12 && off(ends(0).1, 210e9) < 1e-12);
+    // 104 HB and 154 HB are 109.4 and 161.7 HV in ISO 18265
+    let vickers = |pressure: f64| pressure * 0.9272 / 9.806_65e6;
+    assert!((vickers(ends(1).0) - 109.4).abs() < 0.1 && (vickers(ends(1).1) - 161.7).abs() < 0.1);
+    assert_eq!(plan.scene.half_space.density, Some(value("steel-s235", Property::Density)));
+    // the same as the keys written out
+    let lines = "\"half_space.youngs_modulus\" = { uniform = [\"207 GPa\", \"210 GPa\"] }\n\"half_space.hardness\" = { uniform = [\"104 HB\", \"154 HB\"] }";
+    let spelled = random.replace("\"half_space.material\" = \"uniform\"", lines);
+    let table = |text: &str| {
+        let desk = Desk::with(text);
+        assert_eq!(desk.call(&["run", "s.toml", "--out", "out", "--quiet"]).status.code(), Some(0));
+        desk.read("out/table.csv")
+    };
+    let rows = |csv: &str| csv.lines().filter(|line| !line.starts_with('#')).map(ToOwned::to_owned).collect::<Vec<_>>();
+    assert_eq!(rows(&table(&random)), rows(&table(&spelled)));
+}
+
+#[test]
+fn drawing_from_a_material_is_refused_where_there_is_nothing_to_draw() {
+    let random = "[monte_carlo]\nsamples = 10\n\"half_space.material\" = \"uniform\"\n";
+    let none = steel().replace("material = \"steel-s235\"", "youngs_modulus = 2e11\npoissons_ratio = 0.3") + random;
+    assert!(refused(&none).contains("no material to draw from"), "{}", refused(&none));
+    let fixed = steel().replace("[impact]", "youngs_modulus = 2e11\nhardness = \"150 HV\"\n[impact]") + random;
+    assert!(refused(&fixed).contains("nothing to draw"), "{}", refused(&fixed));
+    let word = steel() + &random.replace("uniform", "uniorm");
+    assert!(refused(&word).contains("did you mean \"uniform\"?"), "{}", refused(&word));
+}
+
+#[test]
+fn a_calibration_looks_for_the_strength_that_the_material_would_give() {
+    let text = steel() + "[calibrate.measured]\nrestitution = 0.5\n";
+    let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().wanted().unwrap();
+    assert_eq!((wanted.scene.hardness, wanted.free[0].key.path), (None, "half_space.yield_strength"));
+    assert_eq!(wanted.scene.half_space.material.youngs_modulus, 210e9);
+    let hardness = text + "[calibrate.free]\n\"half_space.hardness\" = { from = \"100 HV\", to = \"300 HV\" }\n";
+    let wanted = Scenario::from_text("s.toml", &hardness, &[]).unwrap().wanted();
+    assert!(wanted.is_ok(), "{wanted:?}");
+}

@@ -1,0 +1,432 @@
+//! Scenarios as text: what they resolve to, and how bad ones are refused.
+
+use plm_impact::impact::{Damping, Method, Warning};
+use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
+use plm_impact::run::{Run, way};
+use plm_impact::scenario::{Kind, Scenario, ScenarioError};
+use plm_impact::scene::{KEYS, Key, Scene};
+
+use crate::common::STEEL;
+
+fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, ScenarioError> {
+    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+    Scenario::from_text("steel.toml", text, &overrides)?.resolve()
+}
+
+fn plm(scene: &Scene) -> &Plm {
+    match &scene.law {
+        LawChoice::Plm(plm) => plm,
+        law => panic!("{}", law.name()),
+    }
+}
+
+fn refusal(text: &str, overrides: &[&str]) -> String {
+    resolve(text, overrides).unwrap_err().to_string()
+}
+
+#[test]
+fn a_scenario_resolves_to_si_and_to_the_defaults() {
+    let scene = resolve(STEEL, &[]).unwrap();
+    assert_eq!(scene.sphere.radius, 0.005);
+    assert_eq!(scene.sphere.material.youngs_modulus, 210e9);
+    assert_eq!(scene.sphere.density, 7850.0);
+    assert_eq!(scene.sphere.yield_strength, None);
+    assert_eq!(scene.half_space.yield_strength, Some(345e6));
+    assert_eq!(scene.speed, 3.0);
+    assert_eq!(plm(&scene).exponent, UnloadingExponent::Paper);
+    assert_eq!(*plm(&scene).coefficients, *PlmCoefficients::built_in());
+    assert_eq!(scene.solver.tolerance, 1e-10);
+    assert_eq!(scene.samples, 400);
+    assert!(scene.warnings.is_empty());
+}
+
+#[test]
+fn overrides_change_keys_as_the_shell_hands_them_over() {
+    let scene = resolve(
+        STEEL,
+        &[
+            "impact.speed=1 m/s",
+            "sphere.youngs_modulus=rigid",
+            "sphere.density=7.8e3",
+            "half_space.yield_strength=\"0.5 GPa\"",
+            "law.plm.unloading_exponent=pressure-shape",
+            "solver.method=dop853",
+            "solver.tolerance=1e-6",
+            "output.samples=7",
+            "impact.speed=2 m/s",
+        ],
+    )
+    .unwrap();
+    assert_eq!(scene.speed, 2.0, "the last one counts");
+    assert_eq!(scene.sphere.material.youngs_modulus, f64::INFINITY);
+    assert_eq!(scene.sphere.density, 7800.0);
+    assert_eq!(scene.half_space.yield_strength, Some(5e8));
+    assert_eq!(plm(&scene).exponent, UnloadingExponent::PressureShape);
+    assert_eq!(scene.solver.method, Method::Dop853);
+    assert_eq!(scene.solver.tolerance, 1e-6);
+    assert_eq!(scene.samples, 7);
+}
+
+#[test]
+fn every_method_is_selected_by_its_name() {
+    for (name, method) in Method::ALL {
+        assert_eq!(resolve(STEEL, &[&format!("solver.method={name}")]).unwrap().solver.method, method);
+    }
+}
+
+#[test]
+fn a_diameter_is_twice_the_radius_and_excludes_it() {
+    let by_diameter = STEEL.replace("radius = \"5 mm\"", "diameter = \"10 mm\"");
+    assert_eq!(resolve(&by_diameter, &[]).unwrap(), resolve(STEEL, &[]).unwrap());
+    let message = refusal(STEEL, &["sphere.diameter=10 mm"]);
+    assert!(message.contains("write only one of `radius` and `diameter`"), "{message}");
+    let message = refusal(&STEEL.replace("radius = \"5 mm\"\n", ""), &[]);
+    assert!(message.contains("steel.toml:1:") && message.contains("`radius` is missing"), "{message}");
+}
+
+#[test]
+fn the_paper_exponent_is_the_number_1_5() {
+    let exponent =
+        |value: &str| plm(&resolve(STEEL, &[&format!("law.plm.unloading_exponent={value}")]).unwrap()).exponent;
+    assert_eq!(exponent("1.5"), UnloadingExponent::Paper);
+    assert_eq!(exponent("2"), UnloadingExponent::Fixed(2.0));
+    assert_eq!(exponent("1.25"), UnloadingExponent::Fixed(1.25));
+}
+
+#[test]
+fn keys_without_effect_are_warned_about_not_refused() {
+    let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
+    assert!(resolve(&elastic, &[]).unwrap().warnings.is_empty());
+    let scene = resolve(&elastic, &["law.plm.unloading_exponent=1.4"]).unwrap();
+    assert!(matches!(scene.warnings[..], [Warning::UnusedKey { key: "law.plm.unloading_exponent", .. }]));
+}
+
+#[test]
+fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
+    for key in KEYS {
+        // inside of every range
+        let value = match key.path {
+            "solver.tolerance" => 1e-3,
+            "half_space.hardness" => 1.25e9,
+            _ => 1.25,
+        };
+        let shares = ["poissons_ratio", "stiffness_ratio", "power.exponent"];
+        let is_share = shares.iter().any(|name| key.path.ends_with(name));
+        let value = if is_share { 0.25 } else { value };
+        let text = STEEL.replace("radius = \"5 mm\"\n", "");
+        let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
+        // a drop height stands in the place of the speed, and needs gravity
+        let is_height = key.path == "impact.drop_height";
+        // so does a mass for the density, and a hardness for the yield strength
+        let text = match key.path {
+            "sphere.mass" => text.replace("density = \"7850 kg/m^3\"\n", ""),
+            "half_space.hardness" => text.replace("yield_strength = \"345 MPa\"\n", ""),
+            _ => text,
+        };
+        // a number of a flow curve is there only in a curve of its form
+        let curve = match key.path.strip_prefix("half_space.flow_stress.").and_then(|rest| rest.split('.').next()) {
+            Some("power") => vec!["half_space.flow_stress.power.exponent=0.1"],
+            Some("voce") => vec!["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"],
+            Some("linear") => vec!["half_space.flow_stress.linear.slope=1e9"],
+            _ => Vec::new(),
+        };
+        let text = if is_height { text.replace("[impact]\nspeed = \"3 m/s\"", "[impact]") } else { text };
+        let gravity = if is_height { vec!["gravity.acceleration=9.81"] } else { Vec::new() };
+        let beside = match key.path {
+            "sphere.mass" => vec!["sphere.mass=7"],
+            "half_space.hardness" => vec!["half_space.hardness=7e9"],
+            _ => Vec::new(),
+        };
+        let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
+        let by_file = given(&[&format!("{}={value}", key.path)]);
+        // a key of a law is there only under that law
+        let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
+        let any = if is_height { "impact.drop_height=7" } else { "sphere.diameter=1" };
+        let mut by_key = given(&[any, &format!("law.{law}={{}}")]);
+        (key.set)(&mut by_key, value);
+        if key.path != "sphere.radius" {
+            assert_eq!(by_file, by_key, "{}", key.path);
+        }
+        assert_eq!((key.get)(&by_file), Some(value), "{}", key.path);
+    }
+    assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
+    assert!(Key::find("solver.method").is_none());
+}
+
+#[test]
+fn a_drop_height_is_a_speed_under_gravity() {
+    let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
+    let gravity = "gravity.acceleration=9.81 m/s^2";
+    let mut scene = resolve(&text, &[gravity]).unwrap();
+    // √(2 g h)
+    assert_eq!(scene.speed, 9.81_f64.sqrt());
+    assert_eq!((scene.forces.gravity, scene.drop_height), (Some(9.81), Some(0.5)));
+    Key::find("gravity.acceleration").map(|key| (key.set)(&mut scene, 4.0)).unwrap();
+    assert_eq!(scene.speed, 2.0, "the height stays");
+    Key::find("impact.speed").map(|key| (key.set)(&mut scene, 3.0)).unwrap();
+    assert_eq!((scene.speed, scene.drop_height), (3.0, None));
+    assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed, 0.0);
+    assert_eq!(scene.contact().unwrap().forces().gravity, Some(4.0));
+
+    let message = refusal(&text, &[]);
+    assert!(message.contains("steel.toml:13:") && message.contains("add [gravity] with acceleration"), "{message}");
+    let message = refusal(STEEL, &[gravity, "impact.drop_height=1 m"]);
+    assert!(message.contains("write only one of `speed` and `drop_height`"), "{message}");
+    let message = refusal(&STEEL.replace("speed = \"3 m/s\"", ""), &[gravity]);
+    assert!(message.contains("`speed` is missing") && message.contains("`drop_height`"), "{message}");
+}
+
+#[test]
+fn damping_is_one_of_two_and_gravity_pulls_down() {
+    let damping = |text: &str| resolve(STEEL, &[text]).unwrap().forces.damping;
+    assert_eq!(damping("damping.hunt_crossley=0.1 s/m"), Some(Damping::HuntCrossley(0.1)));
+    assert_eq!(damping("damping.viscous=5 %"), Some(Damping::Viscous(0.05)));
+    assert!(resolve(STEEL, &[]).unwrap().forces.is_none());
+    let message = refusal(STEEL, &["damping.viscous=0.1", "damping.hunt_crossley=0.1"]);
+    assert!(message.contains("write only one of `hunt_crossley` and `viscous`"), "{message}");
+    let message = refusal(&format!("{STEEL}[damping]\n"), &[]);
+    for wanted in ["`hunt_crossley` is missing", "hunt_crossley = \"0.1 s/m\"; or `viscous`; or leave the table out"] {
+        assert!(message.contains(wanted), "{message}");
+    }
+    for (text, wanted) in [
+        ("gravity.acceleration=0", "must be > 0 m/s^2 and finite; to do without gravity leave the table out"),
+        ("gravity.acceleration=-9.81 m/s^2", "to do without gravity leave the table out"),
+        ("damping.viscous=-0.1", "must be >= 0 and <= 1000"),
+        ("damping.hunt_crossley=-1 s/m", "must be >= 0 s/m and finite"),
+        ("damping.hunt_crossley=1 m/s", "is a speed, but an inverse speed is needed"),
+    ] {
+        let message = refusal(STEEL, &[text]);
+        assert!(message.contains(wanted), "{message}");
+    }
+}
+
+#[test]
+fn bad_values_are_shown_with_line_value_range_and_way_out() {
+    // line to change, into what, what the message holds
+    let table: &[(&str, &str, &[&str])] = &[
+        (
+            "radius = \"5 mm\"",
+            "radius = \"-5 mm\"",
+            &[
+                "steel.toml:2:10: sphere.radius: \"-5 mm\" = -0.005 m",
+                "> 0 m and finite",
+                "2 | radius = \"-5 mm\"\n  |          ^^^^^^^",
+            ],
+        ),
+        ("radius = \"5 mm\"", "radius = \"5 MPa\"", &["steel.toml:2:10", "is a pressure, but a length is needed"]),
+        ("radius = \"5 mm\"", "radius = \"5 mn\"", &["steel.toml:2:10", "unknown unit \"mn\"", "nm, µm, mm"]),
+        (
+            "radius = \"5 mm\"",
+            "raduis = \"5 mm\"",
+            &["steel.toml:2:1: sphere.raduis: unknown key `raduis`, did you mean `radius`?"],
+        ),
+        ("radius = \"5 mm\"", "radius = true", &["steel.toml:2:10", "expected a length such as \"5 mm\""]),
+        ("radius = \"5 mm\"", "radius = 5 mm", &["steel.toml:2:"]),
+        (
+            "poissons_ratio = 0.3\nyield",
+            "poissons_ratio = 0.5\nyield",
+            &["steel.toml:9:18: half_space.poissons_ratio: 0.5 is not allowed", "> -1 and < 0.5", "0.4999"],
+        ),
+        (
+            "poissons_ratio = 0.3\nyield",
+            "poissons_ratio = 0.7\nyield",
+            &["steel.toml:9:18", "0.7", "> -1 and < 0.5", "0.4999"],
+        ),
+        ("poissons_ratio = 0.3\nyield", "poissons_ratio = -1\nyield", &["steel.toml:9:18", "-1", "> -1 and < 0.5"]),
+        (
+            "yield_strength = \"345 MPa\"",
+            "yield_strength = inf",
+            &["steel.toml:10:18", "inf Pa", "> 0 Pa and finite; for an elastic body leave the key out"],
+        ),
+        (
+            "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nd",
+            "youngs_modulus = inf\npoissons_ratio = 0.3\nd",
+            &["steel.toml:3:18", "for a rigid sphere write \"rigid\""],
+        ),
+        (
+            "speed = \"3 m/s\"",
+            "speed = 0",
+            &["steel.toml:13:9: impact.speed: 0 m/s is not allowed", "> 0 m/s and finite"],
+        ),
+        ("speed = \"3 m/s\"", "speed = -3.0", &["steel.toml:13:9", "-3 m/s is not allowed"]),
+        ("speed = \"3 m/s\"", "speed = inf", &["steel.toml:13:9", "inf m/s is not allowed"]),
+        ("speed = \"3 m/s\"", "speed = nan", &["steel.toml:13:9", "NaN m/s is not allowed"]),
+        (
+            "speed = \"3 m/s\"",
+            "",
+            &["steel.toml:12:1: impact: the key `speed` is missing: a speed such as speed = \"3 m/s\""],
+        ),
+        (
+            "[impact]\nspeed = \"3 m/s\"",
+            "",
+            &["steel.toml: the table [impact] is missing; give it with a speed such as speed = \"3 m/s\""],
+        ),
+        (
+            "[impact]",
+            "[impakt]",
+            &["steel.toml:12:2: impakt: unknown table `impakt`, did you mean `impact`?", "half_space"],
+        ),
+        ("[impact]", "[law.plm]\n[law.hertz]\n[impact]", &["exactly one law, found plm and hertz", "[law.plm]"]),
+        ("[impact]", "[law.pml]\n[impact]", &["steel.toml:12:6: law.pml: unknown law `pml`, did you mean `plm`?"]),
+        ("[impact]", "[law]\n[impact]", &["steel.toml:12:1: law: a scenario has exactly one law, found none"]),
+        ("[impact]", "[law.plm]\nunloading_exponent = 1\n[impact]", &["steel.toml:13:22", "> 1 and <= 2"]),
+        (
+            "[impact]",
+            "[solver]\nmethod = \"rk7\"\n[impact]",
+            &["steel.toml:13:10", "did you mean \"rk8\"?", "\"dopri5\", \"dop853\""],
+        ),
+        ("[impact]", "[solver]\ntolerance = 1e-15\n[impact]", &["steel.toml:13:13", ">= 1e-14 and <= 0.01"]),
+        ("[impact]", "[output]\nsamples = 1\n[impact]", &["steel.toml:13:11", ">= 2 and <= 1e6"]),
+        ("[impact]", "[output]\nsamples = 2.5\n[impact]", &["steel.toml:13:11", "whole number"]),
+    ];
+    for (from, to, wants) in table {
+        assert!(STEEL.contains(from), "{from}");
+        let message = refusal(&STEEL.replacen(from, to, 1), &[]);
+        for want in *wants {
+            assert!(message.contains(want), "{to}: {want:?} is not in\n{message}");
+        }
+    }
+}
+
+#[test]
+fn errors_of_overrides_say_so() {
+    let table = [
+        ("sphere.radius=-5 mm", "--set sphere.radius=-5 mm: sphere.radius: \"-5 mm\" = -0.005 m is not allowed"),
+        ("sphere.raduis=3", "did you mean `radius`?"),
+        ("impact=3", "--set impact=3: impact: found `3`, expected a table"),
+        ("law=3", "--set law=3: law: not a table; write one table such as [law.plm]"),
+        ("impact.speed", "--set impact.speed: write key=value"),
+        ("=3", "--set =3: write key=value"),
+        ("im pact=3", "--set im pact=3: "),
+    ];
+    for (given, want) in table {
+        let message = refusal(STEEL, &[given]);
+        assert!(message.starts_with(&format!("--set {given}: ")), "{message}");
+        assert!(message.contains(want), "{message}");
+    }
+    // the second override is at fault, not the first
+    let message = refusal(STEEL, &["output.samples=3", "impact.speed=0"]);
+    assert!(message.starts_with("--set impact.speed=0: impact.speed:"), "{message}");
+}
+
+#[test]
+fn the_hash_is_of_text_overrides_and_coefficients() {
+    let directory = tempfile::tempdir().unwrap();
+    let coefficients = directory.path().join("my.toml");
+    let built_in = include_str!("../../src/law/plm/coefficients.toml");
+    let file = directory.path().join("scenario.toml");
+    let hash = |text: &str, overrides: &[&str], table: &str| {
+        std::fs::write(&file, text).unwrap();
+        std::fs::write(&coefficients, table).unwrap();
+        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+        Scenario::load(&file, &overrides).unwrap().sha256().unwrap()
+    };
+    let plain = hash(STEEL, &[], built_in);
+    assert_eq!(plain.len(), 64);
+    assert_eq!(plain, hash(STEEL, &[], built_in));
+    assert_ne!(plain, hash(&format!("{STEEL}\n"), &[], built_in));
+    assert_ne!(plain, hash(STEEL, &["impact.speed=3"], built_in));
+    assert_ne!(hash(STEEL, &["impact.speed=3"], built_in), hash(STEEL, &["impact.speed=4"], built_in));
+    // a file of coefficients counts where it is named, and only there
+    let changed = format!("# mine\n{built_in}");
+    assert_eq!(plain, hash(STEEL, &[], &changed));
+    let named = format!("{STEEL}\n[law.plm]\ncoefficients = \"my.toml\"\n");
+    assert_ne!(hash(&named, &[], built_in), hash(&named, &[], &changed));
+}
+
+#[test]
+fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
+    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let scenario = Scenario::load(&path, &[]).unwrap();
+        assert!(scenario.document.text().starts_with("# "), "{}", path.display());
+        names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
+        if let kind @ (Kind::Indentation | Kind::Repeat | Kind::Compare) = scenario.kind().unwrap() {
+            let Run::Once { run, .. } = way(kind).run else { panic!("{kind:?} is no table") };
+            let outcome = run(&scenario, "test").unwrap();
+            assert!(outcome.warnings.is_empty(), "{}", path.display());
+            if kind == Kind::Compare {
+                assert!(scenario.comparison().unwrap().compared().len() > 8, "{}", path.display());
+            }
+        } else {
+            let (scene, contact) = plm_impact::run::impact::prepare(&scenario).unwrap();
+            assert!(scene.warnings.is_empty(), "{}", path.display());
+            let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
+            assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
+        }
+    }
+    for name in
+        ["elastic", "micrometre-particle", "paper-case-3", "steel-on-steel", "tungsten-carbide-on-titanium-alloy"]
+    {
+        assert!(names.iter().any(|found| found == name), "{name}");
+    }
+}
+
+#[test]
+fn the_tables_tell_what_kind_of_scene_a_file_is() {
+    let kind = |tables: &str| Scenario::from_text("steel.toml", &format!("{STEEL}{tables}"), &[]).unwrap().kind();
+    let sweep = "[sweep]\n\"impact.speed\" = [1, 2]\n";
+    let monte_carlo = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 2] }\n";
+    assert_eq!(kind("").unwrap(), Kind::Impact);
+    assert_eq!(kind(sweep).unwrap(), Kind::Sweep);
+    assert_eq!(kind(monte_carlo).unwrap(), Kind::MonteCarlo);
+    let indentation = "[indentation]\nsteps = [{ load = 1 }]\n";
+    let slow = format!("{}{indentation}", STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", ""));
+    assert_eq!(Scenario::from_text("steel.toml", &slow, &[]).unwrap().kind().unwrap(), Kind::Indentation);
+    let message = kind(indentation).unwrap_err().to_string();
+    assert!(message.contains("impact: [indentation] is given too, and an indentation is slow"), "{message}");
+    let message = kind(&format!("{sweep}{monte_carlo}")).unwrap_err().to_string();
+    for want in ["steel.toml:", "monte_carlo: [sweep] is given too; write only one of the two"] {
+        assert!(message.contains(want), "{message}");
+    }
+}
+
+#[test]
+fn an_impact_needs_a_speed_and_a_mass() {
+    let without = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let message = refusal(&without, &[]);
+    assert_eq!(message, "steel.toml: the table [impact] is missing; give it with a speed such as speed = \"3 m/s\"");
+    let message = refusal(&STEEL.replace("density = \"7850 kg/m^3\"\n", ""), &[]);
+    let want = "steel.toml:1:1: sphere: the key `density` is missing: a density such as density = \"7850 kg/m^3\"";
+    assert!(message.starts_with(want), "{message}");
+}
+
+#[test]
+fn waves_and_forces_are_refused_where_they_cannot_be_computed() {
+    let dense =
+        STEEL.replace("yield_strength = \"345 MPa\"\n", "yield_strength = \"345 MPa\"\ndensity = \"7850 kg/m^3\"\n");
+    for (table, named) in [
+        ("[gravity]\nacceleration = 9.81\n", "[gravity]"),
+        ("[damping]\nviscous = 0.1\n", "[damping]"),
+        ("[repeat]\nspeeds = [1, 2]\nspot = \"same\"\n", "[repeat]"),
+    ] {
+        let text = if named == "[repeat]" { dense.replace("[impact]\nspeed = \"3 m/s\"\n", "") } else { dense.clone() };
+        let message = refusal(&format!("{text}{table}"), &[]);
+        assert!(message.contains("half_space.density: ") && message.contains(named), "{message}");
+    }
+    let slow = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    for table in ["[gravity]\nacceleration = 9.81\n", "[damping]\nviscous = 0.1\n"] {
+        let text = format!("{slow}[indentation]\nsteps = [{{ load = 1 }}]\n{table}");
+        let error = Scenario::from_text("slow", &text, &[]).unwrap().kind().unwrap_err().to_string();
+        assert!(error.contains("there is no motion"), "{error}");
+    }
+}
+
+#[test]
+fn words_are_told_from_laws_and_keys_of_no_table_from_others() {
+    for (tables, wanted) in [
+        ("[law.jackson_green]\njumps = \"no\"\n", "unknown word \"no\"; words here are \"printed\", \"crossed\""),
+        ("[law.kogut_etsion]\njumps = 3\n", "found `3`, expected a text in quotes"),
+        ("[law.hertz]\nx = 1\n", "unknown key `x`; this table takes none"),
+        ("[law.combined]\nloading = \"plm\"\n", "such as unloading = \"thornton\""),
+        ("[solver]\nmethod = 8\n", "found `8`, expected a text in quotes"),
+    ] {
+        let message = refusal(&format!("{STEEL}{tables}"), &[]);
+        assert!(message.contains(wanted), "{tables}: {message}");
+    }
+}

@@ -1,0 +1,204 @@
+//! `sphere.mass`, `half_space.hardness` and `[half_space.flow_stress]`: what a scenario with them comes to, and what is refused.
+
+use std::fs;
+
+use plm_impact::law::LawChoice;
+use plm_impact::scenario::Scenario;
+use plm_impact::scene::Scene;
+use plm_impact::strength::flow::FlowCurve;
+
+use crate::common::command::{Desk, text};
+use crate::common::{STEEL, off};
+
+fn scene(text: &str) -> Scene {
+    Scenario::from_text("s.toml", text, &[]).unwrap().resolve().unwrap()
+}
+
+fn refused(text: &str) -> String {
+    let scenario = Scenario::from_text("s.toml", text, &[]);
+    scenario.and_then(|scenario| scenario.resolve().and_then(|_| scenario.plan())).unwrap_err().to_string()
+}
+
+fn with_mass(mass: &str) -> String {
+    STEEL.replace("density = \"7850 kg/m^3\"", &format!("mass = {mass}"))
+}
+
+fn with_hardness(hardness: &str) -> String {
+    STEEL.replace("yield_strength = \"345 MPa\"", &format!("hardness = {hardness}"))
+}
+
+fn with_flow(flow: &str) -> String {
+    STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"))
+}
+
+fn restitution(scene: &Scene) -> f64 {
+    scene.contact().unwrap().closed_form(scene.speed).unwrap().restitution
+}
+
+#[test]
+fn a_mass_is_a_density_said_otherwise() {
+    // 4/3 π (5 mm)³ 7850 kg/m³
+    let grams = 4.0 / 3.0 * std::f64::consts::PI * 0.125 * 7.85;
+    let by_mass = scene(&with_mass(&format!("\"{grams} g\"")));
+    assert!(off(restitution(&by_mass), restitution(&scene(STEEL))) < 1e-14);
+    assert!(off(by_mass.contact().unwrap().mass(), 1e-3 * grams) < 1e-14);
+    // the mass stays what it is, whatever the radius
+    let text = format!("{}[sweep]\n\"sphere.radius\" = [\"1 mm\", \"5 mm\"]\n", with_mass("0.004"));
+    let plan =
+        Scenario::from_text("s.toml", &text.replace("radius = \"5 mm\"\n", ""), &[]).unwrap().plan().unwrap().unwrap();
+    let mut one = plan.scene.clone();
+    for radius in [1e-3, 5e-3, 2e-3] {
+        one.set_radius(radius);
+        assert!(off(one.contact().unwrap().mass(), 0.004) < 1e-14);
+    }
+    let both = refused(&STEEL.replace("density =", "mass = \"4 g\"\ndensity ="));
+    assert!(both.contains("write only one of `density` and `mass`"), "{both}");
+    let negative = refused(&with_mass("-1"));
+    assert!(negative.contains("s.toml:5") && negative.contains("a mass must be > 0"), "{negative}");
+}
+
+#[test]
+fn a_hardness_is_a_yield_strength_said_otherwise() {
+    // 9.80665 HV/0.9272/2.9 MPa; HB 285 and HRC 29.8 are HV 300 in DIN 50150
+    for (hardness, vickers) in
+        [("\"300 HV\"", 300.0), ("\"285 HB\"", 300.0), ("\"29.8 HRC\"", 300.0), ("\"60.1 HRC\"", 700.0)]
+    {
+        let strength = scene(&with_hardness(hardness)).half_space.yield_strength.unwrap();
+        assert!(off(strength, 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-12, "{hardness}: {strength}");
+    }
+    for pressure in ["\"3 GPa\"", "3e9"] {
+        assert!(off(scene(&with_hardness(pressure)).half_space.yield_strength.unwrap(), 3e9 / 2.9) < 1e-14);
+    }
+    for (hardness, want) in [
+        ("\"70 HRC\"", "conversion table"),
+        ("\"60 HRB\"", "or a hardness in HV, HB or HRC"),
+        ("\"-5 HV\"", "a hardness must be >= 100000 Pa"),
+        ("300", "for a Vickers hardness write \"300 HV\""),
+        ("\"300\"", "has no unit"),
+        ("true", "a hardness such as \"300 HV\""),
+    ] {
+        let message = refused(&with_hardness(hardness));
+        assert!(message.contains("s.toml:10") && message.contains(want), "{message}");
+    }
+    let both = refused(&STEEL.replace("yield_strength =", "hardness = \"300 HV\"\nyield_strength ="));
+    assert!(both.contains("write only one of `yield_strength` and `hardness`"), "{both}");
+}
+
+#[test]
+fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
+    let text = with_hardness("\"300 HV\"")
+        .replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.1 }\n[impact]");
+    let scene = scene(&text);
+    let strength = scene.half_space.yield_strength.unwrap();
+    assert!(off(strength * (1.0 + 210e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
+    // whichever number is changed last
+    let mut changed = scene.clone();
+    changed.set_half_space_modulus(100e9);
+    let strength = changed.half_space.yield_strength.unwrap();
+    assert!(off(strength * (1.0 + 100e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
+    let voce = text.replace("power = { exponent = 0.1 }", "voce = { saturation = 1, rate = 10 }");
+    assert!(refused(&voce).contains("power curve only"), "{}", refused(&voce));
+}
+
+#[test]
+fn every_form_of_a_flow_curve_is_read() {
+    let flow = |text: &str| match scene(&with_flow(text)).law {
+        LawChoice::Plm(plm) => plm.flow,
+        _ => None,
+    };
+    assert_eq!(flow("power = { exponent = 0.1 }"), Some(FlowCurve::Power { exponent: 0.1 }));
+    assert_eq!(flow("voce = { saturation = 1.5, rate = 15 }"), Some(FlowCurve::Voce { saturation: 1.5, rate: 15.0 }));
+    assert_eq!(flow("linear = { slope = \"4.2 GPa\" }"), Some(FlowCurve::Linear { slope: 4.2e9 }));
+    let points = flow("points = [[0.002, \"350 MPa\"], [0.01, 400e6]]");
+    assert!(
+        matches!(&points, Some(FlowCurve::Points(points)) if points.len() == 2 && points[1].stress == 4e8),
+        "{points:?}"
+    );
+    for (text, want) in [
+        ("", "has no curve; write one of power"),
+        ("power = { exponent = 0.6 }", "a hardening exponent must be >= 0 and <= 0.5"),
+        ("power = { }", "exponent"),
+        ("voce = { saturation = 1 }", "rate"),
+        ("power = { exponent = 0.1 }\nlinear = { slope = 1e9 }", "write only one of `power` and `linear`"),
+        ("points = [[0.002, \"350 MPa\"]]", "at least 2"),
+        ("points = [[0.002, \"350 MPa\"], [0.01, \"340 MPa\"]]", "falls"),
+        ("points = [[0.002, \"340 MPa\"], [0.01, \"350 MPa\"]]", "below the yield strength"),
+        ("points = [[0, \"350 MPa\"], [0.01, \"360 MPa\"]]", "above the yield strength"),
+        ("points = [[-0.002, \"350 MPa\"], [0.01, \"360 MPa\"]]", "a plastic strain must be >= 0"),
+        ("points = [[0.002], [0.01, \"360 MPa\"]]", "write two"),
+        ("table = \"missing.csv\"", "missing.csv"),
+    ] {
+        let message = refused(&with_flow(text));
+        assert!(message.contains("s.toml:") && message.contains(want), "{text}: {message}");
+    }
+    let other_law = with_flow("power = { exponent = 0.1 }\n[law.thornton]");
+    assert!(refused(&other_law).contains("thornton knows no hardening"), "{}", refused(&other_law));
+    let elastic = with_flow("power = { exponent = 0.1 }").replace("yield_strength = \"345 MPa\"\n", "");
+    assert!(refused(&elastic).contains("begins at a strength"), "{}", refused(&elastic));
+    let varied = with_flow("points = [[0.002, \"350 MPa\"], [0.01, 400e6]]")
+        + "[sweep]\n\"half_space.yield_strength\" = [3e8, 3.4e8]\n";
+    assert!(refused(&varied).contains("cannot vary"), "{}", refused(&varied));
+}
+
+#[test]
+fn a_table_of_a_flow_curve_is_a_file_beside_the_scenario() {
+    let desk = Desk::with(with_flow("table = \"flow.csv\""));
+    let file = desk.path("flow.csv");
+    fs::write(&file, "# steel\nplastic_strain, stress_Pa\n0.002, 350e6\n0.01, 400e6\n").unwrap();
+    let output = desk.call(&["run", "s.toml", "--out", "o"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("the flow curve ends at a plastic strain of 0.01"),
+        "{}",
+        text(&output.stderr)
+    );
+    for (content, want) in [
+        ("strain,stress\n1,2\n", "its columns must be plastic_strain, stress_Pa"),
+        ("plastic_strain,stress_Pa\n0.002,hard\n", "flow.csv:2: stress_Pa is no number"),
+        ("plastic_strain,stress_Pa\n0.002,3.5e8\n0.01,3e8\n", "flow.csv: point 2: the stress falls"),
+        ("plastic_strain,stress_Pa\n", "has 0 points"),
+    ] {
+        fs::write(&file, content).unwrap();
+        let output = desk.call(&["check", "s.toml"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(want), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
+fn every_number_is_an_axis_and_can_be_drawn() {
+    let base = with_flow("power = { exponent = 0.1 }");
+    for (text, key, values) in [
+        (with_mass("\"4 g\""), "sphere.mass", "[\"3 g\", \"5 g\"]"),
+        (with_hardness("\"300 HV\""), "half_space.hardness", "[\"200 HV\", \"30 HRC\"]"),
+        (base, "half_space.flow_stress.power.exponent", "[0.1, 0.3]"),
+        (with_flow("voce = { saturation = 1, rate = 10 }"), "half_space.flow_stress.voce.saturation", "[0.5, 2]"),
+        (with_flow("voce = { saturation = 1, rate = 10 }"), "half_space.flow_stress.voce.rate", "[5, 20]"),
+        (with_flow("linear = { slope = 1e9 }"), "half_space.flow_stress.linear.slope", "[\"1 GPa\", \"2 GPa\"]"),
+    ] {
+        let desk = Desk::with(format!("{text}[sweep]\n\"{key}\" = {values}\n"));
+        let output = desk.call(&["run", "s.toml", "--out", "o"]);
+        assert_eq!(output.status.code(), Some(0), "{key}: {}", crate::common::command::text(&output.stderr));
+        let table = fs::read_to_string(desk.path("o/table.csv")).unwrap();
+        let rows: Vec<&str> = table.lines().collect();
+        assert!(rows.len() == 3 && rows[0].contains(&key.replace('.', "_")), "{table}");
+        let restitution = |row: &str| row.split(',').nth(2).unwrap().parse::<f64>().unwrap();
+        assert!((restitution(rows[1]) - restitution(rows[2])).abs() > 1e-3, "{key}: {table}");
+        let drawn = format!("{text}[monte_carlo]\nsamples = 20\n\"{key}\" = {{ uniform = {values} }}\n");
+        assert!(Scenario::from_text("s.toml", &drawn, &[]).unwrap().plan().unwrap().is_some());
+    }
+}
+
+/// The scenario of the Leeb device against an energy balance in Python that shares no code with this program: the law of
+/// section 4 and n(Λ), 11 mJ on a yield strength of 9.80665 × 300/0.9272/2.9 MPa.
+#[test]
+fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
+    let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml"));
+    let leeb = Scenario::load(file, &[]).unwrap().resolve().unwrap();
+    assert!(off(restitution(&leeb), 0.536_819_556_289_484_6) < 1e-8, "{}", restitution(&leeb));
+    // the same with the exponent 0.1 of a metal that hardens
+    let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
+    let hardening = scene(&text);
+    assert!(off(hardening.half_space.yield_strength.unwrap(), 803_547_686.070_280_6) < 1e-10);
+    assert!(off(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
+}

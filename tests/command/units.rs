@@ -1,0 +1,128 @@
+//! Tables of spellings that are understood and of those that are refused, with their messages.
+
+use plm_impact::units::{Dimension, describe, human, parse, si};
+use proptest::prelude::*;
+
+#[test]
+fn every_spelling_gives_the_number_that_si_digits_give() {
+    use Dimension::{Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed};
+    // the right-hand sides are the decimal value written in SI: equality is exact
+    let table = [
+        ("5 mm", Length, 0.005),
+        ("5mm", Length, 0.005),
+        (" 5  mm ", Length, 0.005),
+        ("0.7 mm", Length, 0.0007),
+        ("35e-3 m", Length, 0.035),
+        ("1.5E1 mm", Length, 0.015),
+        ("5um", Length, 5e-6),
+        ("5 \u{b5}m", Length, 5e-6),
+        ("5 \u{3bc}m", Length, 5e-6),
+        ("250 nm", Length, 2.5e-7),
+        ("0.25 cm", Length, 0.0025),
+        ("1 in", Length, 0.0254),
+        (".5 m", Length, 0.5),
+        ("5. m", Length, 5.0),
+        ("+5 m", Length, 5.0),
+        ("-5 mm", Length, -0.005),
+        ("210GPa", Pressure, 210e9),
+        ("210 GPa", Pressure, 210e9),
+        ("0.21 TPa", Pressure, 0.21e12),
+        ("345 MPa", Pressure, 345e6),
+        ("345 N/mm^2", Pressure, 345e6),
+        ("345 N/mm²", Pressure, 345e6),
+        ("2 bar", Pressure, 2e5),
+        ("7.85 g/cm^3", Density, 7850.0),
+        ("7.85 g/cm³", Density, 7850.0),
+        ("7.85g/cm3", Density, 7850.0),
+        ("7850 kg/m^3", Density, 7850.0),
+        ("7850 kg/m³", Density, 7850.0),
+        ("7850 kg / m**3", Density, 7850.0),
+        ("7.85 t/m^3", Density, 7850.0),
+        ("3 m/s", Speed, 3.0),
+        ("3 mm/s", Speed, 0.003),
+        ("36 km/h", Speed, 10.0),
+        ("3e-400 m/s", Speed, 0.0),
+        ("9.81 m/s^2", Acceleration, 9.81),
+        ("9.81 m/s²", Acceleration, 9.81),
+        ("981 cm/s2", Acceleration, 9.81),
+        ("0.1 s/m", InverseSpeed, 0.1),
+        ("0.1 s/mm", InverseSpeed, 100.0),
+        ("0.3", Ratio, 0.3),
+        ("30 %", Ratio, 0.3),
+    ];
+    for (text, dimension, want) in table {
+        assert_eq!(parse(text, dimension), Ok(want), "{text}");
+    }
+}
+
+#[test]
+fn refused_spellings_say_what_would_be_understood() {
+    use Dimension::{Density, Length, Pressure, Speed};
+    let table = [
+        ("", Length, "does not begin with a number; write a length such as \"5 mm\""),
+        ("mm", Length, "does not begin with a number"),
+        ("inf m/s", Speed, "does not begin with a number"),
+        ("nan m/s", Speed, "does not begin with a number"),
+        ("−5 mm", Length, "does not begin with a number"),
+        ("5", Length, "has no unit; write a length such as \"5 mm\", or a number without quotes in m"),
+        ("5,3 mm", Length, "decimal comma"),
+        ("210 mPa", Pressure, "did you mean \"MPa\"?"),
+        ("210 gpa", Pressure, "did you mean \"GPa\"?"),
+        ("5 m m", Length, "unknown unit \"m m\""),
+        ("5 parsec", Length, "units of a length are nm, µm, mm, cm, in, m, km"),
+        ("5 e", Length, "unknown unit \"e\""),
+        ("5 mm", Pressure, "\"5 mm\" is a length, but a pressure is needed, such as \"210 GPa\""),
+        ("3 m", Speed, "is a length, but a speed is needed"),
+        ("7850 kg", Density, "is a mass, but a density is needed"),
+    ];
+    for (text, dimension, want) in table {
+        let message = parse(text, dimension).unwrap_err().to_string();
+        assert!(message.contains(want), "{text}: {message}");
+        assert!(message.contains(&format!("\"{text}\"")), "{message}");
+    }
+}
+
+#[test]
+fn values_are_shown_in_si_and_in_a_unit_that_fits() {
+    use Dimension::{Density, Force, Length, Pressure, Ratio, Speed};
+    let table = [
+        (0.005, Length, "0.005 m (5 mm)"),
+        (1.0, Length, "1 m"),
+        (0.0, Length, "0 m"),
+        (2.870_168_549_901_595e-7, Length, "2.870168549901595e-7 m (287.017 nm)"),
+        (1e-12, Length, "1e-12 m (0.001 nm)"),
+        (210e9, Pressure, "2.1e11 Pa (210 GPa)"),
+        (7850.0, Density, "7850 kg/m^3 (7.85 g/cm^3)"),
+        (0.009_666_759_822_493_44, Speed, "0.00966675982249344 m/s (9.66676 mm/s)"),
+        (1.672_756_582_264_761, Force, "1.672756582264761 N (1.67276 N)"),
+        (0.3, Ratio, "0.3"),
+    ];
+    for (value, dimension, want) in table {
+        assert_eq!(describe(value, dimension), want);
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(256))]
+
+    #[test]
+    fn what_is_shown_in_si_is_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
+        for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed, Dimension::Ratio] {
+            prop_assert_eq!(parse(&si(value, dimension), dimension), Ok(value));
+        }
+    }
+
+    #[test]
+    fn what_is_shown_in_a_fitting_unit_is_within_six_digits(value in 1e-30..1e30_f64) {
+        for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed] {
+            let read = parse(&human(value, dimension), dimension).unwrap();
+            // half a unit in the sixth digit
+            prop_assert!((read / value - 1.0).abs() <= 5.001e-6, "{value} {}", human(value, dimension));
+        }
+    }
+
+    #[test]
+    fn no_text_panics(text in "\\PC*") {
+        let _ = parse(&text, Dimension::Length);
+    }
+}

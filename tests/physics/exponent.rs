@@ -1,0 +1,213 @@
+//! No unloading gives back more than was spent: the exponent of the unloading branch just past first yield.
+//!
+//! A branch f_m (d/ε_m)^n gives back f_m ε_m/(n + 1). Where that is more than the work W_m of loading, n is the exponent
+//! that gives back all of it, f_m ε_m/W_m − 1: 3/2 at first yield, and falling to the n that was asked for.
+
+use plm_impact::compare::Comparison;
+use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, batch, closed_form};
+use plm_impact::indentation::{Indenter, StaticContact, Target};
+use plm_impact::law::{Bodies, Law, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
+use plm_impact::material::{HalfSpace, Material};
+use plm_impact::repeat::{Drive, Place, Repeat};
+use proptest::prelude::*;
+
+use crate::common::{STEPPING, Scene, any_scene, off, solver, worst};
+
+fn steel(n: f64) -> Scene {
+    Scene { exponent: UnloadingExponent::Fixed(n), ..Scene::steel() }
+}
+
+/// The exponent of the rule, from the law's own peak and the work of loading to it.
+fn ruled(law: &Law, x: f64, n: f64) -> f64 {
+    let peak = law.loaded_to(x);
+    let gives_all = peak.force * peak.elastic_approach / law.loading.work(x) - 1.0;
+    if peak.residual() > 0.0 { gives_all.max(n) } else { 1.5 }
+}
+
+#[test]
+fn steel_on_steel_just_past_yield_gives_back_what_it_took_and_no_more() {
+    // 0.012 m/s is 1.7 times the yield speed; e was 1.062 here and the plastic share −0.13
+    let contact = steel(1.2).contact();
+    let row = contact.essentials(0.012).unwrap();
+    assert_eq!((row.restitution, row.plastic_fraction), (1.0, 0.0));
+    assert!(row.has_dent());
+    let impact = contact.closed_form(0.012).unwrap();
+    assert_eq!((impact.restitution, impact.energy.plastic), (1.0, Some(0.0)));
+    assert!(impact.unloading_exponent > 1.2 && impact.unloading_exponent < 1.5, "{}", impact.unloading_exponent);
+    assert!(impact.warnings.iter().all(|warning| !matches!(warning, Warning::EnergyGain { .. })));
+}
+
+#[test]
+fn the_exponent_falls_from_three_halves_at_first_yield_to_the_one_asked_for() {
+    let law = steel(1.2).law();
+    let exponent = |x: f64| law.unloading(law.loaded_to(x)).exponent;
+    // straight pieces instead of a curve let it rise by as little as e rises behind a knot: 0.02 %
+    let exponents: Vec<f64> = (0..=400).map(|i| exponent(1.0 + 0.01 * f64::from(i))).collect();
+    assert!(exponents.windows(2).all(|pair| pair[1] <= pair[0] * 1.0005), "{exponents:?}");
+    assert_eq!((exponents[0], exponents[400]), (1.5, 1.2));
+    assert!(1.5 - exponent(1.0 + 1e-9) < 1e-8);
+    // one above 3/2 gives back less than was spent at once: it jumps
+    let law = steel(1.8).law();
+    assert_eq!(law.unloading(law.loaded_to(1.0)).exponent, 1.5);
+    assert_eq!(law.unloading(law.loaded_to(1.01)).exponent, 1.8);
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(300))]
+
+    #[test]
+    fn nothing_comes_back_that_was_not_spent(scene in any_scene(), n in 1.000_001..2.0_f64, decades in 0.0..2.0_f64) {
+        let contact = Scene { exponent: UnloadingExponent::Fixed(n), ..scene }.contact();
+        let speed = contact.yield_speed().unwrap() * 10_f64.powf(decades);
+        let Ok(row) = contact.essentials(speed) else { return Ok(()) };
+        prop_assert!(row.restitution <= 1.0, "{:e}", row.restitution - 1.0);
+        prop_assert!(row.plastic_fraction >= 0.0, "{:e}", row.plastic_fraction);
+        // energy: what comes back and what is spent are all there was
+        prop_assert!((row.recovered_fraction() + row.plastic_fraction - 1.0).abs() < 1e-13);
+        let impact = contact.closed_form(speed).unwrap();
+        prop_assert!(impact.energy.drift < 1e-13 && impact.energy.plastic.unwrap() >= 0.0);
+        let (_, law, q) = contact.scaled(speed).unwrap();
+        let (unloading, _) = closed_form::energy_balance(law, q);
+        prop_assert!(off(unloading.exponent, ruled(law, unloading.peak.indentation, n)) < 1e-13 * q * q);
+    }
+
+    #[test]
+    fn the_exponents_that_never_gain_keep_their_bits(scene in any_scene(), shape in any::<bool>(), x in 1.0..100.0_f64) {
+        let exponent = if shape { UnloadingExponent::PressureShape } else { UnloadingExponent::Paper };
+        let law = Scene { exponent, ..scene }.law();
+        let peak = law.loaded_to(x);
+        let equivalent = law.radius_ratio.at(peak.force / peak.elastic_approach);
+        let want = if shape { plm_impact::law::pressure_shape_exponent(equivalent) } else { 1.5 };
+        prop_assert_eq!(law.unloading(peak).exponent.to_bits(), want.to_bits());
+    }
+
+    #[test]
+    fn every_method_finds_the_same_branch(scene in any_scene(), n in 1.01..1.45_f64, decades in 0.02..0.8_f64) {
+        let contact = Scene { exponent: UnloadingExponent::Fixed(n), ..scene }.contact();
+        let (_, law, q) = contact.scaled(contact.yield_speed().unwrap() * 10_f64.powf(decades)).unwrap();
+        let exact = closed_form::solve(law, q);
+        for (method, factor) in STEPPING {
+            let (outcome, _) = crate::common::run(law, q, method, 1e-9).unwrap();
+            prop_assert!(worst(&outcome, &exact) < factor * 1e-9, "{method:?}");
+            prop_assert!(off(outcome.unloading.exponent, exact.unloading.exponent) < factor * 1e-9);
+        }
+        let (alone, _) = crate::common::run(law, q, Method::Rk8, 1e-9).unwrap();
+        let lane = batch::integrate(&[(law, q, ScaledForces::NONE)], 1e-9).remove(0).unwrap();
+        prop_assert_eq!(lane, alone);
+        let fine = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
+        let (verlet, _) = plm_impact::impact::run(law, q, &ScaledForces::NONE, Some(&exact), &fine, None).unwrap();
+        prop_assert!(off(verlet.restitution, exact.restitution) < 1e-3, "{}", verlet.restitution);
+    }
+}
+
+#[test]
+fn forces_and_lanes_take_the_limited_branch_too() {
+    let contact = steel(1.2).contact();
+    let speed = 1.7 * contact.yield_speed().unwrap();
+    let free = contact.closed_form(speed).unwrap();
+    let under = |gravity, damping| contact.clone().with_forces(Forces { gravity, damping });
+    // nearly nothing acts: the impact is the one without forces
+    let little = 1e-7;
+    for forced in [under(Some(1e-6), None), under(None, Some(Damping::HuntCrossley(little)))] {
+        for method in [Method::ClosedForm, Method::Rk8, Method::Dop853, Method::Dopri5] {
+            let impact = forced.impact(speed, &solver(method, 1e-9), None).unwrap();
+            assert!(off(impact.restitution, 1.0) < 1e-5, "{method:?} {}", impact.restitution);
+            assert!(off(impact.unloading_exponent, free.unloading_exponent) < 1e-5, "{method:?}");
+            assert_eq!(impact.energy.plastic, Some(0.0), "{method:?}");
+        }
+    }
+    let damped = under(None, Some(Damping::Viscous(0.01)));
+    let traced = damped.impact(speed, &solver(Method::Rk8, 1e-9), Some(50)).unwrap();
+    assert!(traced.restitution < 1.0 && traced.energy.drift < 1e-7, "{:e}", traced.energy.drift);
+    let by_steps = Solver { method: Method::Rk8, tolerance: 1e-9, ..Solver::default() };
+    let rows = Contact::essentials_together(&[(&damped, speed), (&damped, 1.1 * speed)], &by_steps);
+    for (row, speed) in rows.into_iter().zip([speed, 1.1 * speed]) {
+        let (row, alone) = (row.unwrap(), damped.impact(speed, &by_steps, None).unwrap());
+        assert!(off(row.restitution, alone.restitution) < 1e-8 && row.plastic_fraction == 0.0);
+    }
+}
+
+#[test]
+fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
+    // w x_m = W(x_m): by its own weight to 1.6 times the yield indentation, on Hertz where W = (2/5) x^2.5
+    let law = steel(1.2).law();
+    let forces = ScaledForces { weight: 0.4 * 1.6_f64.powf(1.5), damping: None };
+    let outcome = closed_form::solve_with(&law, 0.0, &forces).unwrap();
+    let peak = outcome.unloading.peak;
+    assert!(off(peak.indentation, 1.6) < 1e-14 && peak.residual() > 0.0);
+    assert!(off(outcome.unloading.exponent, ruled(&law, 1.6, 1.2)) < 1e-14);
+    assert_eq!(law.plastic(&outcome.unloading), 0.0);
+}
+
+#[test]
+fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
+    let contact = steel(1.2).contact();
+    let auto = Solver { method: Method::Auto, ..Solver::default() };
+    let speed = 1.5 * contact.yield_speed().unwrap();
+    let mut spot = Spot::fresh();
+    let first = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
+    // as fast again: to the old peak and no further
+    let again = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
+    assert!(again.restitution == 1.0 && off(again.peak_indentation, first.peak_indentation) < 1e-14);
+    assert!(off(again.unloading_exponent, first.unloading_exponent) < 1e-14);
+    assert!(off(contact.elastic_speed(&spot).unwrap(), speed) < 1e-14);
+    // faster: everything spent so far is still there, so the peak is that of a fresh spot
+    for method in [Method::ClosedForm, Method::Rk8] {
+        let mut old = spot.clone();
+        let faster = contact.impact_on(&mut old, 1.05 * speed, &solver(method, 1e-10), Some(40)).unwrap();
+        let fresh = contact.closed_form(1.05 * speed).unwrap();
+        assert!(off(faster.restitution, 1.0) < 1e-9 && off(faster.peak_indentation, fresh.peak_indentation) < 1e-9);
+        assert!(off(faster.unloading_exponent, fresh.unloading_exponent) < 1e-9);
+        assert!(faster.energy.drift < 1e-9, "{:e}", faster.energy.drift);
+    }
+    let repeat = Repeat { place: Place::Same, drive: Drive::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]) };
+    let sequence = repeat.run(&contact, &auto, 0).unwrap();
+    assert!(sequence.hits.iter().all(|hit| hit.restitution <= 1.0 && hit.plastic.unwrap() >= 0.0));
+    assert!(sequence.warnings.is_empty(), "{:?}", sequence.warnings);
+}
+
+#[test]
+fn indentation_and_comparison_obey_the_same_rule() {
+    let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+    let indenter = Indenter { radius: 5e-3, material: steel, yield_strength: None };
+    let exponent = UnloadingExponent::Fixed(1.2);
+    let contact = StaticContact::try_new(indenter, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
+    let (bodies, law) = (Bodies::new(contact.pair(), &half_space).unwrap(), self::steel(1.2).law());
+    let depth = |x: f64| Target::Indentation(x * bodies.yield_point.indentation);
+    let done = contact.indent(&[depth(1.4), depth(0.0), depth(1.6), depth(0.0), depth(1.8)], Some(20)).unwrap();
+    assert!(done.doubts.is_empty(), "{:?}", done.doubts);
+    for step in &done.steps {
+        assert_eq!(step.plastic_work, 0.0);
+        let x = step.memory.indentation / bodies.yield_point.indentation;
+        assert!(off(step.memory.unloading_exponent, ruled(&law, x, 1.2)) < 1e-12);
+    }
+
+    let plm = Plm { exponent, ..Plm::default() };
+    let laws = vec![LawChoice::Plm(plm.clone())];
+    let comparison = Comparison::of_plm(bodies, 210e9, &plm, 1.4, laws);
+    let branch = comparison.compared().remove(0).unloading.unwrap();
+    // the dent is that of the law, the exponent that of the rule
+    assert!(off(branch.peak.elastic_approach, law.loaded_to(1.4).elastic_approach) < 1e-15);
+    assert!(off(branch.exponent, ruled(&law, 1.4, 1.2)) < 1e-14);
+    assert!(off(comparison.restitution(&branch), 1.0) < 1e-15);
+}
+
+#[test]
+fn coefficients_that_would_gain_by_themselves_do_not() {
+    // a force that doubles its slope at first yield, and an approach that is elastic far beyond it
+    let mut table = PlmCoefficients::built_in().clone();
+    table.force.from = vec![1.0];
+    table.force.slope = vec![4.0];
+    table.force.slope_kappa_squared = vec![0.0];
+    table.elastic_approach.first_slope = 1.99;
+    table.check().unwrap();
+    let scene = Scene::steel();
+    let plm = Plm::new(&table, UnloadingExponent::Paper);
+    let contact = Contact::try_new(*scene.contact().sphere(), *scene.contact().half_space(), &plm).unwrap();
+    for i in 1..60 {
+        let speed = contact.yield_speed().unwrap() * (1.0 + 0.05 * f64::from(i));
+        let row = contact.essentials(speed).unwrap();
+        assert!(row.restitution <= 1.0 && row.plastic_fraction >= 0.0, "{i} {row:?}");
+    }
+}

@@ -1,0 +1,366 @@
+//! Gravity and damping: balances of energy, closed forms, and the cases that are hard.
+
+mod at_rest;
+mod creep;
+mod error_control;
+mod properties;
+
+use plm_impact::impact::{
+    Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, ScaledForces, Solver, closed_form, course,
+};
+use plm_impact::integrate::damped::Damped;
+
+use crate::common::{STEPPING, Scene, off, solver};
+
+const GRAVITY: f64 = 9.81;
+
+fn gravity(acceleration: f64) -> Forces {
+    Forces { gravity: Some(acceleration), damping: None }
+}
+
+fn hunt_crossley(chi: f64) -> Forces {
+    Forces { gravity: None, damping: Some(Damping::HuntCrossley(chi)) }
+}
+
+fn viscous(zeta: f64) -> Forces {
+    Forces { gravity: None, damping: Some(Damping::Viscous(zeta)) }
+}
+
+fn under(scene: &Scene, forces: Forces) -> Contact {
+    scene.contact().with_forces(forces)
+}
+
+fn elastic() -> Scene {
+    Scene { yield_strength: None, ..Scene::steel() }
+}
+
+fn fate(impact: &Impact) -> Fate {
+    impact.under_forces.unwrap().fate
+}
+
+#[test]
+fn a_contact_with_no_forces_is_the_plain_one_to_the_last_bit() {
+    for speed in [1e-6, 0.005, 0.1, 3.0, 40.0] {
+        for (method, _) in STEPPING {
+            let plain = Scene::steel().impact(speed, method, 1e-9, Some(50));
+            let none = under(&Scene::steel(), Forces::default());
+            assert_eq!(none.impact(speed, &solver(method, 1e-9), Some(50)).unwrap(), plain);
+            assert!(plain.under_forces.is_none() && plain.trace.iter().all(|row| row.elastic_force.is_none()));
+        }
+        assert_eq!(
+            under(&Scene::steel(), Forces::default()).essentials(speed).unwrap(),
+            Scene::steel().contact().essentials(speed).unwrap()
+        );
+    }
+}
+
+#[test]
+fn damping_of_nothing_changes_nothing() {
+    let plain = Scene::steel().contact().closed_form(3.0).unwrap();
+    for forces in [viscous(0.0), hunt_crossley(0.0)] {
+        for method in [Method::Rk8, Method::Dop853] {
+            let impact = under(&Scene::steel(), forces).impact(3.0, &solver(method, 1e-11), None).unwrap();
+            assert!(off(impact.restitution, plain.restitution) < 1e-9);
+            assert!(off(impact.contact_time, plain.contact_time) < 1e-9);
+            assert_eq!(impact.under_forces.unwrap().damping_loss, Some(0.0));
+        }
+    }
+}
+
+#[test]
+fn gravity_alone_keeps_the_balance_of_energy() {
+    // ½ m v² + m g δ_m = W(δ_m) and ½ m (e v)² = F_m δ_e/(n + 1) − m g δ_e, with W of the law in units of its yield point
+    let law = Scene::steel().law();
+    let scales = *Scene::steel().contact().pair();
+    let point = scales.yield_point.unwrap();
+    for (g, speed) in [(9.81, 3.0), (9.81, 0.02), (1e4, 0.1), (1e6, 5.0)] {
+        let contact = under(&Scene::steel(), gravity(g));
+        let impact = contact.closed_form(speed).unwrap();
+        let mass = contact.mass();
+        let work = law.loading.work(impact.peak_indentation / point.indentation) * point.force * point.indentation;
+        let put_in = 0.5 * mass * speed * speed + mass * g * impact.peak_indentation;
+        assert!(off(work, put_in) < 1e-13, "{g} {speed}: {work} {put_in}");
+        let back = impact.peak_force * impact.elastic_approach / 2.5 - mass * g * impact.elastic_approach;
+        let rebound = 0.5 * mass * impact.rebound_speed * impact.rebound_speed;
+        assert!((rebound - back.max(0.0)).abs() < 1e-12 * put_in, "{g} {speed}: {rebound} {back}");
+        let rk8 = contact.impact(speed, &solver(Method::Rk8, 1e-12), None).unwrap();
+        assert!(off(rk8.under_forces.unwrap().end_time, impact.under_forces.unwrap().end_time) < 1e-11);
+        assert!(off(rk8.loading_time, impact.loading_time) < 1e-11 && rk8.energy.drift < 1e-11);
+    }
+}
+
+#[test]
+fn a_sphere_let_go_at_first_touch_sinks_twice_and_a_half_as_deep_as_its_weight_alone() {
+    // elastic: (2/5) F δ = m g δ at the peak, so F_m = 2.5 m g; it would swing for ever
+    for forces in [gravity(GRAVITY), gravity(1e-6), gravity(1e3)] {
+        let contact = under(&elastic(), forces);
+        let weight = contact.mass() * forces.gravity.unwrap();
+        let exact = contact.closed_form(0.0).unwrap();
+        assert!(off(exact.peak_force, 2.5 * weight) < 1e-14);
+        // static: F = m g
+        let at_rest = exact.under_forces.unwrap().static_indentation.unwrap();
+        assert!(off(exact.peak_indentation / at_rest, 2.5_f64.powf(2.0 / 3.0)) < 1e-14);
+        for (method, factor) in STEPPING {
+            let impact = contact.impact(0.0, &solver(method, 1e-10), Some(20)).unwrap();
+            assert_eq!((fate(&impact), impact.restitution), (Fate::Captured, 0.0));
+            assert!(impact.contact_time.is_infinite());
+            assert!(off(impact.peak_force, exact.peak_force) < factor * 1e-10, "{}", method.name());
+            assert!(off(impact.loading_time, exact.loading_time) < factor * 1e-10, "{}", method.name());
+            let last = impact.trace.last().unwrap();
+            assert_eq!(last.event, Some(Event::Captured));
+            assert!(off(last.force, weight) < 1e-12 && off(last.indentation, at_rest) < 1e-12);
+            assert!(impact.trace[0].speed == 0.0 && impact.energy.drift <= factor * 1e-10);
+        }
+    }
+}
+
+#[test]
+fn a_sphere_almost_at_rest_at_first_touch_sinks_at_any_tolerance() {
+    for scene in [elastic(), Scene { yield_strength: Some(1e6), ..Scene::steel() }] {
+        let contact = under(&scene, gravity(GRAVITY));
+        let from_rest = contact.closed_form(0.0).unwrap();
+        // heights far below the peak of the fall from 0, where gravity does all of the work
+        for part in [0.0, 1e-30, 1e-24, 1e-18, 1e-12] {
+            let speed = (2.0 * GRAVITY * part * from_rest.peak_indentation).sqrt();
+            let exact = contact.closed_form(speed).unwrap();
+            assert!(off(exact.peak_force, from_rest.peak_force) < 1e-11);
+            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+                for (method, factor) in STEPPING {
+                    for samples in [None, Some(20)] {
+                        let impact = contact.impact(speed, &solver(method, tolerance), samples).unwrap();
+                        let error = off(impact.peak_force, exact.peak_force);
+                        assert!(error < factor * tolerance, "{} {tolerance:e} {part:e}: {error:e}", method.name());
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn drops_from_below_the_static_indentation_are_computed() {
+    // heights of a thousandth and a millionth of the static indentation: gravity does nearly all of the work
+    let contact = under(&elastic(), gravity(GRAVITY));
+    let at_rest = contact.closed_form(0.0).unwrap().under_forces.unwrap().static_indentation.unwrap();
+    for part in [1e-3, 1e-6] {
+        let speed = (2.0 * GRAVITY * part * at_rest).sqrt();
+        let exact = contact.closed_form(speed).unwrap();
+        assert_eq!((fate(&exact), exact.restitution), (Fate::Separated, 1.0), "elastic: as high as it came from");
+        for (method, factor) in STEPPING {
+            let impact = contact.impact(speed, &solver(method, 1e-12), None).unwrap();
+            assert!(off(impact.contact_time, exact.contact_time) < factor * 1e-11, "{}", method.name());
+            // the speed is the small difference of large works: errors grow by their ratio
+            assert!(off(impact.restitution, 1.0) < factor * 1e-12 * 10.0 / part, "{}", method.name());
+        }
+        // with the dent of a soft half-space it stays
+        let soft = Scene { yield_strength: Some(1e6), ..Scene::steel() };
+        let impact = under(&soft, gravity(GRAVITY)).impact(speed, &Solver::default(), Some(20)).unwrap();
+        assert_eq!(fate(&impact), Fate::Captured);
+    }
+}
+
+#[test]
+fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
+    let law = Scene::steel().law();
+    // exactly at the limit: captured
+    let unloading = law.unloading(law.loaded_to(20.0));
+    let at = |weight: f64| ScaledForces { weight, damping: None }.captures(&unloading, 1.0);
+    let limit = unloading.peak.force / 2.5;
+    assert!(at(limit) && at(limit * (1.0 + 1e-15)) && !at(limit * (1.0 - 1e-15)));
+    // and the speed at which a whole impact comes to that, from both sides
+    let contact = under(&Scene::steel(), gravity(1e6));
+    let weight = contact.mass() * 1e6;
+    let captured = |speed: f64| fate(&contact.closed_form(speed).unwrap()) == Fate::Captured;
+    let (mut slow, mut fast) = (1e-3, 100.0_f64);
+    assert!(captured(slow) && !captured(fast));
+    while fast - slow > 1e-15 * fast {
+        let middle = 0.5 * (slow + fast);
+        if middle == slow || middle == fast {
+            break;
+        }
+        if captured(middle) { slow = middle } else { fast = middle }
+    }
+    let (last, first) = (contact.closed_form(slow).unwrap(), contact.closed_form(fast).unwrap());
+    assert!(last.peak_force <= 2.5 * weight * (1.0 + 1e-14) && off(first.peak_force, 2.5 * weight) < 1e-12);
+    assert!(first.restitution < 1e-5 && last.restitution == 0.0);
+    for speed in [slow, fast] {
+        for (method, _) in STEPPING {
+            let impact = contact.impact(speed, &solver(method, 1e-10), Some(20)).unwrap();
+            // the rebound is the root of a difference of 1e-10
+            assert!(impact.restitution < 1e-3, "{} {}", method.name(), impact.restitution);
+            assert!(impact.trace.last().unwrap().time.is_finite());
+        }
+    }
+}
+
+#[test]
+fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
+    // Hunt and Crossley (1975), J. Appl. Mech. 42, 440-445: e = 1 − α v and damping (3/2) α of the force, so χ = (3/2) α, to
+    // first order in χ v; the next term of G(−e v) = G(v) is + (4/9) (χ v)²
+    let contact = |chi| under(&elastic(), hunt_crossley(chi));
+    for chi_v in [1e-6, 1e-4, 1e-3, 1e-2] {
+        let (chi, speed) = (0.1, chi_v / 0.1);
+        let exact = contact(chi).closed_form(speed).unwrap();
+        let third = exact.restitution - (1.0 - 2.0 / 3.0 * chi_v + 4.0 / 9.0 * chi_v * chi_v);
+        assert!(third.abs() < 0.5 * chi_v.powi(3) + 1e-15, "{chi_v}: {third:e}");
+        for (method, factor) in STEPPING {
+            let impact = contact(chi).impact(speed, &solver(method, 1e-10), None).unwrap();
+            assert!(off(impact.restitution, exact.restitution) < factor * 1e-10);
+            assert!(off(impact.contact_time, exact.contact_time) < factor * 1e-10);
+        }
+    }
+    // and never pulls, however strong
+    let impact = contact(100.0).impact(10.0, &Solver::default(), Some(100)).unwrap();
+    assert!(impact.restitution > 0.0);
+    // G(−e v) = G(v) with χ v = 1000: e χ v + ln(1 − e χ v) = ln 1001 − 1000, so e χ v = 1 − e^(−992…)
+    assert!(off(impact.restitution, 1e-3) < 1e-9);
+    assert!(impact.trace.iter().all(|row| row.force >= 0.0));
+}
+
+#[test]
+fn hunt_crossley_on_the_plastic_law_follows_its_phase_curve() {
+    for (chi, speed) in [(0.1, 3.0), (10.0, 3.0), (0.01, 30.0), (1e-9, 1.0)] {
+        let contact = under(&Scene::steel(), hunt_crossley(chi));
+        let exact = contact.closed_form(speed).unwrap();
+        for (method, factor) in STEPPING {
+            for tolerance in [1e-4, 1e-7, 1e-10, 1e-12] {
+                let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
+                let slack = factor * tolerance.max(1e-13);
+                for (got, want) in [
+                    (impact.restitution, exact.restitution),
+                    (impact.contact_time, exact.contact_time),
+                    (impact.loading_time, exact.loading_time),
+                    (impact.peak_force, exact.peak_force),
+                ] {
+                    assert!(off(got, want) < slack, "{} {tolerance:e} {chi} {speed}: {got} {want}", method.name());
+                }
+                let (loss, all) = (|i: &Impact| i.under_forces.unwrap().damping_loss.unwrap(), exact.energy.kinetic_in);
+                assert!((loss(&impact) - loss(&exact)).abs() < slack * all, "{}", method.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn strong_hunt_crossley_damping_leaves_one_over_chi_of_speed() {
+    // outwards 1 + χ δ' > 0 holds the speed below 1/χ, and for χ v ≫ 1 the contact ends there but for exp(−χ² G)
+    for chi in [30.0, 100.0, 1e3, 1e4] {
+        let contact = under(&Scene::steel(), hunt_crossley(chi));
+        let exact = contact.impact(3.0, &solver(Method::ClosedForm, 1e-10), None).unwrap();
+        assert!(off(exact.rebound_speed, 1.0 / chi) < 1e-9, "{chi}: {}", exact.rebound_speed);
+        assert_eq!(fate(&exact), Fate::Separated);
+        let stepped = contact.impact(3.0, &solver(Method::Rk8, 1e-12), None).unwrap();
+        let error = off(stepped.contact_time, exact.contact_time);
+        assert!(error < 1e-7, "{chi}: {} {} {error:e}", stepped.contact_time, exact.contact_time);
+    }
+}
+
+#[test]
+fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
+    // the δ^¼ of Tsuji, Tanaka and Ishida (1992), Powder Technol. 71, 239-250, was made for that
+    for zeta in [0.01, 0.1, 0.5, 0.9, 1.0, 3.0] {
+        let at = |speed| under(&elastic(), viscous(zeta)).impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
+        let (slow, fast) = (at(1e-3), at(10.0));
+        assert!(off(slow.restitution, fast.restitution) < 1e-9, "{zeta}");
+        // contact time as v^(−1/5)
+        assert!(off(slow.contact_time / fast.contact_time, 1e4_f64.powf(0.2)) < 1e-9);
+    }
+}
+
+#[test]
+fn viscous_force_is_zero_at_first_touch_and_that_is_no_separation() {
+    for zeta in [1e-3, 0.05, 1.0, 5.0] {
+        let contact = under(&Scene::steel(), viscous(zeta));
+        for (method, _) in STEPPING {
+            let impact = contact.impact(3.0, &solver(method, 1e-8), Some(60)).unwrap();
+            let (first, last) = (impact.trace[0], impact.trace.last().unwrap());
+            assert_eq!((first.force, first.event, first.elastic_force), (0.0, Some(Event::Touch), Some(0.0)));
+            assert!(impact.peak_force > 1.0 && impact.trace.len() >= 60);
+            // it lifts off above the dent, without force, on the way out
+            assert_eq!(last.event, Some(Event::Separation));
+            assert!(last.indentation > impact.residual_indentation && last.speed < 0.0);
+            assert!(last.force <= 1e-6 * impact.peak_force && last.elastic_force.unwrap() > 0.0);
+            assert!(impact.trace.iter().all(|row| row.force >= 0.0), "never pulls");
+        }
+    }
+}
+
+#[test]
+fn an_overdamped_contact_without_gravity_lets_go_and_with_gravity_creeps_to_rest() {
+    let scene = Scene::steel();
+    for zeta in [1.0, 2.0, 20.0] {
+        // a sphere that starts back from rest slows down only under a pull, which there is none of
+        let impact = under(&scene, viscous(zeta)).impact(3.0, &Solver::default(), None).unwrap();
+        assert!(fate(&impact) == Fate::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
+        let both = Forces { gravity: Some(1e6), ..viscous(zeta) };
+        for speed in [0.0, 1e-3, 0.1] {
+            let mut times = Vec::new();
+            for (method, _) in STEPPING {
+                let impact = under(&scene, both).impact(speed, &solver(method, 1e-9), Some(40)).unwrap();
+                let report = impact.under_forces.unwrap();
+                assert_eq!((report.fate, impact.restitution), (Fate::Captured, 0.0));
+                let at_rest = report.static_indentation.unwrap();
+                // within a thousandth, or at a turn before
+                let distance = (report.end_indentation / at_rest - 1.0).abs();
+                assert!(distance < 1.1e-3, "{zeta} {speed}: {distance}");
+                assert_eq!(impact.trace.last().unwrap().event, Some(Event::Captured));
+                assert!(impact.energy.drift < 1e-7, "{}", impact.energy.drift);
+                times.push(report.end_time);
+            }
+            assert!(off(times[0], times[1]) < 1e-6 && off(times[0], times[2]) < 1e-6, "{zeta} {speed} {times:?}");
+        }
+    }
+}
+
+#[test]
+fn a_damped_sphere_that_turns_back_is_captured() {
+    let both = Forces { gravity: Some(GRAVITY), ..viscous(0.2) };
+    for (method, _) in STEPPING {
+        let impact = under(&elastic(), both).impact(1e-5, &solver(method, 1e-10), Some(30)).unwrap();
+        let last = impact.trace.last().unwrap();
+        assert_eq!((fate(&impact), last.event, last.speed), (Fate::Captured, Some(Event::Captured), 0.0));
+        let weight = under(&elastic(), both).mass() * GRAVITY;
+        assert!(last.force < weight && last.force > 0.0);
+    }
+}
+
+#[test]
+fn methods_without_steps_say_where_they_end() {
+    let closed = Solver { method: Method::ClosedForm, ..Solver::default() };
+    let contact = under(&Scene::steel(), viscous(0.1));
+    assert_eq!(contact.impact(3.0, &closed, None), Err(ImpactError::NoClosedForm));
+    assert_eq!(contact.closed_form(3.0), Err(ImpactError::NoClosedForm));
+    assert!(contact.holds(3.0).is_ok() && contact.holds(1e200).is_err());
+    let auto = Solver { method: Method::Auto, ..Solver::default() };
+    let method = |forces, samples| under(&Scene::steel(), forces).impact(3.0, &auto, samples).unwrap().method;
+    assert_eq!(method(gravity(GRAVITY), None), Method::ClosedForm);
+    assert_eq!(method(gravity(GRAVITY), Some(10)), Method::Rk8);
+    assert_eq!(method(viscous(0.1), None), Method::Rk8);
+}
+
+#[test]
+fn verlet_comes_nearer_with_more_steps() {
+    for forces in [gravity(1e4), hunt_crossley(0.1), viscous(0.1)] {
+        let contact = under(&Scene::steel(), forces);
+        let exact = contact.impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
+        let error = |steps_per_contact| {
+            let verlet = Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() };
+            off(contact.impact(0.5, &verlet, None).unwrap().restitution, exact.restitution)
+        };
+        // first order at the kinks and at the end of a contact
+        assert!(error(20_000) < 1e-3 && error(20_000) < 0.2 * error(200), "{} {}", error(200), error(20_000));
+    }
+}
+
+#[test]
+fn the_error_of_rk8_falls_with_the_tolerance() {
+    let forces = ScaledForces { weight: 0.0, damping: Some(Damping::HuntCrossley(0.05)) };
+    let law = Scene::steel().law();
+    let exact = closed_form::solve_with(&law, 50.0, &forces).unwrap();
+    for power in 3..=12 {
+        let tolerance = 10_f64.powi(-power);
+        let outcome = course::integrate(&law, 50.0, &forces, &mut Damped::new(tolerance), None).unwrap();
+        assert!(off(outcome.restitution, exact.restitution) < 10.0 * tolerance);
+        assert!(off(outcome.contact_time, exact.contact_time) < 10.0 * tolerance);
+    }
+}

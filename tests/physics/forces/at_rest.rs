@@ -1,0 +1,37 @@
+//! Spheres that are let go at rest, or nearly so, and fall by their own weight.
+
+use plm_impact::impact::{ScaledForces, closed_form, course};
+use plm_impact::integrate::rk8::Rk8;
+use plm_impact::law::{Law, UnloadingExponent};
+
+use crate::common::{Scene, off};
+
+#[test]
+fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
+    // at first touch its speed is nothing beside what it will be: k d^(n+1)/(n+1) = w d, so that d_m^n = (n + 1) w/k
+    let reloaded = |exponent| {
+        let law = Scene { exponent, ..Scene::steel() }.law();
+        law.reloaded(law.loaded_to(20.0))
+    };
+    let dents = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::Fixed(1.8)].map(reloaded);
+    for law in [Law::hertz(), Scene::steel().law()].iter().chain(&dents) {
+        let (k, n) = law.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
+        // beyond 0.4 it also falls past knots, from which it leaves faster than it came
+        for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
+            let forces = ScaledForces { weight, damping: None };
+            let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);
+            for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
+                for share in [0.0, 1e-8, 1e-3] {
+                    let speed = share * (weight * deepest).sqrt();
+                    let outcome = course::integrate(law, speed, &forces, &mut Rk8::new(tolerance), None).unwrap();
+                    let exact = closed_form::solve_with(law, speed, &forces).unwrap();
+                    let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
+                    let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
+                    assert!(off(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");
+                    assert!(weight > 0.4 || off(want, deepest) < 10.0 * share + 1e-12, "{at}: {want} {deepest}");
+                    assert!(off(outcome.loading_time, exact.loading_time) < 10.0 * tolerance + 1e-9, "{at}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Elastic impact against Hertz's closed forms, for random bodies and every method.
+
+use approx::assert_relative_eq;
+use plm_impact::impact::Method;
+use plm_impact::law::UnloadingExponent;
+use plm_impact::material::Material;
+use plm_impact::math::power::max_or_nan;
+use proptest::prelude::*;
+
+use crate::common::{STEPPING, Scene, off};
+
+/// (4/5) B(2/5, 1/2): contact time of a Hertz impact times v/δ_max.
+const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
+
+fn any_body() -> impl Strategy<Value = Material> {
+    (6.0..13.0_f64, -0.9..0.49_f64)
+        .prop_map(|(log_e, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log_e), poissons_ratio })
+}
+
+/// An elastic half-space: without a yield strength, or with one that is not reached.
+fn any_elastic_impact() -> impl Strategy<Value = (Scene, f64)> {
+    let bodies = (any_body(), any_body(), -9.0..1.0_f64, 2.0..4.3_f64);
+    (bodies, -3.0..3.0_f64, prop::option::of(0.01..0.999_f64)).prop_map(
+        |((sphere, half_space, log_r, log_rho), log_v, share_of_yield)| {
+            let scene = Scene {
+                radius: 10_f64.powf(log_r),
+                density: 10_f64.powf(log_rho),
+                sphere,
+                half_space,
+                yield_strength: share_of_yield.map(|_| 1e-2 * sphere.youngs_modulus.min(half_space.youngs_modulus)),
+                exponent: UnloadingExponent::Paper,
+            };
+            let speed = share_of_yield.map_or(10_f64.powf(log_v), |share| share * scene.yield_speed());
+            (scene, speed)
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(200))]
+
+    #[test]
+    fn peak_time_and_energy_are_hertzs((scene, v) in any_elastic_impact()) {
+        const TOLERANCE: f64 = 1e-11;
+        // formulas in the order of the book (Johnson 1985, Section 11.4), with m = (4/3) π R³ ρ
+        let m = 4.0 / 3.0 * std::f64::consts::PI * scene.radius.powi(3) * scene.density;
+        let compliance = |body: Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
+        let e_star = 1.0 / (compliance(scene.sphere) + compliance(scene.half_space));
+        let k = 4.0 / 3.0 * e_star * scene.radius.sqrt();
+        let indentation = (1.25 * m * v * v / k).powf(0.4);
+        let force = k * indentation.powf(1.5);
+        for (method, factor) in STEPPING {
+            let impact = scene.impact(v, method, TOLERANCE, None);
+            let error = [
+                off(impact.restitution, 1.0),
+                off(impact.rebound_speed, v),
+                off(impact.peak_indentation, indentation),
+                off(impact.peak_force, force),
+                off(impact.contact_time, CONTACT_TIME * indentation / v),
+                off(impact.loading_time, 0.5 * CONTACT_TIME * indentation / v),
+                off(impact.energy.kinetic_in, 0.4 * force * indentation),
+                off(impact.energy.recovered, 0.5 * m * v * v),
+                off(impact.peak_contact_radius, (scene.radius * indentation).sqrt()),
+                // p_m = (2/3) p_0, p_0 = 3F/(2πa²)
+                off(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
+                off(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
+                impact.energy.drift,
+            ].into_iter().fold(0.0, max_or_nan);
+            prop_assert!(error <= 2.0 * factor * TOLERANCE, "{}: {error:e}", method.name());
+            prop_assert_eq!(impact.residual_indentation, 0.0);
+            prop_assert_eq!((impact.dent_radius, impact.residual_radius), (None, None));
+            prop_assert_eq!(impact.energy.plastic, scene.yield_strength.map(|_| 0.0));
+        }
+    }
+
+    #[test]
+    fn time_reversal_returns_the_start((scene, v) in any_elastic_impact()) {
+        const TOLERANCE: f64 = 1e-11;
+        // samples at i T/20: the i-th before the peak mirrors the i-th before separation
+        for (method, factor) in STEPPING {
+            let impact = scene.impact(v, method, TOLERANCE, Some(21));
+            let even: Vec<_> = impact.trace.iter().filter(|row| row.event.is_none()).collect();
+            prop_assert_eq!(even.len(), 19);
+            let allowed = 4.0 * factor * TOLERANCE;
+            for (row, mirrored) in even.iter().zip(even.iter().rev()) {
+                prop_assert!(off(row.time + mirrored.time, impact.contact_time) < 1e-10);
+                prop_assert!((row.speed + mirrored.speed).abs() <= allowed * v, "{}: {row:?} {mirrored:?}", method.name());
+                prop_assert!((row.indentation - mirrored.indentation).abs() <= allowed * impact.peak_indentation);
+                prop_assert!((row.force - mirrored.force).abs() <= allowed * impact.peak_force);
+            }
+        }
+    }
+}
+
+#[test]
+fn golden_case_of_lammps_is_reproduced() {
+    // LAMMPS `hertz/material` against a wall of the same material: sphere of 5 mm diameter, 7000 kg/m³, 100 GPa, ν 0.25,
+    // 3.9 m/s, deepest overlap 22.6806 µm; a rigid wall gives 17.19 µm
+    let body = Material { youngs_modulus: 100e9, poissons_ratio: 0.25 };
+    let scene = Scene {
+        radius: 2.5e-3,
+        density: 7000.0,
+        sphere: body,
+        half_space: body,
+        yield_strength: None,
+        exponent: UnloadingExponent::Paper,
+    };
+    for (method, _) in STEPPING {
+        let impact = scene.impact(3.9, method, 1e-10, None);
+        assert_relative_eq!(impact.peak_indentation, 22.6806e-6, max_relative = 2e-6); // six printed digits
+        let mut rigid = scene;
+        rigid.sphere.youngs_modulus = f64::INFINITY;
+        let impact = rigid.impact(3.9, method, 1e-10, None);
+        assert_relative_eq!(impact.peak_indentation, 17.19e-6, max_relative = 3e-4); // four printed digits
+    }
+}
+
+#[test]
+fn closed_form_is_hertzs() {
+    let impact = Scene { yield_strength: None, ..Scene::steel() }.impact(1.0, Method::ClosedForm, 1e-10, None);
+    assert_eq!(impact.restitution, 1.0);
+    assert!(off(impact.contact_time, CONTACT_TIME * impact.peak_indentation) < 1e-15);
+}

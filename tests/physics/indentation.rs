@@ -1,0 +1,342 @@
+//! Slow indentation: closed forms of the loops, memory, finite elements, and random steps.
+
+use std::collections::BTreeMap;
+
+use Target::{Indentation as To, Load};
+use plm_impact::impact::Warning;
+use plm_impact::indentation::{Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target};
+use plm_impact::law::{Branch, Plm, UnloadingExponent};
+use plm_impact::material::{HalfSpace, Material};
+use proptest::prelude::*;
+
+use crate::common::off;
+
+/// Tungsten carbide sphere of Xie et al. 2024, section 4.3.
+fn indenter() -> Indenter {
+    let material = Material { youngs_modulus: 600e9, poissons_ratio: 0.23 };
+    Indenter { radius: 0.25e-3, material, yield_strength: None }
+}
+
+/// A Ti-xNb alloy of its Table 3.
+fn alloy(youngs_modulus: f64, yield_strength: Option<f64>) -> HalfSpace {
+    HalfSpace { material: Material { youngs_modulus, poissons_ratio: 0.3 }, yield_strength, density: None }
+}
+
+fn contact(half_space: &HalfSpace, exponent: UnloadingExponent) -> StaticContact {
+    StaticContact::try_new(indenter(), half_space, &Plm { exponent, ..Plm::default() }).unwrap()
+}
+
+fn ti_10_nb(exponent: UnloadingExponent) -> StaticContact {
+    contact(&alloy(77e9, Some(630e6)), exponent)
+}
+
+fn steps(contact: &StaticContact, targets: &[Target]) -> Vec<Step> {
+    contact.indent(targets, None).unwrap().steps
+}
+
+#[test]
+fn an_elastic_loop_is_hertz_to_and_fro() {
+    let contact = contact(&alloy(77e9, None), UnloadingExponent::Paper);
+    let e_star = contact.pair().effective_modulus;
+    let done = contact.indent(&[Load(30.0), Load(12.0), Load(0.0), To(1e-6)], Some(50)).unwrap();
+    // F = (4/3) E* √R δ^1.5, a = √(R δ), W = (2/5) F δ, S = 2 E* a
+    let depth = |load: f64| (0.75 * load / (e_star * 0.25e-3f64.sqrt())).powf(2.0 / 3.0);
+    for (step, load) in done.steps.iter().zip([30.0, 12.0, 0.0]) {
+        assert!((step.indentation - depth(load)).abs() < 1e-13 * depth(30.0));
+        assert!((step.force - load).abs() < 1e-12 * 30.0);
+        assert!((step.stored_energy - 0.4 * load * depth(load)).abs() < 1e-12 * 30.0 * depth(30.0));
+        assert_eq!((step.plastic_work, step.memory.residual_indentation), (0.0, 0.0));
+    }
+    let radius = (0.25e-3 * depth(30.0)).sqrt();
+    assert!(off(done.steps[0].memory.contact_radius, radius) < 1e-13);
+    assert!(off(done.steps[2].memory.unloading_stiffness, 2.0 * e_star * radius) < 1e-13);
+    let branches: Vec<_> = done.steps.iter().map(|step| step.branch).collect();
+    assert_eq!(branches, [Branch::Elastic, Branch::Unloading, Branch::Unloading, Branch::Reloading]);
+    for row in &done.trace {
+        assert!((row.force - 4.0 / 3.0 * e_star * (0.25e-3 * row.indentation).sqrt() * row.indentation).abs() < 1e-11);
+        let kappa = contact.pair().sphere_compliance;
+        assert!((row.sphere_indentation - kappa * row.indentation).abs() < 1e-18);
+    }
+}
+
+#[test]
+fn a_loop_costs_the_work_less_what_comes_back() {
+    // ∮ F dδ = W − F_m δ_e/(n + 1), S = n F_m/δ_e, δ_r = δ_m − δ_e: theory.md sections 3 and 6
+    for (exponent, n) in [
+        (UnloadingExponent::Paper, 1.5),
+        (UnloadingExponent::Fixed(1.8), 1.8),
+        (UnloadingExponent::PressureShape, f64::NAN),
+    ] {
+        let contact = ti_10_nb(exponent);
+        let done = contact.indent(&[Load(30.0), Load(0.0)], Some(2000)).unwrap();
+        let [up, down] = done.steps[..] else { panic!() };
+        let n = if n.is_nan() { up.memory.unloading_exponent } else { n };
+        let recovered = up.indentation - up.memory.residual_indentation;
+        assert!(off(up.work + down.work, up.work - 30.0 * recovered / (n + 1.0)) < 1e-13);
+        assert!(off(up.plastic_work, up.work + down.work) < 1e-13 && down.plastic_work == 0.0);
+        assert!(off(up.memory.unloading_stiffness, n * 30.0 / recovered) < 1e-13);
+        assert!(off(down.indentation, up.memory.residual_indentation) < 1e-15 && down.force == 0.0);
+        // and the area of the traced loop is that work: trapezoids of 2000 rows a step
+        let area: f64 = done
+            .trace
+            .windows(2)
+            .map(|rows| 0.5 * (rows[0].force + rows[1].force) * (rows[1].indentation - rows[0].indentation))
+            .sum();
+        assert!(off(area, up.plastic_work) < 1e-6, "{area} {}", up.plastic_work);
+        // the slope of the traced curve where unloading begins
+        let down: Vec<_> = done.trace.iter().filter(|row| row.step == 2).collect();
+        let (a, b) = (down[0], down[1]);
+        assert!(off((a.force - b.force) / (a.indentation - b.indentation), up.memory.unloading_stiffness) < 1e-3);
+    }
+}
+
+#[test]
+fn an_indentation_and_an_impact_share_one_law() {
+    // theory.md section 4, case 3, x = 30: f 111.0392906, ε 14.13590752, δ_r/δ_m 0.528803, δ_s/δ 0.236726
+    let steel = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+    let sphere = Indenter { radius: 35e-3, material: steel(208e9), yield_strength: None };
+    let half_space = HalfSpace { material: steel(210e9), yield_strength: Some(345e6), density: None };
+    let exponent = UnloadingExponent::Paper;
+    let contact = StaticContact::try_new(sphere, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
+    let point = contact.pair().yield_point.unwrap();
+    let step = steps(&contact, &[To(30.0 * point.indentation)])[0];
+    assert!(off(step.force, 111.039_290_6 * point.force) < 1e-9);
+    let recovered = step.indentation - step.memory.residual_indentation;
+    assert!(off(recovered, 14.135_907_52 * point.indentation) < 1e-9);
+    assert!(off(step.memory.residual_indentation / step.indentation, 0.528_803) < 1e-5);
+    assert!(off(step.sphere_indentation / step.indentation, 0.236_726) < 1e-5);
+    assert!(off(step.work, 1_448.286_185 * point.force * point.indentation) < 1e-9);
+}
+
+#[test]
+fn reloading_runs_up_the_same_curve_and_on_as_if_nothing_had_been() {
+    let contact = ti_10_nb(UnloadingExponent::PressureShape);
+    let once = steps(&contact, &[Load(20.0), Load(40.0)]);
+    let detour = steps(&contact, &[Load(20.0), Load(0.0), Load(15.0), To(1e-6), Load(7.0), Load(40.0)]);
+    let (a, b) = (once[1], detour[5]);
+    assert_eq!((a.indentation, a.force, a.memory), (b.indentation, b.force, b.memory));
+    let plastic = |steps: &[Step]| steps.iter().map(|step| step.plastic_work).sum::<f64>();
+    assert!(off(plastic(&once), plastic(&detour)) < 1e-14);
+    // nothing plastic below the old peak, and its memory is kept to the last bit
+    for step in &detour[1..5] {
+        assert_eq!(step.plastic_work, 0.0);
+        assert_eq!(step.memory, detour[0].memory);
+    }
+    let branches: Vec<_> = detour[1..].iter().map(|step| step.branch).collect();
+    let want = [Branch::Unloading, Branch::Reloading, Branch::Separated, Branch::Reloading, Branch::Plastic];
+    assert_eq!(branches, want);
+}
+
+#[test]
+fn above_the_dent_there_is_no_contact_and_no_force() {
+    let contact = ti_10_nb(UnloadingExponent::Paper);
+    let done = contact.indent(&[Load(20.0), To(1e-6), To(0.0), To(2e-6), Load(5.0)], Some(30)).unwrap();
+    let residual = done.steps[0].memory.residual_indentation;
+    assert!(residual > 2e-6);
+    for step in &done.steps[1..4] {
+        assert_eq!((step.force, step.sphere_indentation, step.branch), (0.0, 0.0, Branch::Separated));
+    }
+    assert!(off(done.steps[1].work, -20.0 * (done.steps[0].indentation - residual) / 2.5) < 1e-13);
+    assert_eq!((done.steps[2].work, done.steps[3].work), (0.0, 0.0));
+    // the trace has the row where the surfaces part, on the axis, and the dent stays as it is beyond
+    let parting: Vec<_> = done.trace.iter().filter(|row| row.indentation == residual).collect();
+    assert_eq!(parting.len(), 2, "once on the way out, once on the way in");
+    for row in done.trace.iter().filter(|row| row.branch == Branch::Separated) {
+        assert_eq!((row.force, row.sphere_indentation, row.half_space_indentation), (0.0, 0.0, residual));
+    }
+    // a load of zero is where the surfaces part
+    assert!(off(steps(&contact, &[Load(20.0), Load(0.0)])[1].indentation, residual) < 1e-15);
+}
+
+#[test]
+fn steps_that_do_not_move_or_go_too_deep_are_refused_by_number() {
+    let contact = ti_10_nb(UnloadingExponent::Paper);
+    let refuse = |targets: &[Target]| contact.indent(targets, None).unwrap_err();
+    assert_eq!(refuse(&[Load(0.0)]), IndentationError::NoMove { step: 1 });
+    assert_eq!(refuse(&[Load(20.0), Load(20.0)]), IndentationError::NoMove { step: 2 });
+    assert_eq!(refuse(&[Load(20.0), Load(0.0), Load(0.0)]), IndentationError::NoMove { step: 3 });
+    assert!(matches!(refuse(&[Load(1.0), To(0.3e-3)]), IndentationError::TooDeep { step: 2, .. }));
+    assert!(matches!(refuse(&[Load(1e6)]), IndentationError::TooDeep { step: 1, .. }));
+    assert!(matches!(refuse(&[Load(1e300)]), IndentationError::TooDeep { step: 1, .. }));
+    assert!(contact.indent(&[To(0.25e-3)], None).is_ok());
+}
+
+#[test]
+fn doubts_are_raised_once_by_the_step_that_gives_them() {
+    let strong = Indenter { yield_strength: Some(1.2e9), ..indenter() };
+    let half_space = alloy(77e9, Some(630e6));
+    let contact = StaticContact::try_new(strong, &half_space, &Plm::default()).unwrap();
+    let doubts = |targets: &[Target]| contact.indent(targets, None).unwrap().doubts;
+    assert!(doubts(&[Load(1.0), Load(0.0)]).is_empty());
+    let found = doubts(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
+    assert!(
+        matches!(
+            found[..],
+            [
+                Doubt { step: 2, warning: Warning::DeepDent { .. } },
+                Doubt { step: 2, warning: Warning::SphereYields { .. } }
+            ]
+        ),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn every_piece_of_the_law_is_left_and_entered_exactly() {
+    let contact = ti_10_nb(UnloadingExponent::Paper);
+    let point = contact.pair().yield_point.unwrap();
+    // knots of the built-in table, and between them
+    for x in [0.3, 1.0, 1.3, 1.7, 2.0, 2.4, 3.4, 5.0, 9.0, 18.0, 36.0, 80.0, 100.0, 250.0, 1000.0] {
+        let by_depth = steps(&contact, &[To(x * point.indentation)])[0];
+        let by_load = steps(&contact, &[Load(by_depth.force)])[0];
+        assert!(off(by_load.indentation, by_depth.indentation) < 1e-14, "{x}");
+        assert!(off(by_load.work, by_depth.work) < 1e-13, "{x}");
+    }
+}
+
+#[test]
+fn the_spans_of_uncertain_inputs_hold_every_case_within() {
+    let specimen = Specimen {
+        name: None,
+        half_space: alloy(100e9, Some(510e6)),
+        modulus_uncertainty: Some(12e9),
+        strength_uncertainty: Some(23e6),
+    };
+    let targets = [Load(30.0), Load(0.0)];
+    let (plm, exponent) = (&Plm::default(), UnloadingExponent::Paper);
+    let run = |half_space: &HalfSpace| contact(half_space, exponent).indent(&targets, None).unwrap();
+    let middle = run(&specimen.half_space);
+    let spans = specimen.spans(indenter(), plm, &targets, &middle).unwrap().unwrap();
+    assert_eq!(specimen.corners().len(), 4);
+    for i in 0..=10 {
+        for j in 0..=10 {
+            let (i, j) = (f64::from(i) / 5.0 - 1.0, f64::from(j) / 5.0 - 1.0);
+            let inner: Indentation = run(&alloy(100e9 + i * 12e9, Some(510e6 + j * 23e6)));
+            for (step, spans) in inner.steps.iter().zip(&spans) {
+                let residual = step.memory.residual_indentation;
+                assert!(spans.residual_indentation.low <= residual && residual <= spans.residual_indentation.high);
+                assert!(spans.indentation.low <= step.indentation && step.indentation <= spans.indentation.high);
+                let stiffness = step.memory.unloading_stiffness;
+                assert!(spans.unloading_stiffness.low <= stiffness && stiffness <= spans.unloading_stiffness.high);
+            }
+        }
+    }
+    let known = Specimen { modulus_uncertainty: None, strength_uncertainty: None, ..specimen };
+    assert!(known.spans(indenter(), plm, &targets, &middle).unwrap().is_none());
+}
+
+/// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3, and the rigid sphere of case 5 as the finite elements had it.
+const CASES: [(&str, f64, f64, f64); 5] = [
+    ("case1", 52e9, 210e9, 50e6),
+    ("case2", 104e9, 210e9, 120e6),
+    ("case3", 208e9, 210e9, 345e6),
+    ("case4", 208e9, 52.5e9, 550e6),
+    ("case5", 210e12, 210e9, 345e6),
+];
+
+#[test]
+fn load_cycles_follow_the_finite_elements() {
+    // src/reference/fe_unloading.csv: full unloadings, each to its own peak x_m
+    let text = include_str!("../../src/reference/fe_unloading.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let mut runs: BTreeMap<String, Vec<BTreeMap<String, String>>> = BTreeMap::new();
+    for row in reader.deserialize() {
+        let row: BTreeMap<String, String> = row.unwrap();
+        runs.entry(row["run"].clone()).or_default().push(row);
+    }
+    let (mut count, mut sum_of_squares) = (0.0, 0.0);
+    for rows in runs.values() {
+        let number = |row: &BTreeMap<String, String>, column: &str| row[column].parse::<f64>().unwrap();
+        let (_, of_sphere, of_half_space, strength) = *CASES.iter().find(|case| case.0 == rows[0]["case"]).unwrap();
+        let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+        let sphere = Indenter { radius: 35e-3, material: material(of_sphere), yield_strength: None };
+        let half_space = HalfSpace { material: material(of_half_space), yield_strength: Some(strength), density: None };
+        let exponent = UnloadingExponent::PressureShape;
+        let contact = StaticContact::try_new(sphere, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
+        let point = contact.pair().yield_point.unwrap();
+        // the cycles of the run, one after the other, as the finite elements went
+        let targets: Vec<_> =
+            rows.iter().flat_map(|row| [To(number(row, "x") * point.indentation), Load(0.0)]).collect();
+        let done = steps(&contact, &targets);
+        let mut spent = 0.0;
+        for (row, pair) in rows.iter().zip(done.chunks(2)) {
+            // reloading before gave back what unloading took
+            spent += pair[0].plastic_work;
+            // the shallow cycles of the softest sphere have no restitution, and nothing was fitted to them
+            if row["restitution"].is_empty() {
+                continue;
+            }
+            let what = format!("{} at {}", row["run"], row["x"]);
+            // residual over largest indentation: PLM and Eq. 23 together within 3 % of it (the coarsest mesh), and a shallow dent, which is the
+            // difference of nearly equal depths, within 2 % of the depth
+            let (got, want) = (pair[1].indentation / pair[0].indentation, number(row, "residual_share"));
+            if number(row, "x") > 10.0 {
+                assert!(off(got, want) < 0.03, "{what}: {got} {want}");
+            }
+            assert!((got - want).abs() < 0.02, "{what}: {got} {want}");
+            // e² is recovered over spent work
+            let e = (-pair[1].work / (spent - pair[1].work)).sqrt();
+            let deviation = e / number(row, "restitution") - 1.0;
+            // documented: −2.5 to +1.9 %, rms 0.95 % (and a tenth or two as the spent work there is integrated anew)
+            assert!(-0.027 < deviation && deviation < 0.021, "{what}: {deviation}");
+            (count, sum_of_squares) = (count + 1.0, sum_of_squares + deviation * deviation);
+        }
+    }
+    assert_eq!(count, 59.0);
+    let rms: f64 = (sum_of_squares / count).sqrt();
+    assert!(rms < 0.0115, "{rms}");
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(128))]
+
+    #[test]
+    fn random_steps_keep_the_books(
+        modulus in 10.0..11.7f64,
+        strength in prop::option::of(7.5..9.5f64),
+        shape in any::<bool>(),
+        targets in prop::collection::vec((any::<bool>(), 0.0..1.0f64), 1..12),
+    ) {
+        let exponent = if shape { UnloadingExponent::PressureShape } else { UnloadingExponent::Paper };
+        let contact = contact(&alloy(10f64.powf(modulus), strength.map(|s| 10f64.powf(s))), exponent);
+        // loads up to that of a tenth of the radius
+        let most = steps(&contact, &[To(25e-6)])[0].force;
+        let targets: Vec<_> = targets.iter().map(|(is_load, share)| {
+            if *is_load { Load(share * most) } else { To(share * 25e-6) }
+        }).collect();
+        let Ok(done) = contact.indent(&targets, Some(20)) else {
+            // a step that ends where it begins: only after separation, as random targets are not equal
+            return Ok(());
+        };
+        let (mut work, mut plastic, mut largest) = (0.0, 0.0, 0.0);
+        let scale = most * 25e-6;
+        for (target, step) in targets.iter().zip(&done.steps) {
+            work += step.work;
+            plastic += step.plastic_work;
+            // dissipation never runs backwards; straight pieces let it by what they let e rise, 0.12 % at most
+            prop_assert!(step.plastic_work >= -2.4e-3 * step.work.abs());
+            prop_assert!((work - plastic - step.stored_energy).abs() < 1e-12 * scale);
+            prop_assert!(step.memory.force >= largest);
+            largest = step.memory.force;
+            match *target {
+                Load(load) => {
+                    prop_assert!((step.force - load).abs() < 1e-11 * most);
+                    // displacement control to where load control ended gives the load
+                    let mut others = targets[..done.steps.iter().position(|other| other == step).unwrap()].to_vec();
+                    others.push(To(step.indentation));
+                    if let Ok(again) = contact.indent(&others, None) {
+                        prop_assert!((again.steps.last().unwrap().force - load).abs() < 1e-11 * most);
+                    }
+                }
+                To(indentation) => prop_assert!((step.indentation - indentation).abs() < 1e-12 * 25e-6),
+            }
+        }
+        for row in &done.trace {
+            prop_assert!(row.force >= 0.0 && row.sphere_indentation >= 0.0);
+            if row.branch != Branch::Separated {
+                let sum = row.sphere_indentation + row.half_space_indentation;
+                prop_assert!((sum - row.indentation).abs() < 1e-14 * 25e-6 + 1e-20);
+            }
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! Events: where they are, in which order, what a trace holds.
+
+use plm_impact::impact::{Event, Impact, Method, TraceRow};
+use plm_impact::law::{Branch, UnloadingExponent};
+use plm_impact::math::power::max_or_nan;
+use proptest::prelude::*;
+
+use crate::common::{STEPPING, Scene, off};
+
+/// Speeds in units of the yield speed, from an elastic impact over every number of knots to beyond the last.
+const SPEEDS: [f64; 13] = [0.1, 0.999, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
+
+/// The steppers, and the exact motion that traces of the closed form are made of.
+const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
+
+fn rows(impact: &Impact, event: Event) -> Vec<&TraceRow> {
+    impact.trace.iter().filter(|row| row.event == Some(event)).collect()
+}
+
+fn scenes() -> [Scene; 3] {
+    let mut soft = Scene::steel();
+    soft.sphere.youngs_modulus = 5e9;
+    soft.exponent = UnloadingExponent::PressureShape;
+    [Scene::steel(), Scene::case_3(), soft]
+}
+
+#[test]
+fn sphere_separates_at_the_dent_and_nowhere_else() {
+    for scene in scenes() {
+        for share in SPEEDS {
+            for (method, _) in TRACING {
+                let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(50));
+                let last = impact.trace.last().unwrap();
+                assert_eq!(last.event, Some(Event::Separation));
+                assert_eq!(last.force, 0.0, "{} at {share} v_Y", method.name());
+                let miss = (last.indentation - impact.residual_indentation).abs();
+                assert!(miss <= 1e-12 * impact.residual_indentation, "{} at {share} v_Y: {miss:e}", method.name());
+                assert!(off(-last.speed, impact.rebound_speed) < 1e-15 && off(last.time, impact.contact_time) < 1e-15);
+                // F = 0 occurs at first touch and at separation only
+                assert_eq!(impact.trace.iter().filter(|row| row.force == 0.0).count(), 2);
+            }
+        }
+    }
+}
+
+#[test]
+fn peak_has_no_speed_and_the_summarys_state() {
+    for scene in scenes() {
+        for share in SPEEDS {
+            for (method, _) in TRACING {
+                let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(50));
+                let peaks = rows(&impact, Event::Peak);
+                assert_eq!(peaks.len(), 1);
+                assert_eq!(peaks[0].speed, 0.0);
+                assert_eq!(peaks[0].indentation, impact.peak_indentation);
+                assert_eq!(peaks[0].force, impact.peak_force);
+                assert_eq!(peaks[0].time, impact.loading_time);
+                assert!(impact.trace.iter().all(|row| row.indentation <= impact.peak_indentation));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_passed_knot_is_there_once_and_in_order() {
+    for scene in scenes() {
+        let contact = scene.contact();
+        let yield_point = contact.pair().yield_point.unwrap();
+        let law = scene.law();
+        for share in SPEEDS {
+            for (method, _) in TRACING {
+                let impact = scene.impact(share * contact.yield_speed().unwrap(), method, 1e-10, Some(50));
+                let x_m = impact.peak_indentation / yield_point.indentation;
+                let passed = law.loading.pieces().iter().skip(1).filter(|piece| piece.start < x_m);
+                let mut want: Vec<(Event, f64)> = vec![(Event::Touch, 0.0)];
+                if share > 1.0 {
+                    want.push((Event::Yield, 1.0));
+                }
+                want.extend(passed.map(|piece| (Event::Knot, piece.start)));
+                want.push((Event::Peak, x_m));
+                want.push((Event::Separation, impact.residual_indentation / yield_point.indentation));
+                let got: Vec<_> = impact.trace.iter().filter(|row| row.event.is_some()).collect();
+                assert_eq!(got.len(), want.len(), "{} at {share} v_Y", method.name());
+                for (row, (event, x)) in got.iter().zip(want) {
+                    assert_eq!(row.event, Some(event), "{} at {share} v_Y", method.name());
+                    // on the knot to rounding: landed, not overshot
+                    let miss = (row.indentation / yield_point.indentation - x).abs();
+                    assert!(miss <= 2e-15 * x, "{} at {share} v_Y: {event:?} misses by {miss:e}", method.name());
+                }
+                // no event fires at the start of its own interval: the times rise strictly
+                assert!(got.windows(2).all(|pair| pair[0].time < pair[1].time), "{} at {share} v_Y", method.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
+    // a long step may turn and be back at the knot: the sphere passes it before, with the speed that is left there
+    let scene = Scene::steel();
+    let yield_speed = scene.yield_speed();
+    let law = scene.law();
+    let knots = law.loading.pieces().iter().skip(1).map(|piece| (2.5 * piece.work).sqrt());
+    for q in knots.chain([1.0]) {
+        for eighths in 12..72 {
+            let above = q * (1.0 + 10_f64.powf(-0.125 * f64::from(eighths)));
+            for tolerance in (12..28).map(|quarters| 10_f64.powf(-0.25 * f64::from(quarters))) {
+                let impact = scene.impact(above * yield_speed, Method::Rk8, tolerance, Some(8));
+                let way_in = impact.trace.iter().take_while(|row| row.event != Some(Event::Peak));
+                assert!(way_in.clone().all(|row| row.speed > 0.0), "{above} at {tolerance:e}");
+                assert!(impact.trace.windows(2).all(|rows| rows[0].time <= rows[1].time), "{above} at {tolerance:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn separation_is_not_triggered_at_first_touch() {
+    // F = 0 at first touch as well, however long or short the first step
+    for (method, factor) in STEPPING {
+        for tolerance in [1e-1, 1e-2, 1e-3, 1e-6, 1e-13] {
+            let impact = Scene::steel().impact(1e-3, method, tolerance, None);
+            assert!(off(impact.restitution, 1.0) < factor * tolerance, "{} at {tolerance:e}", method.name());
+            assert!(impact.loading_time > 0.0 && impact.contact_time > 1.9 * impact.loading_time);
+        }
+    }
+}
+
+#[test]
+fn trace_is_even_in_time_and_has_the_rows_asked_for() {
+    for samples in [2, 3, 10, 400, 1001] {
+        for share in [0.5, 1.001, 30.0, 1000.0] {
+            for (method, _) in TRACING {
+                let scene = Scene::steel();
+                let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(samples));
+                let even: Vec<_> = impact.trace.iter().filter(|row| row.event.is_none()).collect();
+                // first touch and separation are the ends of the even spacing
+                assert_eq!(even.len(), samples - 2, "{} at {share} v_Y", method.name());
+                #[allow(clippy::cast_precision_loss)]
+                for (i, row) in even.iter().enumerate() {
+                    let want = impact.contact_time * (i + 1) as f64 / (samples - 1) as f64;
+                    // the spacing is that of the exact contact time
+                    assert!(off(row.time, want) < 1e-9, "{} row {i}: {} {want}", method.name(), row.time);
+                }
+                assert!(impact.trace.windows(2).all(|pair| pair[0].time <= pair[1].time));
+                assert_eq!(impact.trace[0].time, 0.0);
+                assert_eq!(impact.trace[0].speed, impact.speed);
+            }
+        }
+    }
+    assert!(Scene::steel().impact(1.0, Method::Rk8, 1e-10, None).trace.is_empty());
+}
+
+#[test]
+fn branches_follow_each_other() {
+    for (method, _) in TRACING {
+        let impact = Scene::steel().impact(1.0, method, 1e-10, Some(400));
+        let rank = |branch| [Branch::Elastic, Branch::Plastic, Branch::Unloading].iter().position(|b| *b == branch);
+        assert!(impact.trace.windows(2).all(|pair| rank(pair[0].branch) <= rank(pair[1].branch)));
+        for row in &impact.trace {
+            assert!((row.speed < 0.0) <= (row.branch == Branch::Unloading));
+            let sum = row.sphere_indentation + row.half_space_indentation;
+            assert!((sum - row.indentation).abs() <= 1e-15 * row.indentation);
+            // a half-space never springs back beyond its dent
+            let dent = if row.branch == Branch::Unloading { impact.residual_indentation } else { 0.0 };
+            assert!(row.half_space_indentation >= dent * (1.0 - 1e-9));
+        }
+        let elastic = Scene::steel().impact(1e-3, method, 1e-10, Some(400));
+        assert!(elastic.trace.iter().all(|row| row.branch != Branch::Plastic));
+    }
+}
+
+#[test]
+fn samples_lie_on_the_exact_motion() {
+    // dense output: every row of a stepped trace against the closed form at the same time
+    for scene in scenes() {
+        for share in SPEEDS {
+            for tolerance in [1e-6, 1e-9, 1e-12] {
+                let speed = share * scene.yield_speed();
+                let exact = scene.impact(speed, Method::ClosedForm, tolerance, Some(301));
+                for (method, factor) in STEPPING {
+                    let impact = scene.impact(speed, method, tolerance, Some(301));
+                    assert_eq!(impact.trace.len(), exact.trace.len());
+                    let even = |impact: &Impact| -> Vec<TraceRow> {
+                        impact.trace.iter().filter(|row| row.event.is_none()).copied().collect()
+                    };
+                    for (got, want) in even(&impact).iter().zip(even(&exact)) {
+                        let off = [
+                            (got.indentation - want.indentation) / exact.peak_indentation,
+                            (got.speed - want.speed) / speed,
+                            (got.force - want.force) / exact.peak_force,
+                        ];
+                        let worst = off.into_iter().fold(0.0, |worst, off| max_or_nan(worst, off.abs()));
+                        // near separation, a shift of the dent by one tolerance moves F by up to its stiffness n/ε_m
+                        let allowed = 10.0 * factor * tolerance + 1e-12;
+                        assert!(worst <= allowed, "{} {tolerance:e} {share}: {worst:e} {got:?}", method.name());
+                    }
+                }
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(100))]
+
+    #[test]
+    fn every_row_closes_the_energy_ledger(log_share in -1.0..4.0_f64, log_tolerance in -12.0..-4.0_f64, samples in 2..200_usize) {
+        let scene = Scene::steel();
+        let tolerance = 10_f64.powf(log_tolerance);
+        for (method, _) in TRACING {
+            let impact = scene.impact(10_f64.powf(log_share) * scene.yield_speed(), method, tolerance, Some(samples));
+            for row in &impact.trace {
+                prop_assert!(row.energy_drift.abs() <= 100.0 * tolerance, "{} {tolerance:e}: {row:?}", method.name());
+            }
+            let worst = impact.trace.iter().fold(0.0, |worst, row| max_or_nan(worst, row.energy_drift.abs()));
+            prop_assert!(impact.energy.drift >= worst && impact.energy.drift <= 100.0 * tolerance);
+        }
+    }
+}

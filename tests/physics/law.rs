@@ -1,0 +1,378 @@
+//! The law by itself: printed table, limits, knots, work, unloading, memory, coefficient tables.
+
+// tables as printed
+#![allow(clippy::unreadable_literal, clippy::excessive_precision)]
+
+use std::f64::consts::PI;
+
+use crate::common::{Scene, any_scene, off};
+use plm_impact::law::curve::Curve;
+use plm_impact::law::{ElasticApproach, Law, Peak, PlmCoefficients, UnloadingExponent, pressure_shape_exponent};
+use plm_impact::material::yield_factor;
+use proptest::prelude::*;
+
+/// Restitution of a quasi-static cycle to x: recovered over spent work.
+fn restitution(law: &Law, x: f64) -> f64 {
+    let peak = law.loaded_to(x);
+    (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt()
+}
+
+#[test]
+fn printed_table_of_case_3_is_reproduced_to_its_digits() {
+    // x, f, ε, W/(F_Y δ_Y), δ_s/δ, δ_r/δ_m, e: Xie et al. 2024, Table 1, case 3; computed with 30 digits from the law's
+    // definition and printed with 6 to 10
+    #[rustfmt::skip]
+    let table = [
+        [0.5, 0.3535533906, 0.5, 0.07071067812, 0.502392, 0.0, 1.0],
+        [1.0, 1.0, 1.0, 0.4, 0.502392, 0.0, 1.0],
+        [1.5, 1.837117307, 1.465640529, 1.102270384, 0.490884, 0.0229063, 0.9884804935],
+        [1.7, 2.216528818, 1.642324243, 1.507239596, 0.485348, 0.0339269, 0.982890169],
+        [3.0, 5.006429896, 2.642925815, 6.139142616, 0.442595, 0.119025, 0.9285016728],
+        [6.0, 13.2851721, 4.53946203, 32.94920604, 0.380098, 0.243423, 0.8556443853],
+        [13.5, 39.56421882, 8.117282861, 226.6257214, 0.302079, 0.39872, 0.7528908748],
+        [30.0, 111.0392906, 14.13590752, 1448.286185, 0.236726, 0.528803, 0.6584199608],
+        [105.1, 520.4803345, 31.44231669, 24581.79017, 0.150299, 0.700834, 0.5160391763],
+        [300.0, 1721.821216, 56.55670839, 240263.9004, 0.0947122, 0.811478, 0.4026445493],
+        [843.1, 5384.884189, 94.0556536, 2170089.753, 0.0560465, 0.888441, 0.30554261],
+    ];
+    let scene = Scene::case_3();
+    let (law, kappa) = (scene.law(), scene.contact().pair().sphere_compliance);
+    for [x, f, eps, work, sphere_share, residual_share, e] in table {
+        let peak = law.loaded_to(x);
+        let near =
+            |got: f64, want: f64, digits: f64| assert!((got - want).abs() <= digits * want, "x = {x}: {got} {want}");
+        near(peak.force, f, 6e-10);
+        near(peak.elastic_approach, eps, 6e-10);
+        near(law.loading.work(x), work, 6e-10);
+        near(kappa * peak.elastic_approach / x, sphere_share, 6e-6);
+        near(peak.residual() / x, residual_share, 6e-6);
+        near(restitution(&law, x), e, 6e-10);
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(200))]
+
+    #[test]
+    fn force_approach_and_dent_grow_without_a_jump(scene in any_scene(), log_x in -3.0..5.0_f64, log_step in -9.0..0.0_f64) {
+        let law = scene.law();
+        let x = 10_f64.powf(log_x);
+        let step = x * 10_f64.powf(log_step);
+        let (one, two) = (law.loaded_to(x), law.loaded_to(x + step));
+        prop_assert!(one.force < two.force && one.elastic_approach < two.elastic_approach);
+        // x f'/f ≤ 3/2 on Hertz and, with slopes that rise slower than x, at most 2 beyond; ε grows slower than x
+        prop_assert!(two.force / one.force - 1.0 <= 2.0 * step / x + 1e-14);
+        prop_assert!(two.elastic_approach / one.elastic_approach - 1.0 <= 2.0 * step / x + 1e-14);
+        // the dent never shrinks; ε carries a rounding of 1e-15 x
+        prop_assert!(one.residual() >= 0.0);
+        prop_assert!(two.residual() >= one.residual() - 4e-15 * x, "{} {}", one.residual(), two.residual());
+        prop_assert!(one.unloading_radius_ratio() >= 1.0 - 1e-12);
+    }
+
+    #[test]
+    fn work_is_the_integral_of_the_force(scene in any_scene(), log_x in -3.0..5.0_f64) {
+        let law = scene.law();
+        let x = 10_f64.powf(log_x);
+        let starts = law.loading.pieces().iter().map(|piece| piece.start).filter(|start| *start < x);
+        let ends: Vec<f64> = starts.chain([x]).collect();
+        let integral: f64 = ends.windows(2).map(|span| quadrature(|x| law.loading.force(x), span[0], span[1])).sum();
+        prop_assert!(off(law.loading.work(x), integral) < 1e-13, "{} {integral}", law.loading.work(x));
+    }
+
+    #[test]
+    fn work_is_inverted(scene in any_scene(), log_x in -3.0..5.0_f64) {
+        let curve = scene.law().loading;
+        let x = 10_f64.powf(log_x);
+        let piece = &curve.pieces()[curve.index_at(x)];
+        prop_assert!(off(piece.indentation_at_work(curve.work(x)), x) < 2e-15);
+    }
+
+    #[test]
+    fn unloading_leaves_the_peak_and_ends_at_the_dent(scene in any_scene(), log_x in -1.0..4.0_f64, exponent in 0..3_usize) {
+        let exponent = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape][exponent];
+        let law = Law { exponent, ..scene.law() };
+        let x = 10_f64.powf(log_x);
+        let peak = law.loaded_to(x);
+        let unloading = law.unloading(peak);
+        // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r has lost the digits of x/ε
+        prop_assert!(off(unloading.force(x), peak.force) < 4e-15 * x / peak.elastic_approach);
+        prop_assert_eq!(unloading.force(peak.residual()), 0.0);
+        prop_assert_eq!(unloading.force(0.5 * peak.residual()), 0.0);
+        // stored energy is the integral of the force
+        let middle = peak.residual() + 0.5 * peak.elastic_approach;
+        let returned = quadrature(|x| unloading.force(x), middle, x);
+        prop_assert!(off(unloading.stored(x) - unloading.stored(middle), returned) < 1e-11 * x / peak.elastic_approach);
+        // Eq. 24 in units of the yield point: R_e/R = f²/ε³; and with exponent 3/2 the law is f = √(R_e/R) (x − x_r)^1.5
+        let ratio = peak.unloading_radius_ratio();
+        prop_assert!(off(ratio, peak.force.powi(2) / peak.elastic_approach.powi(3)) < 1e-14);
+        if exponent == UnloadingExponent::Paper {
+            prop_assert!(off(unloading.force(middle), ratio.sqrt() * (0.5 * peak.elastic_approach).powf(1.5)) < 1e-12 * x / peak.elastic_approach);
+        }
+    }
+}
+
+/// ∫ by ten-point Gauss-Legendre on 16 equal parts (Abramowitz and Stegun, Table 25.4): exact to rounding for the smooth
+/// pieces here, but for Hertz at x = 0, which s = √x makes a polynomial.
+fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    const NODES: [(f64, f64); 5] = [
+        (0.148_874_338_981_631_21, 0.295_524_224_714_752_87),
+        (0.433_395_394_129_247_19, 0.269_266_719_309_996_36),
+        (0.679_409_568_299_024_41, 0.219_086_362_515_982_04),
+        (0.865_063_366_688_984_51, 0.149_451_349_150_580_59),
+        (0.973_906_528_517_171_72, 0.066_671_344_308_688_14),
+    ];
+    let (a, b) = (from.sqrt(), to.sqrt());
+    let half = 0.5 * (b - a) / 16.0;
+    (0..16)
+        .map(|i| a + half * f64::from(2 * i + 1))
+        .flat_map(|centre| NODES.map(|(node, weight)| (centre, node * half, weight * half)))
+        .map(|(centre, offset, weight)| {
+            weight * [centre - offset, centre + offset].map(|s| 2.0 * s * f(s * s)).iter().sum::<f64>()
+        })
+        .sum()
+}
+
+#[test]
+fn rigid_sphere_is_the_finite_limit() {
+    let with = |youngs_modulus: f64| {
+        let mut scene = Scene::case_3();
+        scene.sphere.youngs_modulus = youngs_modulus;
+        (scene.contact().pair().sphere_compliance, scene.law())
+    };
+    let (kappa, rigid) = with(f64::INFINITY);
+    assert_eq!(kappa, 0.0);
+    // 1e30 Pa is rigid to rounding, and the difference goes with κ = E*/E_s* elsewhere
+    for modulus in [1e15, 1e17, 1e20, 1e30] {
+        let (kappa, law) = with(modulus);
+        for x in [0.3, 1.2, 1.7, 3.0, 40.0, 843.1, 1e5] {
+            let (got, want) = (law.loaded_to(x), rigid.loaded_to(x));
+            assert!(want.elastic_approach.is_finite() && want.elastic_approach > 0.0);
+            assert!(off(got.force, want.force) <= 2.0 * kappa + 1e-15, "{modulus:e} {x}");
+            assert!(off(got.elastic_approach, want.elastic_approach) <= 10.0 * kappa + 1e-15, "{modulus:e} {x}");
+        }
+    }
+}
+
+#[test]
+fn soft_sphere_stays_elastic_a_little_beyond_yield() {
+    // s_1 = min(1.61 + 0.90 κ², 2.2) is 2.2 > 2 for κ → 1, so that ε = x until the line falls below it
+    let mut scene = Scene::case_3();
+    scene.sphere.youngs_modulus = 1e-6 * scene.half_space.youngs_modulus;
+    scene.yield_strength = Some(1e-3 * scene.sphere.plane_strain_modulus());
+    let law = scene.law();
+    assert_eq!(law.loaded_to(1.1).residual(), 0.0);
+    // ε_line at f: A (1 + 2.2 (A − 1)) = f; at x = 1.1 that is above x, at x = 1.7 fully plastic (s_2 = 2.07) from A = 1 on
+    assert!(law.loaded_to(3.0).residual() > 0.0);
+    assert!((1..1000).all(|i| {
+        let x = 1.0 + 0.01 * f64::from(i);
+        law.loaded_to(x).elastic_approach <= x
+    }));
+}
+
+#[test]
+fn every_knot_is_met_to_the_last_digit() {
+    let law = Scene::case_3().law();
+    let knots = [1.7, 2.4, 3.4, 5.0, 9.0, 18.0, 36.0, 80.0, 250.0];
+    let starts: Vec<f64> = law.loading.pieces().iter().skip(1).map(|piece| piece.start).collect();
+    assert_eq!(starts, knots);
+    for (i, knot) in knots.into_iter().enumerate() {
+        let before = law.loading.pieces()[i];
+        let after = law.loading.pieces()[i + 1];
+        assert_eq!(law.loading.index_at(knot), i + 1);
+        assert_eq!(law.loading.index_at(knot.next_down()), i);
+        assert!(off(before.force_at(knot), after.force_at(knot)) < 1e-15);
+        assert!(off(before.work_at(knot), after.work_at(knot)) < 1e-15);
+        for x in [knot.next_down(), knot, knot.next_up()] {
+            assert!(off(law.loading.force(x), after.force) < 1e-15);
+            assert!(off(law.loaded_to(x).elastic_approach, law.loaded_to(knot).elastic_approach) < 1e-15);
+        }
+    }
+    assert_eq!(law.respond(0.0, None), (0.0, None));
+    assert_eq!(law.respond(-1.0, None), (0.0, None));
+    assert!(law.respond(f64::NAN, None).0.is_nan());
+}
+
+#[test]
+fn radius_ratio_and_exponent_have_their_end_values() {
+    let table = &PlmCoefficients::built_in().contact_radius;
+    let ratio = table.radius_ratio();
+    // Λ: 1 up to A = 1.5, 1.15 at A = 4, 1.19 from A = 8 on
+    for (radius, want) in
+        [(0.0, 1.0), (1.0, 1.0), (1.5, 1.0), (2.75, 1.075), (4.0, 1.15), (6.0, 1.17), (8.0, 1.19), (1e6, 1.19)]
+    {
+        assert!(off(ratio.at(radius), want) < 1e-15, "{radius}");
+    }
+    // G = 1 + (0.25 + 0.145 κ²) max(0, â/R − 0.105), here with a_Y = R/100 so that â/R = A/100
+    for (kappa, radius, want) in [(0.0, 10.5, 1.0), (0.0, 40.5, 1.075), (0.5, 40.5, 1.085_875), (1.0, 50.5, 1.158)] {
+        let (_, geometry) = table.of(kappa * kappa, 0.01);
+        assert!(off(geometry.at(radius), want) < 1e-15, "{kappa} {radius}");
+        assert_eq!(geometry.at(0.5 * radius.min(10.5)), 1.0);
+    }
+    assert_eq!(pressure_shape_exponent(1.0), 1.5);
+    // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
+    assert!(off(pressure_shape_exponent(3.0 * PI / 8.0), 0.75 * PI - 1.0) < 1e-15);
+    // n = 3/2 − 0.80746 (Λ − 1)
+    assert!(off(pressure_shape_exponent(1.1), 1.5 - 0.080_746) < 1e-6);
+    // elastic loading unloads by Hertz whatever the choice
+    for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
+        let law = Law { exponent, ..Scene::case_3().law() };
+        assert_eq!(law.unloading(law.loaded_to(0.9)).exponent, 1.5);
+    }
+}
+
+#[test]
+fn residual_radius_follows_the_papers_equations() {
+    // 1/R_res = 1/R − 1/R_e (Eq. 25) with R_e = (3 F_m/4E*)²/(E_s* δ_sm/E*)³ (Eq. 24), in SI units
+    let scene = Scene::case_3();
+    let impact = scene.contact().closed_form(3.0).unwrap();
+    let e_star = scene.contact().pair().effective_modulus;
+    let e_sphere = scene.sphere.plane_strain_modulus();
+    let approach = e_sphere * impact.peak_sphere_indentation / e_star;
+    let unloading_radius = (0.75 * impact.peak_force / e_star).powi(2) / approach.powi(3);
+    assert!(off(impact.unloading_radius, unloading_radius) < 1e-13);
+    let curvature = 1.0 / scene.radius - 1.0 / unloading_radius;
+    assert!(off(impact.residual_radius.unwrap(), 1.0 / curvature) < 1e-12);
+    // Eq. 23
+    assert!(off(impact.residual_indentation, impact.peak_indentation - approach) < 1e-13);
+}
+
+#[test]
+fn memory_makes_reloading_retrace_the_unloading() {
+    let law = Scene::case_3().law();
+    let (force, memory) = law.respond(20.0, None);
+    let peak = memory.unwrap();
+    assert_eq!(peak, law.loaded_to(20.0));
+    assert_eq!(force, peak.force);
+    let unloading = law.unloading(peak);
+    let middle = peak.residual() + 0.4 * peak.elastic_approach;
+    // down, parted, up again: one and the same curve, the memory untouched
+    for x in [20.0, 19.0, middle, peak.residual(), 0.1, 0.0, peak.residual(), middle, 19.0, 20.0] {
+        assert_eq!(law.respond(x, memory), (unloading.force(x), memory), "{x}");
+    }
+    // beyond the old peak: the loading curve, as if it had never been unloaded
+    for x in [20.0_f64.next_up(), 21.0, 300.0] {
+        let (force, later) = law.respond(x, memory);
+        assert_eq!((force, later), law.respond(x, None));
+        assert_eq!(later, Some(law.loaded_to(x)));
+    }
+    // and back from there on the new unloading curve
+    let (_, later) = law.respond(300.0, memory);
+    assert_eq!(law.respond(290.0, later).0, law.unloading(law.loaded_to(300.0)).force(290.0));
+    // evaluating is no event: twice gives the same
+    assert_eq!(law.respond(21.0, memory), law.respond(21.0, memory));
+}
+
+/// The built-in table with one change.
+fn changed(change: impl FnOnce(&mut PlmCoefficients)) -> PlmCoefficients {
+    let mut table = PlmCoefficients::built_in().clone();
+    change(&mut table);
+    table
+}
+
+#[test]
+fn built_in_table_is_accepted_and_says_where_it_comes_from() {
+    let table = PlmCoefficients::built_in();
+    table.check().unwrap();
+    assert!(table.provenance.source.contains("CalculiX") && table.provenance.range.contains("0.45"));
+}
+
+#[test]
+fn bad_tables_are_refused_with_key_value_and_rule() {
+    type Change = fn(&mut PlmCoefficients);
+    let cases: [(Change, &str, &str); 19] = [
+        (|t| t.force.from[3] = 2.0, "force.from", "rising"),
+        (|t| t.force.from[0] = 0.5, "force.from", "at least 1"),
+        (|t| t.force.from[8] = f64::INFINITY, "force.from", "rising"),
+        (|t| t.force.from[2] = f64::NAN, "force.from", "rising"),
+        (|t| t.force.slope[1] = 0.0, "force.slope", "> 0"),
+        (|t| t.force.slope[1] = -1.0, "force.slope", "> 0"),
+        (|t| t.force.slope_kappa_squared[0] = -2.0, "force.slope_kappa_squared", "> 0"),
+        (|t| t.force.slope.truncate(3), "force.slope", "same length"),
+        (|t| t.elastic_approach.first_slope = 0.0, "elastic_approach.first_slope", "> 0"),
+        (|t| t.elastic_approach.first_slope_limit = f64::NAN, "elastic_approach.first_slope_limit", "> 0"),
+        (|t| t.elastic_approach.plastic_slope = -2.0, "elastic_approach.plastic_slope", "> 0"),
+        (|t| t.elastic_approach.plastic_from_rho = -1.0, "elastic_approach.plastic_from_rho", ">= 0"),
+        (|t| t.elastic_approach.geometry_from[0] = 0.4, "elastic_approach.geometry_from", "rising"),
+        (|t| t.elastic_approach.geometry_factor.truncate(1), "elastic_approach.geometry_factor", "as many"),
+        (|t| t.contact_radius.ratio[0] = 0.9, "contact_radius.ratio", "from 1"),
+        (|t| t.contact_radius.from[2] = 1.0, "contact_radius.from", "rising"),
+        (|t| t.contact_radius.geometry_from = -0.1, "contact_radius.geometry_from", ">= 0"),
+        (|t| t.contact_radius.geometry_slope = -0.1, "contact_radius.geometry_slope", ">= 0"),
+        (|t| t.contact_radius.geometry_slope_kappa_squared = -0.3, "contact_radius.geometry_slope", "too"),
+    ];
+    for (change, key, rule) in cases {
+        let message = changed(change).check().unwrap_err().to_string();
+        assert!(message.starts_with(key), "{message}");
+        assert!(message.contains("is not allowed") && message.contains(rule), "{message}");
+    }
+}
+
+#[test]
+fn bad_text_is_refused_with_line_and_key() {
+    let text = include_str!("../../src/law/plm/coefficients.toml");
+    assert_eq!(&PlmCoefficients::from_toml(text).unwrap(), PlmCoefficients::built_in());
+    for (from, to, want) in [
+        ("first_slope = 1.61", "first_slop = 1.61", "first_slop"),
+        ("first_slope = 1.61", "first_slope = \"steep\"", "steep"),
+        ("[contact_radius]", "[contact_radii]", "contact_radii"),
+        ("first_slope = 1.61", "first_slope = -1.61", "> 0"),
+        ("first_slope = 1.61", "first_slope = = 1.61", "line"),
+    ] {
+        assert!(text.contains(from));
+        let message = PlmCoefficients::from_toml(&text.replace(from, to)).unwrap_err().to_string();
+        assert!(message.contains(want), "{message}");
+    }
+    assert!(PlmCoefficients::from_toml("").is_err());
+    // a table of the form of before: G = 1
+    let older: String =
+        text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
+    let (_, geometry) = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
+    assert_eq!(geometry.at(1e3), 1.0);
+}
+
+#[test]
+fn tables_of_200_knots_and_of_knots_1e_12_apart_make_laws() {
+    let pair = *Scene::case_3().contact().pair();
+    for ratio in [1.02, 1.0 + 1e-12] {
+        let table = changed(|table| {
+            table.force.from = (0..200).map(|i| 1.7 * f64::powi(ratio, i)).collect();
+            // the slopes of f = x^1.2 through (1.7, 2.2), roughly
+            table.force.slope = table.force.from.iter().map(|x| 2.0 * (x / 1.7).powf(0.2)).collect();
+            table.force.slope_kappa_squared = vec![0.05; 200];
+        });
+        table.check().unwrap();
+        let law = table.law(&pair, pair.yield_point.unwrap().contact_radius / pair.radius, UnloadingExponent::Paper);
+        let pieces = law.loading.pieces();
+        assert_eq!(pieces.len(), 201);
+        for pair in pieces.windows(2) {
+            assert!(off(pair[0].force_at(pair[1].start), pair[1].force) < 1e-15);
+            assert!(off(pair[0].work_at(pair[1].start), pair[1].work) < 1e-15);
+            assert!(pair[0].force < pair[1].force && pair[0].work < pair[1].work);
+        }
+        let law_restitution: Vec<f64> = [1.5, 1.7, 2.0, 20.0, 80.0].map(|x| restitution(&law, x)).to_vec();
+        assert!(law_restitution.windows(2).all(|pair| pair[0] > pair[1]), "{law_restitution:?}");
+    }
+}
+
+#[test]
+fn plain_laws_unload_as_they_say() {
+    let hertz = Law::hertz();
+    assert_eq!(hertz.loaded_to(7.0).residual(), 0.0);
+    assert!(off(restitution(&hertz, 7.0), 1.0) < 1e-15);
+    // stiffness √2: ε = (f/√2)^(2/3), e² = f ε/(2.5 w), by hand at x = 5: f = 7, w = 0.4 + 4 + 12
+    let law = Law {
+        loading: Curve::hertz().then_straight(1.0, 1.5),
+        elastic: ElasticApproach::FixedStiffness(2_f64.sqrt()),
+        ..hertz
+    };
+    let approach = (7.0 / 2_f64.sqrt()).powf(2.0 / 3.0);
+    let Peak { force, elastic_approach, .. } = law.loaded_to(5.0);
+    assert!(off(force, 7.0) < 1e-15 && off(elastic_approach, approach) < 1e-15);
+    assert!(off(restitution(&law, 5.0), (7.0 * approach / (2.5 * 16.4)).sqrt()) < 1e-15);
+}
+
+#[test]
+fn yield_factor_is_the_papers_at_nu_0_3() {
+    // Xie et al. 2024, below Eq. 18
+    approx::assert_relative_eq!(yield_factor(0.3), 1.61316, max_relative = 1e-5);
+}

@@ -1,0 +1,73 @@
+//! The published laws against tables computed from their printed formulas by other means, their limits, and each other.
+
+mod closed_forms;
+mod crossed;
+mod every_law;
+mod response;
+mod shallow_dents;
+mod slow;
+mod tabulated;
+mod with_forces;
+
+use plm_impact::impact::Contact;
+use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::jumps::Jumps;
+use plm_impact::law::kogut_etsion::KogutEtsion;
+use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
+use plm_impact::law::{Bodies, ContactLaw, Law, LawChoice};
+use plm_impact::material::{HalfSpace, Pair, Sphere};
+
+use crate::common::Scene;
+
+fn parts(scene: &Scene) -> (Sphere, HalfSpace) {
+    let sphere = Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };
+    let half_space = HalfSpace { material: scene.half_space, yield_strength: scene.yield_strength, density: None };
+    (sphere, half_space)
+}
+
+fn bodies(scene: &Scene) -> Bodies {
+    let (sphere, half_space) = parts(scene);
+    let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space).unwrap();
+    Bodies::new(&pair, &half_space).unwrap()
+}
+
+fn case_3() -> Bodies {
+    bodies(&Scene::case_3())
+}
+
+/// C_ν of case 3: the tables are in units of the yield point by this factor, for every law but Stronge's.
+fn factor() -> f64 {
+    case_3().yield_point.factor
+}
+
+fn law_of(law: &dyn ContactLaw) -> Law {
+    law.law(&case_3()).unwrap()
+}
+
+/// Every whole law, with printed and crossed jumps, and halves that only combinations use.
+fn whole_laws() -> Vec<(String, LawChoice)> {
+    let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
+    laws.push(LawChoice::JacksonGreen(JacksonGreen {
+        hardness: Hardness::Cosine,
+        jumps: Jumps::Crossed,
+        yield_factor: None,
+    }));
+    laws.push(LawChoice::KogutEtsion(KogutEtsion { jumps: Jumps::Crossed, yield_factor: None }));
+    laws.push(LawChoice::KogutKomvopoulos(KogutKomvopoulos { jumps: Jumps::Crossed }));
+    for pair in [
+        "plm + thornton",
+        "jackson_green + brake",
+        "kogut_etsion + mesarovic_johnson",
+        "jackson_green + yigit_christoforou",
+        "plm + hertz",
+        "jackson_green + johnson",
+    ] {
+        laws.push(LawChoice::from_name(pair).unwrap());
+    }
+    laws.into_iter().map(|law| (format!("{} {law:?}", law.name()), law)).collect()
+}
+
+fn contact(scene: &Scene, law: &LawChoice) -> Contact {
+    let (sphere, half_space) = parts(scene);
+    Contact::try_new(sphere, half_space, law.get()).unwrap()
+}

@@ -1,0 +1,87 @@
+//! What the authors of the laws give in closed form, or fit to their own impacts.
+
+use plm_impact::impact::closed_form;
+use plm_impact::law::LawChoice;
+use plm_impact::law::jackson_green::JacksonGreen;
+use plm_impact::law::thornton::{self, Thornton};
+
+use super::{contact, factor, law_of};
+use crate::common::{Scene, off};
+
+/// Thornton (1997): e(v) in closed form, its limit 1.185 q^¼, and the yield speed of the same paper.
+#[test]
+fn thornton_gives_his_closed_form() {
+    let scene = Scene::case_3();
+    for pressure in [None, Some(900e6)] {
+        let contact = contact(&scene, &LawChoice::Thornton(Thornton { yield_pressure: pressure }));
+        let (pair, mass) = (contact.pair(), contact.mass());
+        let p_y = pressure.unwrap_or(pair.yield_point.unwrap().factor * 345e6);
+        let v_y = thornton::yield_speed(pair.effective_modulus, scene.radius, mass, p_y);
+        assert!(off(contact.yield_speed().unwrap(), v_y) < 1e-13);
+        // 1.56 (p_y⁵/(E*⁴ ρ))^½ with three printed digits
+        let printed = 1.56 * (p_y.powi(5) / (pair.effective_modulus.powi(4) * scene.density)).sqrt();
+        assert!(off(printed, v_y) < 5e-3, "{printed} {v_y}");
+        for q in [1.0, 0.9, 0.5, 0.1, 0.01, 1e-3, 1e-6] {
+            let e = contact.closed_form(v_y / q).unwrap().restitution;
+            assert!(off(e, thornton::restitution(q)) < 1e-12, "{q}: {e}");
+        }
+        // 1.185 has four digits; at q = 1e-6 the next term is below 1e-6
+        let e = contact.closed_form(v_y / 1e-8).unwrap().restitution;
+        assert!(off(e, 1.185 * 1e-8_f64.powf(0.25)) < 5e-4, "{e}");
+        let slope = (contact.closed_form(2e8 * v_y).unwrap().restitution / e).log2();
+        assert!((slope + 0.25).abs() < 1e-7, "{slope}");
+    }
+}
+
+/// Johnson (1985), e² = 3.549 (p_d/E*) (m v²/(2 p_d R³))^(−1/4), where the law has an answer.
+#[test]
+fn johnson_gives_his_closed_form() {
+    let scene = Scene::case_3();
+    let contact = contact(&scene, &LawChoice::from_name("johnson").unwrap());
+    for speed in [1.0, 3.0, 10.0] {
+        let e = contact.closed_form(speed).unwrap().restitution;
+        let modulus = contact.pair().effective_modulus;
+        let closed = plm_impact::law::johnson::restitution(modulus, 3.0 * 345e6, contact.mass(), scene.radius, speed);
+        assert!(off(e, closed) < 1e-13, "{e} {closed}");
+    }
+    let error = contact.closed_form(1e-3).unwrap_err();
+    assert!(error.to_string().contains("no answer"), "{error}");
+}
+
+/// e of the fit of Jackson, Green and Marghitu (2010) to their own impacts: 0.858, 0.726, 0.457, 0.426 at v/V_c = 7.6, 23.6,
+/// 188, 242; the fit is given to about 1 %.
+#[test]
+fn jackson_and_green_give_the_fitted_restitution_of_their_impacts() {
+    let law = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
+    for (speed, fitted) in [(7.6, 0.858), (23.6, 0.726), (188.0, 0.457), (242.0, 0.426)] {
+        let e = closed_form::solve(&law, speed).restitution;
+        assert!(off(e, fitted) < 0.015, "{speed}: {e} against {fitted}");
+    }
+}
+
+#[test]
+fn two_straight_lines_give_one_restitution() {
+    let contact = contact(&Scene::case_3(), &LawChoice::from_name("walton_braun").unwrap());
+    for speed in [1e-9, 1e-3, 1.0, 50.0] {
+        assert!(off(contact.closed_form(speed).unwrap().restitution, 0.5_f64.sqrt()) < 1e-14);
+    }
+}
+
+/// Unloading from uniform pressure as Mesarovic and Johnson write it, by the contact radius t: F and δ at the same t.
+#[test]
+fn unloading_from_uniform_pressure_is_the_stack_of_punches() {
+    use std::f64::consts::PI;
+    let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
+    let peak = law.loaded_to(200.0);
+    let unloading = law.unloading(peak);
+    for t in [0.01_f64, 0.3, 0.7, 0.99, 1.0] {
+        let root = (1.0 - t * t).sqrt();
+        let force = 2.0 * peak.force / PI * (t.asin() - t * root);
+        let x = peak.indentation - peak.elastic_approach * root;
+        assert!((unloading.force(x) - force).abs() < 1e-12 * peak.force, "{t}");
+    }
+    // ∫ F dδ = 8 p_0² a³/(3 E*) = 4/(3π) F_m (δ_m − δ_r)
+    let stored = 4.0 / (3.0 * PI) * peak.force * peak.elastic_approach;
+    assert!(off(unloading.stored(200.0), stored) < 1e-14);
+    assert!(off(unloading.branch().work_at(200.0), stored) < 1e-13);
+}

@@ -1,0 +1,105 @@
+//! Printed pieces that are crossed: over the whole range of materials and parameters the force neither jumps nor falls.
+
+use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::jumps::Jumps;
+use plm_impact::law::kogut_etsion::KogutEtsion;
+use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
+use plm_impact::law::{Bodies, ContactLaw, Law};
+use plm_impact::material::Material;
+use proptest::prelude::*;
+
+use super::bodies;
+use crate::common::Scene;
+
+/// A half-space of this Poisson's ratio and σ_Y/E*, under a sphere of the same.
+fn half_space(poissons_ratio: f64, strain: f64) -> Bodies {
+    let material = Material { youngs_modulus: 1e11, poissons_ratio };
+    let yield_strength = Some(strain * 0.5 * material.plane_strain_modulus());
+    bodies(&Scene { sphere: material, half_space: material, yield_strength, ..Scene::case_3() })
+}
+
+/// The laws with jumps, crossed; K H or C as given.
+fn crossed(yield_factor: Option<f64>) -> [(&'static str, Box<dyn ContactLaw>); 4] {
+    let jumps = Jumps::Crossed;
+    let jackson_green = |hardness| Box::new(JacksonGreen { yield_factor, hardness, jumps }) as Box<dyn ContactLaw>;
+    [
+        ("jackson_green", jackson_green(Hardness::Exponential)),
+        ("jackson_green, cosine", jackson_green(Hardness::Cosine)),
+        ("kogut_etsion", Box::new(KogutEtsion { yield_factor, jumps })),
+        ("kogut_komvopoulos", Box::new(KogutKomvopoulos { jumps })),
+    ]
+}
+
+/// Where the force falls, or a piece begins with a jump or out of order, if anywhere.
+fn fault(law: &Law) -> Option<String> {
+    let pieces = law.loading.pieces();
+    let end = 3.0 * pieces.last().map_or(1.0, |last| last.start.max(1.0));
+    for pair in pieces.windows(2) {
+        let (before, after) = (pair[0].force_at(pair[1].start), pair[1].force);
+        if pair[1].start <= pair[0].start || (after / before - 1.0).abs() > 1e-12 {
+            return Some(format!("at {}: {before} then {after}", pair[1].start));
+        }
+    }
+    let xs = (0..=4000).map(|i| 1e-2 * (end / 1e-2).powf(f64::from(i) / 4000.0));
+    let forces: Vec<(f64, f64)> = xs.map(|x| (x, law.loading.force(x))).collect();
+    forces.windows(2).find(|pair| pair[1].1 <= pair[0].1).map(|pair| format!("falls behind {}", pair[0].0))
+}
+
+#[test]
+fn hertz_and_the_fit_of_jackson_and_green_cross_where_they_do() {
+    // exp(-x^(5/12)/4) + 4 H_G/(C σ_Y) (1 - exp(-x^(5/9)/25))/√x = 1, solved apart, in units of the law's own yield point
+    for (poissons_ratio, want) in [(0.34, 1.825), (0.40, 1.586), (0.45, 1.412), (0.49, 1.287)] {
+        let bodies = half_space(poissons_ratio, 0.002);
+        let law = JacksonGreen { jumps: Jumps::Crossed, ..Default::default() }.law(&bodies).unwrap();
+        let unit = bodies.yield_at(1.295 * (0.736 * poissons_ratio).exp());
+        let start = law.loading.pieces()[1].start / unit;
+        assert!((start - want).abs() < 2e-3, "{poissons_ratio}: {start} against {want}");
+        assert_eq!(fault(&law), None, "{poissons_ratio}");
+    }
+}
+
+#[test]
+fn a_last_piece_that_crosses_early_skips_the_pieces_between() {
+    // K H = 5 σ_Y: f = 1.68 x meets 1.03 x^1.425 at x = (1.68/1.03)^(1/0.425) = 3.16, before 1.40 x^1.263 does at 6.65
+    let bodies = half_space(0.3, 0.002);
+    let law = KogutEtsion { yield_factor: Some(5.0), jumps: Jumps::Crossed }.law(&bodies).unwrap();
+    let unit = bodies.yield_at(5.0);
+    let starts: Vec<f64> = law.loading.pieces().iter().map(|piece| piece.start / unit).collect();
+    assert_eq!(starts.len(), 3);
+    assert!((starts[2] - (1.68_f64 / 1.03).powf(1.0 / 0.425)).abs() < 1e-9, "{starts:?}");
+}
+
+#[test]
+fn where_nothing_crosses_the_law_has_no_answer() {
+    // C = 3: the fit is below Hertz from before first yield on; K H = 9 σ_Y: so is the last piece, f = 0.93 x
+    let bodies = half_space(0.3, 0.002);
+    let laws: [(&dyn ContactLaw, f64); 2] = [
+        (&JacksonGreen { yield_factor: Some(3.0), jumps: Jumps::Crossed, ..Default::default() }, 3.0),
+        (&KogutEtsion { yield_factor: Some(9.0), jumps: Jumps::Crossed }, 9.0),
+    ];
+    for (law, factor) in laws {
+        let law = law.law(&bodies).unwrap();
+        let yields = bodies.yield_at(factor);
+        assert!(
+            law.accept(&law.loaded_to(0.99 * yields)).is_ok() && law.accept(&law.loaded_to(1.01 * yields)).is_err()
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(300))]
+
+    #[test]
+    fn a_crossed_force_never_falls(
+        poissons_ratio in 0.0..0.499_9_f64,
+        log_strain in -6.0..-0.5_f64,
+        log_factor in -1.0..2.0_f64,
+        is_given in any::<bool>(),
+    ) {
+        let bodies = half_space(poissons_ratio, 10_f64.powf(log_strain));
+        for (name, law) in crossed(is_given.then(|| 10_f64.powf(log_factor))) {
+            let law = law.law(&bodies).unwrap();
+            prop_assert_eq!(fault(&law), None, "{}", name);
+        }
+    }
+}

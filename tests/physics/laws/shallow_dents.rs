@@ -1,0 +1,70 @@
+//! Unloading along the Hertz curve moved down, by any dent from half the indentation to one of rounding.
+
+use std::sync::Arc;
+
+use plm_impact::impact::Contact;
+use plm_impact::law::curve::Curve;
+use plm_impact::law::published::{Loading, Recovered, RecoveryRule};
+use plm_impact::law::{About, Bodies, ContactLaw, UnloadingShape};
+
+use super::parts;
+use crate::common::{STEPPING, Scene, off, solver};
+
+/// Loads along Hertz's curve; the dent is this share of the indentation.
+#[derive(Debug)]
+struct Dented(f64);
+
+static ABOUT: About = About {
+    name: "dented",
+    title: "a dent at will",
+    source: "",
+    loading: "Hertz",
+    unloading: "the Hertz curve, moved",
+    validity: "",
+    confidence: "",
+};
+
+impl ContactLaw for Dented {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn loading(&self, _: &Bodies) -> Option<Loading> {
+        Some(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()))
+    }
+
+    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        let recovered = 1.0 - self.0;
+        Arc::new(move |peak| Recovered {
+            elastic_approach: recovered * peak.indentation,
+            shape: UnloadingShape::ShiftedHertz,
+        })
+    }
+}
+
+/// e² = ((2/5) (1 − r^2.5) − r^1.5 (1 − r))/((2/5) (1 − r^1.5)) for a dent r: the area under the moved curve.
+#[test]
+fn a_dent_however_shallow_is_landed_on() {
+    let (sphere, half_space) = parts(&Scene::case_3());
+    for halves in 0..34 {
+        let r = 0.5 * 10f64.powf(-0.5 * f64::from(halves));
+        let contact = Contact::try_new(sphere, half_space, &Dented(r)).unwrap();
+        let root = r.sqrt();
+        let square = (0.4 * (1.0 - r * r * root) - r * root * (1.0 - r)) / (0.4 * (1.0 - r * root));
+        for times in [2.0, 2.37, 7.5, 16.0] {
+            let speed = times * contact.yield_speed().unwrap();
+            let exact = contact.closed_form(speed).unwrap();
+            assert!(off(exact.restitution, square.sqrt()) < 1e-13, "{r}: {}", exact.restitution);
+            for (method, factor) in STEPPING {
+                for tolerance in [1e-3, 1e-6, 1e-10, 1e-13] {
+                    let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
+                    let error = plm_impact::math::power::max_or_nan(
+                        off(impact.restitution, exact.restitution),
+                        off(impact.contact_time, exact.contact_time),
+                    );
+                    assert!(error < factor * tolerance, "{r} {method:?} {tolerance}: {error}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Slow indentation under every law: the law of an impact without its motion.
+
+use plm_impact::impact::Method;
+use plm_impact::indentation::Target::{Indentation as To, Load};
+use plm_impact::indentation::{Indentation, IndentationError, Indenter, StaticContact};
+use plm_impact::law::{Branch, LawChoice};
+
+use super::{bodies, contact, law_of, parts, whole_laws};
+use crate::common::{Scene, off, solver};
+
+fn pressed(law: &LawChoice) -> StaticContact {
+    let (sphere, half_space) = parts(&Scene::case_3());
+    let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
+    StaticContact::try_new(indenter, &half_space, law.get()).unwrap()
+}
+
+/// An impact that is integrated, and a slow indentation to the depth that it came to: the force there is that of the loading
+/// curve, and of the work of loading comes back the share e².
+#[test]
+fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
+    let scene = Scene::case_3();
+    let point = bodies(&scene).yield_point;
+    let yield_speed = point.speed(parts(&scene).0.mass()).unwrap();
+    for (name, law) in whole_laws() {
+        let (moving, slow) = (contact(&scene, &law), pressed(&law));
+        let mut compared = 0;
+        for speed in [0.7, 20.0, 100.0].map(|times| times * yield_speed) {
+            // where the law has no answer for one it has none for the other
+            let Ok(impact) = moving.impact(speed, &solver(Method::Rk8, 1e-12), None) else { continue };
+            compared += 1;
+            let steps = slow.indent(&[To(impact.peak_indentation), Load(0.0)], None).unwrap().steps;
+            let [up, down] = steps[..] else { panic!("{name}") };
+            let force = law_of(law.get()).loading.force(up.indentation / point.indentation) * point.force;
+            assert!(off(up.force, force) < 1e-12, "{name} {speed}: {} {force}", up.force);
+            assert!(off(up.force, impact.peak_force) < 1e-9, "{name} {speed}");
+            let back = impact.restitution * impact.restitution;
+            assert!(off(-down.work / up.work, back) < 2e-9, "{name} {speed}: {} {back}", -down.work / up.work);
+            let dent = (up.memory.residual_indentation - impact.residual_indentation).abs();
+            assert!(dent < 1e-9 * up.indentation, "{name} {speed}: {dent}");
+        }
+        assert!(compared > 0, "{name}");
+    }
+}
+
+/// Unloaded, loaded again to the same depth and beyond: nothing plastic until the old peak, then as if nothing had been.
+#[test]
+fn a_second_cycle_runs_back_up_the_branch_of_the_first() {
+    for (name, law) in whole_laws() {
+        let slow = pressed(&law);
+        let length = slow.pair().yield_point.unwrap().indentation;
+        let (once, twice) = (To(60.0 * length), To(90.0 * length));
+        let run = |targets: &[_]| -> Indentation { slow.indent(targets, Some(40)).unwrap() };
+        let cycles = run(&[once, Load(0.0), once, Load(0.0), twice, Load(0.0)]);
+        let [first, down, again, _, deeper, last] = cycles.steps[..] else { panic!("{name}") };
+        assert_eq!((again.plastic_work, again.memory), (0.0, first.memory), "{name}");
+        assert!(off(again.force, first.force) < 1e-12 && off(again.work, -down.work) < 1e-12, "{name}");
+        let straight = run(&[twice]).steps[0];
+        assert_eq!((deeper.force, deeper.memory), (straight.force, straight.memory), "{name}");
+        let plastic: f64 = cycles.steps.iter().map(|step| step.plastic_work).sum();
+        let work: f64 = cycles.steps.iter().map(|step| step.work).sum();
+        assert!((plastic - straight.plastic_work).abs() < 1e-12 * straight.work, "{name}");
+        // unloaded in the end: all work that is left is plastic
+        assert!((work - plastic).abs() < 1e-12 * straight.work && last.force == 0.0, "{name}: {work} {plastic}");
+        let is_elastic = !slow.can_yield();
+        assert_eq!(is_elastic, name.starts_with("hertz"));
+        assert!(!is_elastic || cycles.trace.iter().all(|row| row.branch != Branch::Plastic), "{name}");
+    }
+}
+
+/// Stronge's law gives back more than it takes between about 1.1 and 2.5 yield indentations: a step that ends there is named,
+/// one that goes through is not.
+#[test]
+fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
+    let slow = pressed(&LawChoice::from_name("stronge").unwrap());
+    let length = slow.pair().yield_point.unwrap().indentation;
+    let error = slow.indent(&[To(0.5 * length), To(1.5 * length)], None).unwrap_err();
+    assert!(matches!(error, IndentationError::Outside { step: 2, .. }), "{error:?}");
+    assert!(error.to_string().starts_with("step 2: the law has no answer"), "{error}");
+    slow.indent(&[To(0.5 * length), To(30.0 * length)], Some(100)).unwrap();
+    // and half a law has none at all
+    let (sphere, half_space) = parts(&Scene::case_3());
+    let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
+    let brake = LawChoice::from_name("brake").unwrap();
+    assert!(matches!(StaticContact::try_new(indenter, &half_space, brake.get()), Err(IndentationError::Law(_))));
+}

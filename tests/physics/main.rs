@@ -1,0 +1,27 @@
+//! The library: laws, steppers, impacts, sequences and indentation, against closed forms, conservation and references.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod batch;
+mod damped;
+mod dense;
+mod exponent;
+mod flow_stress;
+mod forces;
+mod hard_cases;
+mod hardening;
+mod hertz;
+mod indentation;
+mod invariants;
+mod landing;
+mod law;
+mod laws;
+mod oracle;
+mod reloading;
+mod repeat;
+mod verlet;
+mod waves;
+mod work;

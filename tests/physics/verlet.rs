@@ -1,0 +1,117 @@
+//! Velocity Verlet in fixed steps: the error of its times, what a code with its step sees, and its energy ledger.
+
+use plm_impact::impact::{Damping, Forces, Impact, Method, Solver};
+
+use crate::common::{Scene, off, solver};
+
+/// (4/5) B(2/5, 1/2): contact time of a Hertz impact times v/δ_max.
+const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
+
+const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
+
+const NONE: Forces = Forces { gravity: None, damping: None };
+
+fn verlet(steps_per_contact: u32) -> Solver {
+    Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() }
+}
+
+fn by_steps(scene: &Scene, forces: Forces, steps: u32) -> Impact {
+    scene.contact().with_forces(forces).impact(0.5, &verlet(steps), Some(20)).unwrap()
+}
+
+fn every_force() -> [Forces; 4] {
+    let damping = |damping| Forces { gravity: None, damping: Some(damping) };
+    let gravity = Forces { gravity: Some(1e4), damping: None };
+    [NONE, gravity, damping(Damping::HuntCrossley(0.1)), damping(Damping::Viscous(0.1))]
+}
+
+#[test]
+fn the_times_of_a_hertz_impact_are_off_by_the_square_of_the_step() {
+    let elastic = Scene { yield_strength: None, ..Scene::steel() };
+    let exact = elastic.impact(0.5, Method::ClosedForm, 1e-10, None);
+    let contact_time = CONTACT_TIME * exact.peak_indentation / 0.5;
+    for steps in NUMBERS_OF_STEPS {
+        let impact = by_steps(&elastic, NONE, steps);
+        // an oscillator of period 2 T lasts shorter by (π/n)²/24 = 0.41/n² of T
+        let squares = f64::from(steps) * f64::from(steps);
+        let error = off(impact.contact_time, contact_time);
+        assert!(error * squares > 0.05 && error * squares < 1.0, "{steps}: {}", error * squares);
+        assert!(off(1.0 + impact.accuracy.contact_time_error, 1.0 + error) < 1e-14);
+        let of_compression = off(impact.loading_time, 0.5 * contact_time);
+        assert!(of_compression * squares < 2.0, "{steps}: {}", of_compression * squares);
+        // nothing is spent: what the ledger misses is missing in e
+        let drift = impact.in_fixed_steps.unwrap().drift_at_end;
+        assert_eq!(drift, impact.restitution * impact.restitution - 1.0);
+        assert!(drift.abs() * squares < 5.0, "{steps}: {}", drift * squares);
+        assert!(drift.abs() <= impact.energy.drift);
+    }
+}
+
+#[test]
+fn a_code_sees_both_times_in_whole_steps() {
+    for forces in every_force() {
+        for steps in NUMBERS_OF_STEPS {
+            let scene = Scene::steel();
+            let exact = scene.contact().with_forces(forces).impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
+            let impact = by_steps(&scene, forces, steps);
+            let seen = impact.in_fixed_steps.unwrap();
+            let separation = seen.separation_time.unwrap();
+            for time in [seen.compression_time, separation] {
+                let count = time / seen.step;
+                assert!((count - count.round()).abs() < 1e-9, "{forces:?}, {steps}: {count}");
+            }
+            // seen at the end of the step in which it happens
+            let late = (separation - impact.contact_time) / seen.step;
+            assert!((-1e-9..1.0 + 1e-9).contains(&late), "{forces:?}, {steps}: {late}");
+            let beside = (seen.compression_time - exact.loading_time).abs() / seen.step;
+            assert!(beside < 1.0, "{forces:?}, {steps}: {beside}");
+            // the trace ends where the contact does
+            let last = impact.trace.last().unwrap();
+            assert_eq!(last.time, impact.contact_time);
+            assert!(impact.trace.windows(2).all(|pair| pair[0].time <= pair[1].time), "{forces:?}, {steps}");
+        }
+    }
+}
+
+#[test]
+fn the_times_are_exact_to_second_order_and_to_first_order_under_damping() {
+    for forces in every_force() {
+        let scene = Scene::steel();
+        let exact = scene.contact().with_forces(forces).impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
+        let worst = |time: fn(&Impact) -> f64, steps: [u32; 3]| {
+            let error = |steps| off(time(&by_steps(&scene, forces, steps)), time(&exact));
+            steps.map(error).into_iter().fold(0.0, plm_impact::math::power::max_or_nan)
+        };
+        for time in [(|impact| impact.contact_time) as fn(&Impact) -> f64, |impact| impact.loading_time] {
+            let (coarse, fine) = (worst(time, [97, 100, 109]), worst(time, [9700, 10_000, 10_900]));
+            let falls_by = if forces.damping.is_some() { 50.0 } else { 2000.0 };
+            assert!(fine < coarse / falls_by && coarse < 1e-2, "{forces:?}: {coarse:e} to {fine:e}");
+        }
+    }
+}
+
+#[test]
+fn the_ledger_at_the_end_is_that_of_the_energies() {
+    for forces in every_force() {
+        let scene = Scene::steel();
+        let impact = by_steps(&scene, forces, 100);
+        let (energy, under) = (impact.energy, impact.under_forces);
+        let part = |of: Option<f64>| of.unwrap_or(0.0);
+        let damping = under.map_or(0.0, |under| part(under.damping_loss) + part(under.stored_at_separation));
+        let gravity = under.map_or(0.0, |under| part(under.gravity_work));
+        let missing = energy.recovered + energy.plastic.unwrap() + damping - energy.kinetic_in - gravity;
+        // a drift is relative to what has been put in until the peak
+        let weight = scene.contact().mass() * forces.gravity.unwrap_or(0.0);
+        let off_by = missing / (energy.kinetic_in + weight * impact.peak_indentation);
+        let drift = impact.in_fixed_steps.unwrap().drift_at_end;
+        assert!((drift - off_by).abs() < 1e-13, "{forces:?}: {drift:e} {off_by:e}");
+        assert!(drift != 0.0 && drift.abs() < 0.02, "{forces:?}: {drift:e}");
+    }
+}
+
+#[test]
+fn other_methods_have_no_steps_to_tell_of() {
+    for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::ClosedForm] {
+        assert_eq!(Scene::steel().impact(0.5, method, 1e-10, None).in_fixed_steps, None);
+    }
+}

@@ -1,0 +1,82 @@
+//! `[output] columns`: a table with fewer results, and what `check` says of a sweep. Through the real process.
+
+use crate::common::command::{self, Desk};
+
+/// Without `[output]`, so that a test can add one, and without a yield strength.
+const ELASTIC: &str = r#"
+[sphere]
+radius = "5 mm"
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+[impact]
+speed = "1 m/s"
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+"#;
+const YIELDING: &str = "yield_strength = \"345 MPa\"\n";
+const SWEEP: &str = "[sweep]\n\"impact.speed\" = { logspace = [\"1 mm/s\", \"10 m/s\"], points = 21 }\n";
+
+fn table(text: &str) -> Vec<Vec<String>> {
+    let desk = Desk::with(text);
+    let output = desk.call(&["run", "s.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", command::text(&output.stderr));
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_path(desk.path("out/table.csv")).unwrap();
+    reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
+}
+
+#[test]
+fn a_table_has_the_columns_named_and_the_same_digits() {
+    let whole = table(&format!("{ELASTIC}{YIELDING}{SWEEP}"));
+    let chosen = r#"["dent_radius_m", "peak_force_N"]"#;
+    let few = table(&format!("{ELASTIC}{YIELDING}{SWEEP}[output]\ncolumns = {chosen}\n"));
+    let want = ["case", "impact_speed_m_per_s", "restitution", "peak_force_N", "dent_radius_m", "status"];
+    assert_eq!(few[0], want);
+    let places: Vec<usize> = want.iter().map(|name| whole[0].iter().position(|other| other == name).unwrap()).collect();
+    assert_eq!(few.len(), whole.len());
+    for (few, whole) in few.iter().zip(&whole) {
+        let same: Vec<&String> = places.iter().map(|place| &whole[*place]).collect();
+        assert_eq!(few.iter().collect::<Vec<_>>(), same);
+    }
+}
+
+#[test]
+fn columns_that_cannot_be_are_refused() {
+    let table = [
+        (format!("{YIELDING}{SWEEP}"), "[\"peak_force\"]", "did you mean \"peak_force_N\"?"),
+        (format!("{YIELDING}{SWEEP}"), "[\"peak_force_N\", \"peak_force_N\"]", "named twice"),
+        (SWEEP.to_owned(), "[\"dent_radius_m\"]", "there is no dent"),
+        (YIELDING.to_owned(), "[\"peak_force_N\"]", "this scenario is one impact"),
+    ];
+    for (tables, columns, want) in table {
+        let desk = Desk::with(format!("{ELASTIC}{tables}[output]\ncolumns = {columns}\n"));
+        let output = desk.call(&["run", "s.toml", "--out", "out"]);
+        let message = command::text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains("output.columns: ") && message.contains(want), "{want}: {message}");
+        assert!(!desk.path("out").exists());
+    }
+}
+
+#[test]
+fn check_says_what_a_sweep_will_be() {
+    let strengths = "\"half_space.yield_strength\" = [\"200 MPa\", \"345 MPa\"]\n";
+    let output = Desk::with(format!("{ELASTIC}{YIELDING}{SWEEP}{strengths}")).call(&["check", "s.toml"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    for want in [
+        "42 cases",
+        "21 values from 1 mm/s to 10 m/s, evenly in the logarithm",
+        "200 MPa, 345 MPa",
+        "columns case,impact_speed_m_per_s,",
+        "the scene of the first case",
+    ] {
+        assert!(text.contains(want), "{want}: {text}");
+    }
+    let random = "[monte_carlo]\nsamples = 10\nseed = 3\n\"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"300 MPa\" } }\n";
+    let output = Desk::with(format!("{ELASTIC}{YIELDING}{random}")).call(&["check", "s.toml"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    // Φ(345/300) = Φ(1.15) = 0.8749 of the normal distribution is positive
+    assert!(text.contains("10 cases, drawn with seed 3") && text.contains("keeps 87.49 %"), "{text}");
+}

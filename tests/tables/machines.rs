@@ -1,0 +1,141 @@
+//! The bytes of a table are the same on every machine: other variants of the C library, other processors.
+
+use std::process::Command;
+
+use crate::common::STEEL;
+use crate::common::command::Desk;
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
+
+/// glibc then takes the variants of a processor without fused multiply-add and wide registers.
+const PLAIN_GLIBC: &str = "glibc.cpu.hwcaps=-AVX2,-AVX,-FMA,-FMA4,-AVX512F,-AVX2_Usable,-FMA_Usable";
+
+/// Tables of all kinds, with one of so many of their rows.
+fn tables(one_of: u32) -> Vec<(&'static str, String)> {
+    let bodies = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
+    let sweep = |more: &str, points: u32, rest: &str| {
+        let points = points / one_of;
+        let axes = format!(
+            "[sweep]\n\"impact.speed\" = {{ logspace = [\"1 mm/s\", \"100 m/s\"], points = {points} }}\n\"half_space.yield_strength\" = [\"345 MPa\", \"900 MPa\"]\n"
+        );
+        format!("{bodies}{more}{axes}{rest}")
+    };
+    let exponent = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
+    let laws = "law = [\"hertz\", \"thornton\", \"jackson_green\", \"kogut_etsion\", \"kogut_komvopoulos\", \"stronge\", \"yigit_christoforou\", \"ma_liu\", \"johnson\", \"thornton + mesarovic_johnson\", \"jackson_green + brake\"]\n";
+    let random = "[monte_carlo]\nsamples = SAMPLES\n\"half_space.yield_strength\" = { lognormal = { mean = \"345 MPa\", sd = \"60 MPa\" } }\n\"sphere.radius\" = { normal = { mean = \"5 mm\", sd = \"2 mm\" } }\n\"impact.speed\" = { uniform = [1, 30] }\n";
+    let random = random.replace("SAMPLES", &(5000 / one_of).to_string());
+    vec![
+        ("plain", sweep("", 4000, "")),
+        ("exponent", sweep(exponent, 2000, "")),
+        ("laws", sweep("", 60, laws)),
+        ("random", format!("{bodies}{random}")),
+        ("rk8", sweep("[solver]\nmethod = \"rk8\"\n", 500, "")),
+        ("rk8 of laws", sweep("[solver]\nmethod = \"rk8\"\n", 10, laws)),
+        ("gravity", sweep("[gravity]\nacceleration = 9.81\n", 500, "")),
+        ("viscous", sweep("[damping]\nviscous = 0.1\n", 300, "")),
+        ("viscous, other exponent", sweep(&format!("{exponent}[damping]\nviscous = 0.1\n"), 100, "")),
+        ("hunt-crossley", sweep("[damping]\nhunt_crossley = \"0.1 s/m\"\n[gravity]\nacceleration = 9.81\n", 300, "")),
+        ("damped laws", sweep("[damping]\nviscous = 0.1\n", 10, laws)),
+        ("verlet", sweep("[solver]\nmethod = \"verlet\"\nsteps_per_contact = 200\n", 100, "")),
+    ]
+}
+
+/// The table that the command makes of a scenario.
+fn table(command: &mut Command, scenario: &str) -> Vec<u8> {
+    let desk = Desk::with(scenario);
+    let output = command.args(["run", "--quiet", "--out"]).arg(desk.path("out")).arg(desk.path("s.toml")).output();
+    let output = output.unwrap();
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{scenario}\n{}", String::from_utf8_lossy(&output.stderr));
+    std::fs::read(desk.path("out/table.csv")).unwrap()
+}
+
+/// The first line that differs, for a message.
+fn first_difference(a: &[u8], b: &[u8]) -> String {
+    let (a, b) = (String::from_utf8_lossy(a), String::from_utf8_lossy(b));
+    let count = a.lines().zip(b.lines()).filter(|(a, b)| a != b).count();
+    let first = a.lines().zip(b.lines()).find(|(a, b)| a != b);
+    format!("{count} rows differ, the first: {first:?}")
+}
+
+fn is_the_same_under(machine: impl Fn() -> Command, one_of: u32) {
+    for (name, scenario) in tables(one_of) {
+        let here = table(&mut Command::new(PROGRAM), &scenario);
+        let there = table(&mut machine(), &scenario);
+        assert!(here == there, "{name}: {}", first_difference(&here, &there));
+    }
+}
+
+#[test]
+fn a_table_does_not_depend_on_the_variants_of_the_c_library() {
+    let machine = || {
+        let mut command = Command::new(PROGRAM);
+        command.env("GLIBC_TUNABLES", PLAIN_GLIBC);
+        command
+    };
+    is_the_same_under(machine, 1);
+}
+
+#[test]
+fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
+    #[cfg(all(target_arch = "x86_64", target_env = "gnu"))]
+    let has_two_variants = std::arch::is_x86_feature_detected!("fma");
+    #[cfg(not(all(target_arch = "x86_64", target_env = "gnu")))]
+    let has_two_variants = false;
+    if !has_two_variants {
+        eprintln!("skipped: not glibc on an x86-64 processor with fused multiply-add");
+        return;
+    }
+    let call = |desk: &Desk, tunables: Option<&str>, arguments: &[&str]| {
+        let mut command = Command::new(PROGRAM);
+        command.envs(tunables.map(|value| ("GLIBC_TUNABLES", value))).current_dir(desk.path(""));
+        let output = command.args(arguments).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let shard = |part| ["run", "s.toml", "--out", "shards", "--quiet", "--shard", part];
+    let merge = ["merge", "shards", "--out", "merged/table.csv"];
+    let machine = "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
+    let swept = "\"solver.method\" = [\"closed_form\", \"dop853\"]";
+    for (method, axis, is_mixed) in [("rk8", "", true), ("dopri5", "", false), ("rk8", swept, false)] {
+        let method = if axis.is_empty() { format!("[solver]\nmethod = \"{method}\"\n") } else { String::new() };
+        let desk = Desk::with(format!("{STEEL}{method}[sweep]\n\"sphere.radius\" = [0.001, 0.002]\n{axis}\n"));
+        assert_eq!(call(&desk, None, &shard("0/2")).0, 0);
+        assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard("1/2")).0, 0);
+        let (again, resumed) = call(&desk, Some(PLAIN_GLIBC), &shard("0/2"));
+        let (code, merged) = call(&desk, None, &merge);
+        if is_mixed {
+            assert_eq!((again, code), (0, 0), "{resumed}{merged}");
+            continue;
+        }
+        assert_eq!((again, code), (2, 2), "{resumed}{merged}");
+        assert!(resumed.contains(&format!("holds a shard of {machine}")), "{resumed}");
+        assert!(merged.contains("table-1-of-2.csv: foreign") && merged.contains(machine), "{merged}");
+        assert!(!desk.path("merged/table.csv").exists());
+        // the same variant goes on, and merges
+        std::fs::remove_dir_all(desk.path("shards")).unwrap();
+        for part in ["0/2", "1/2", "0/2"] {
+            assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard(part)).0, 0);
+        }
+        let (code, merged) = call(&desk, None, &merge);
+        assert_eq!(code, 0, "{merged}");
+    }
+}
+
+#[test]
+fn a_table_does_not_depend_on_the_processor() {
+    let emulator = "qemu-x86_64";
+    let has_it = cfg!(target_arch = "x86_64") && Command::new(emulator).arg("--version").output().is_ok();
+    if !has_it {
+        eprintln!("skipped: no {emulator} here (package qemu-user), or not an x86-64 machine");
+        return;
+    }
+    // without AVX and fused multiply-add, and with both
+    for processor in ["Nehalem", "Haswell"] {
+        let machine = || {
+            let mut command = Command::new(emulator);
+            command.args(["-cpu", processor, PROGRAM]);
+            command
+        };
+        // an emulator takes its time
+        is_the_same_under(machine, 5);
+    }
+}

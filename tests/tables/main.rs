@@ -1,0 +1,16 @@
+//! Tables: rows, files, shards, interruptions, and the same bytes on every machine.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod columns;
+mod damage;
+mod files;
+mod machines;
+mod one_row;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod shards;
+mod sweep;

@@ -1,0 +1,90 @@
+//! Random cases: their distributions, their independence, their statistics.
+
+use approx::assert_relative_eq;
+use plm_impact::scenario::Scenario;
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
+
+use super::{rows, summary};
+use crate::common::STEEL;
+
+#[test]
+fn random_values_follow_their_distribution() {
+    let plan = |variable: &str| {
+        rows(&format!("{STEEL}[monte_carlo]\nsamples = 200000\nseed = 3\n\"sphere.density\" = {variable}\n"))
+    };
+    let moments = |values: &[f64]| {
+        let n = f64::from(u32::try_from(values.len()).unwrap());
+        let mean = values.iter().sum::<f64>() / n;
+        (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt())
+    };
+    // standard error of the mean is sd/447, of sd about sd/632; five of them
+    for (text, want_mean, want_sd) in [
+        ("{ normal = { mean = 1000, sd = 50 } }", 1000.0, 50.0),
+        ("{ lognormal = { mean = 1000, sd = 500 } }", 1000.0, 500.0),
+        ("{ uniform = [1000, 2000] }", 1500.0, 1000.0 / 12f64.sqrt()),
+        // cut at 0, the half-normal: mean √(2/π) sd, variance (1 − 2/π) sd²
+        (
+            "{ normal = { mean = 1e-9, sd = 100 } }",
+            100.0 * (2.0 / std::f64::consts::PI).sqrt(),
+            100.0 * (1.0 - 2.0 / std::f64::consts::PI).sqrt(),
+        ),
+    ] {
+        let values = plan(text).swept;
+        assert_eq!(values.len(), 200_000);
+        assert!(values.iter().all(|value| *value > 0.0));
+        let (mean, sd) = moments(&values);
+        assert!((mean - want_mean).abs() < 5.0 * want_sd / 447.0, "{text}: mean {mean}");
+        // the lognormal's fourth moment is large: its sd is known less well
+        assert!((sd / want_sd - 1.0).abs() < 0.02, "{text}: sd {sd}");
+    }
+}
+
+#[test]
+fn what_truncation_keeps_is_said_to_all_digits() {
+    // Abramowitz and Stegun 1964, Table 26.1: P(1) and P(2)
+    for (sd, want) in [("5 mm", 0.841_344_746_068_543), ("2.5 mm", 0.977_249_868_051_821)] {
+        let tables = format!(
+            "[monte_carlo]\nsamples = 2\n\"sphere.radius\" = {{ normal = {{ mean = \"5 mm\", sd = \"{sd}\" }} }}\n"
+        );
+        let kept = summary(&tables)["random"][0]["kept"].as_f64().unwrap();
+        assert!((kept - want).abs() < 1e-15, "{sd}: {kept}");
+    }
+}
+
+#[test]
+fn a_sample_depends_on_seed_key_and_number_alone() {
+    let text = format!(
+        "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
+    );
+    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
+    let evaluator = Evaluator::new(&plan);
+    let (mut whole, mut part) = (Rows::default(), Rows::default());
+    evaluator.rows(0..10_000, &mut whole);
+    evaluator.rows(7_777..7_779, &mut part);
+    assert_eq!(part.swept, whole.swept[2 * 7_777..2 * 7_779]);
+    assert_eq!(part.results, whole.results[7_777..7_779]);
+    // the two keys have streams of their own
+    assert!(whole.swept.chunks(2).all(|pair| pair[0] != pair[1]));
+    let other = text.replace("seed = 7", "seed = 8");
+    assert!(rows(&other).swept != whole.swept);
+}
+
+#[test]
+fn quantiles_of_a_known_distribution() {
+    // at a fixed peak state e = √(c/(n + 1)) falls with n, so quantiles of e are e at the quantiles of n
+    let summary = summary(
+        "[monte_carlo]\nsamples = 50000\nseed = 1\n\"law.plm.unloading_exponent\" = { uniform = [1.2, 1.8] }\n",
+    );
+    let e_of = |n: f64| {
+        let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [{n}]\n"));
+        rows.results[0].unwrap().restitution
+    };
+    let got = &summary["restitution"];
+    for (name, n) in [("quantile_05", 1.77), ("quantile_50", 1.5), ("quantile_95", 1.23)] {
+        // standard error of a uniform's quantile: 0.6 √(p (1 − p)/50000) < 1.4e-3 in n, de/dn about −0.1
+        assert_relative_eq!(got[name].as_f64().unwrap(), e_of(n), epsilon = 5.0 * 1.4e-4);
+    }
+    assert_eq!(got["samples"], 50_000);
+    assert_eq!(got["quantile_resolution"], 0.0);
+    assert_eq!(summary["random"][0]["truncated_to"], "> 1 and <= 2");
+}
