@@ -212,23 +212,23 @@ impl OutputDirectory {
         self.put_all(new, false)
     }
 
-    /// Puts a table in place that is complete, and removes summary and pictures of another one first.
+    /// Puts the files of a table in place that is complete, and removes summary and pictures of another one first.
     ///
     /// # Errors
     /// [`OutputError`]; then it is not in place.
-    pub fn put_table(&self, table: NewFile) -> Result<(), OutputError> {
-        table.sync().map_err(OutputError::at(table.temporary()))?;
+    pub fn put_table(&self, files: Vec<NewFile>) -> Result<(), OutputError> {
+        files.iter().try_for_each(|file| file.sync().map_err(OutputError::at(file.temporary())))?;
         let _lock = self.own.is_some().then(|| self.lock_list()).transpose()?;
-        self.put_all(vec![table], true)
+        self.put_all(files, true)
     }
 
     fn put_all(&self, mut files: Vec<NewFile>, is_table: bool) -> Result<(), OutputError> {
         self.enter(&files, is_table)?;
         for file in &mut files {
             let place = file.place().to_owned();
-            file.rename().map_err(OutputError::at(&place))?;
+            file.rename().and_then(|()| sync_folder(folder(&place))).map_err(OutputError::at(&place))?;
         }
-        sync_folder(&self.path).map_err(OutputError::at(&self.path))
+        Ok(())
     }
 
     /// Enters files into the list of the directory, before they take the place of others.
@@ -238,7 +238,7 @@ impl OutputDirectory {
         let refuse = OutputError::at(&self.path);
         let mut records = Vec::new();
         for file in files {
-            let name = file.place().file_name().unwrap_or_default().to_string_lossy();
+            let name = file.place().strip_prefix(&self.path).unwrap_or(file.place()).to_string_lossy();
             self.may_replace(there.as_ref(), &name, Some(file.temporary()))?;
             records.push(Record::of(file.temporary(), &name, is_table).map_err(OutputError::at(file.place()))?);
         }

@@ -15,6 +15,7 @@ mod ordered;
 pub mod pace;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub mod partition;
 pub mod seal;
 pub mod shard;
 pub mod sidecar;
@@ -30,6 +31,7 @@ use thiserror::Error;
 use crate::output::OutputError;
 
 pub use job::{Job, Progress, Written};
+pub use partition::Partition;
 pub use shard::Shard;
 pub use table::Format;
 
@@ -99,6 +101,21 @@ pub enum SweepError {
     /// A request that the build or the format does not allow.
     #[error("{0}")]
     Unsupported(&'static str),
+    /// A key by which no table can be divided into files.
+    #[error("--partition-by {key}: {}", if .of_words.is_empty() {
+        "no axis of this [sweep] has words for values, such as law = [\"plm\", \"thornton\"]".to_owned()
+    } else {
+        format!("a table is divided by an axis of words, here by {}", .of_words.join(" or "))
+    })]
+    PartitionBy {
+        /// As given.
+        key: String,
+        /// The axes that would do.
+        of_words: Vec<&'static str>,
+    },
+    /// A file that would be read as part of a data set.
+    #[error("{}: is not of this table, and would be read as part of it; move or delete it, or name another --out", .0.display())]
+    Stray(PathBuf),
     /// No place for a merged table.
     #[error("--out {}: {problem}; name another file", .path.display())]
     Place {

@@ -13,8 +13,7 @@ use plm_impact::provenance::Provenance;
 use plm_impact::report;
 use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::sidecar::table_name;
-use plm_impact::sweep::{self, Format, Job, Progress, Shard};
+use plm_impact::sweep::{self, Format, Job, Partition, Progress, Shard};
 
 use super::interrupt::Interrupt;
 
@@ -24,6 +23,9 @@ pub struct Options {
     /// Sweeps: what the table is written as [default: csv]
     #[arg(long, value_parser = formats())]
     format: Option<Format>,
+    /// Sweeps: write a Parquet file for every value of this axis of words, such as law, into a folder `table-by-law`
+    #[arg(long, value_name = "KEY", conflicts_with_all = ["shard", "shard_env"])]
+    partition_by: Option<String>,
     /// Sweeps: write only this part of the table, counted from 0; `merge` puts the parts together
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
@@ -40,6 +42,7 @@ impl Options {
     pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
         let given = [
             ("--format", self.format.is_some()),
+            ("--partition-by", self.partition_by.is_some()),
             ("--shard", self.shard.is_some()),
             ("--shard-env", self.shard_env.is_some()),
             ("--threads", self.threads.is_some()),
@@ -49,6 +52,17 @@ impl Options {
                 "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
             ))),
             None => Ok(()),
+        }
+    }
+
+    /// What the table is written as.
+    fn format(&self, is_divided: bool) -> Result<Format, Error> {
+        match self.format {
+            None if is_divided => Ok(Format::Parquet),
+            Some(format) if is_divided && format != Format::Parquet => {
+                Err(Error::Option("--partition-by writes Parquet files; leave --format out".to_owned()))
+            }
+            format => Ok(format.unwrap_or(Format::Csv)),
         }
     }
 
@@ -78,11 +92,9 @@ pub fn run(
     is_quiet: bool,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
-    let format = options.format.unwrap_or(Format::Csv);
-    if shard.is_none() {
-        let table = table_name(shard, format);
-        directory.check([table.as_str(), SUMMARY].into_iter().chain(PICTURES)).map_err(Error::from)?;
-    }
+    let partition =
+        options.partition_by.as_ref().map(|key| Partition::of(plan, key)).transpose().map_err(Error::from)?;
+    let format = options.format(partition.is_some())?;
     let interrupt = Interrupt::listen()?;
     let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
     let source = scenario.source().map_err(Error::from)?;
@@ -90,6 +102,7 @@ pub fn run(
         plan,
         shard,
         format,
+        partition,
         directory,
         source: &source,
         progress: &|progress: Progress| {
@@ -98,6 +111,10 @@ pub fn run(
         },
         is_cancelled: &interrupt.is_set,
     };
+    if shard.is_none() {
+        let files = job.files();
+        directory.check(files.iter().map(String::as_str).chain([SUMMARY]).chain(PICTURES)).map_err(Error::from)?;
+    }
     let written = super::threads::with(options.threads, || job.run());
     bar.finish_and_clear();
     let written = written?.map_err(|error| interrupt.explain(error))?;

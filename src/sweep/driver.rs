@@ -12,7 +12,7 @@ use super::ordered::{Made, fill};
 use super::pace::Pace;
 use super::seal::Sealed;
 use super::shard::{Layout, Shard};
-use super::sidecar::{OTHER_MACHINE, Read, Sidecar, Tally, part_path, read_rows, sidecar_path, table_name};
+use super::sidecar::{OTHER_MACHINE, Read, Sidecar, Tally, part_path, read_rows, sidecar_path};
 use super::table::{Format, TextTable};
 use crate::output::{NewFile, OutputError, remove, remove_stale, sync_folder};
 
@@ -22,7 +22,7 @@ impl Job<'_> {
     /// # Errors
     /// [`SweepError`]; what is written so far stays and can be resumed.
     pub fn run(&self) -> Result<Written, SweepError> {
-        let name = table_name(self.shard, self.format);
+        let name = self.name();
         let table = self.directory.path().join(&name);
         let lock = self.directory.lock(Path::new(&name))?;
         for place in [&table, &sidecar_path(&table)] {
@@ -77,7 +77,7 @@ impl Job<'_> {
         self.append(&mut file, &part, &text, &layout, &mut tally)?;
         file.write_all(text.footer()).map_err(&unwritable)?;
         let finished = Some(file.seal());
-        self.directory.put_table(file.into_inner())?;
+        self.directory.put_table(vec![file.into_inner()])?;
         if self.shard.is_some() {
             Sidecar { finished, ..sidecar }.write(&table)?;
         }
@@ -173,9 +173,11 @@ impl Job<'_> {
                 "shards are written as csv or json; Parquet files are neither resumed nor merged",
             ));
         }
-        let name = table_name(self.shard, self.format);
-        if Sidecar::read(table)?.as_ref() == Some(sidecar) && self.is_complete(&name, table) {
-            let tally = super::parquet::count(table, self.plan)?;
+        let files = self.files();
+        if Sidecar::read(table)?.as_ref() == Some(sidecar) && files.iter().all(|file| self.directory.has_own(file)) {
+            let mut tally = Tally::of(self.plan);
+            let mut count = |file| super::parquet::count(&self.directory.path().join(file), &mut tally);
+            files.iter().try_for_each(&mut count)?;
             let resumed = tally.rows;
             return Ok((tally, resumed));
         }

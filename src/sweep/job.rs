@@ -4,8 +4,9 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use super::SweepError;
+use super::partition::Partition;
 use super::shard::Shard;
-use super::sidecar::{Tally, sidecar_path};
+use super::sidecar::{Tally, sidecar_path, table_name};
 use super::table::Format;
 use crate::output::{Lock, OutputDirectory, remove};
 use crate::plan::{Plan, Source};
@@ -18,6 +19,8 @@ pub struct Job<'a> {
     pub shard: Option<Shard>,
     /// What is written.
     pub format: Format,
+    /// Parquet: the axis that has a file for every value; `None`: one file.
+    pub partition: Option<Partition>,
     /// Where.
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan is of.
@@ -26,6 +29,20 @@ pub struct Job<'a> {
     pub progress: &'a (dyn Fn(Progress) + Sync),
     /// Set to stop within a fraction of a second, unless a single row takes longer.
     pub is_cancelled: &'a AtomicBool,
+}
+
+impl Job<'_> {
+    /// The name of the table in the directory: of a file, or of the folder that a divided table is.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.partition.as_ref().map_or_else(|| table_name(self.shard, self.format), Partition::folder)
+    }
+
+    /// The names of its files, as seen from the directory.
+    #[must_use]
+    pub fn files(&self) -> Vec<String> {
+        self.partition.as_ref().map_or_else(|| vec![self.name()], Partition::files)
+    }
 }
 
 /// How far a sweep is.

@@ -180,7 +180,7 @@ pub fn merge(
     remove_stale(out).map_err(SweepError::file("cannot be written", out))?;
     let mut table = NewFile::create(out).map_err(SweepError::file("cannot be written", out))?;
     let tally = write(&sidecar, &plan, &shards, &mut table)?;
-    directory.put_table(table)?;
+    directory.put_table(vec![table])?;
     Ok(Merged { sidecar, plan, tally, _lock: lock })
 }
 

@@ -1,12 +1,14 @@
-//! A table as Parquet: row groups encoded in parallel, each in memory, appended in order.
+//! A table as Parquet, in one file or in one for every value of an axis: row groups encoded in parallel, each in memory,
+//! appended in order.
 
 mod columns;
 mod group;
 
 use std::collections::HashMap;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter};
-use std::path::Path;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use parquet::errors::ParquetError;
@@ -15,18 +17,18 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::record::Field;
 use parquet::schema::types::{SchemaDescriptor, Type};
 
-use self::columns::{BATCH, properties, schema};
+use self::columns::{BATCH, named, properties, schema};
 use self::group::{Chunk, Encoder};
 use super::SweepError;
-use super::column::{OK, columns};
+use super::column::OK;
 use super::count::Count;
 use super::evaluator::{Evaluator, Failure};
 use super::job::{Job, Progress};
-use super::ordered::fill;
+use super::ordered::{Made, fill};
 use super::pace::Pace;
+use super::shard::{Layout, Shard};
 use super::sidecar::Tally;
-use crate::output::NewFile;
-use crate::plan::Plan;
+use crate::output::{NewFile, OutputDirectory, folder, remove_stale};
 
 /// Rows of a row group, at most: a few megabytes, so that two groups a thread stay far below the memory of any machine.
 const ROW_GROUP: u64 = 65_536;
@@ -39,18 +41,28 @@ fn row_group(total: u64) -> u64 {
     (total / 16).next_multiple_of(BATCH as u64).clamp(BATCH as u64, ROW_GROUP)
 }
 
-/// Writes the table of a job; it appears when it is complete. A Parquet file ends with its table of contents, so an
-/// unfinished one cannot be resumed; one that is complete is kept when its summary is not there yet.
+/// Writes the table of a job; its files appear when all are complete. A Parquet file ends with its table of contents, so an
+/// unfinished one cannot be resumed; what is complete is kept when its summary is not there yet.
 pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepError> {
     let unwritable = SweepError::file("cannot be written", table);
     let failed = |error: ParquetError| unwritable(io::Error::other(error));
-    let columns = columns(job.plan);
-    let schema = schema(job.plan, &columns).map_err(failed)?;
+    let (names, columns) = named(job.plan, job.partition.as_ref().map(|partition| partition.place));
+    let schema = schema(&names, &columns).map_err(failed)?;
     let descriptor = SchemaDescriptor::new(schema.clone());
     let properties = properties(&columns, &descriptor);
-    let file = NewFile::create(table).map_err(&unwritable)?;
-    let file = BufWriter::with_capacity(WRITE, file);
-    let mut writer = SerializedFileWriter::new(file, schema, properties.clone()).map_err(failed)?;
+    let _folders = Folders::make(job)?;
+    let begin = |name: &String| {
+        let place = job.directory.path().join(name);
+        let file = remove_stale(&place).and_then(|()| NewFile::create(&place)).map_err(&unwritable)?;
+        let file = BufWriter::with_capacity(WRITE, file);
+        SerializedFileWriter::new(file, schema.clone(), properties.clone()).map_err(failed)
+    };
+    let mut writers = job.files().iter().map(begin).collect::<Result<Vec<_>, _>>()?;
+    let rows_of_file = total / writers.len() as u64;
+    let layout = |index| match &job.partition {
+        Some(partition) => partition.layout(total, index),
+        None => Layout::new(total, Shard::WHOLE),
+    };
 
     let report = |rows| (job.progress)(Progress { rows, total, resumed: 0 });
     let encoder = Encoder {
@@ -62,31 +74,84 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
         uniform: Mutex::new(HashMap::new()),
     };
     let mut tally = Tally::of(job.plan);
-    let make = |rows| encoder.group(rows).map_err(|error| Some(failed(error)))?.ok_or(None);
-    fill(
-        &mut tally,
-        total,
-        || row_group(total),
-        make,
-        |group: Vec<Chunk>| append(&mut writer, &group).map_err(failed),
-    )?;
+    // rows are counted through all files
+    let make = |rows: Range<u64>| {
+        let index = usize::try_from(rows.start / rows_of_file).unwrap_or(0);
+        let before = index as u64 * rows_of_file;
+        let made = encoder.group(&layout(index), rows.start - before..rows.end - before);
+        let Made { output, counts } = made.map_err(|error| Some(failed(error)))?.ok_or(None)?;
+        Ok(Made { output: (index, output), counts })
+    };
+    let mut begun = 0;
+    // no row group goes on in the next file
+    let length = || {
+        let length = row_group(total).min(rows_of_file - begun % rows_of_file);
+        begun += length;
+        length
+    };
+    let put = |(index, group): (usize, Vec<Chunk>)| append(&mut writers[index], &group).map_err(failed);
+    fill(&mut tally, total, length, make, put)?;
     if tally.rows < total {
         return Err(SweepError::Dropped);
     }
-    let file = writer.into_inner().map_err(failed)?.into_inner();
-    job.directory.put_table(file.map_err(|error| unwritable(error.into_error()))?)?;
+    let end = |writer: SerializedFileWriter<BufWriter<NewFile>>| {
+        let file = writer.into_inner().map_err(failed)?.into_inner();
+        file.map_err(|error| unwritable(error.into_error()))
+    };
+    let files = writers.into_iter().map(end).collect::<Result<Vec<_>, _>>()?;
+    job.directory.put_table(files)?;
     Ok(tally)
 }
 
-/// Counts the rows of a complete table.
-pub(super) fn count(table: &Path, plan: &Plan) -> Result<Tally, SweepError> {
+/// The folders of a divided table; those that stay empty go with this.
+struct Folders {
+    _of_values: Vec<OutputDirectory>,
+    /// Goes last.
+    _table: Option<OutputDirectory>,
+}
+
+impl Folders {
+    /// Makes them where they are not there yet.
+    fn make(job: &Job) -> Result<Self, SweepError> {
+        if job.partition.is_none() {
+            return Ok(Self { _of_values: Vec::new(), _table: None });
+        }
+        let table = job.directory.path().join(job.name());
+        if let Some(stray) = stray(job).map_err(SweepError::file("cannot be read", &table))? {
+            return Err(SweepError::Stray(stray));
+        }
+        let make = |name: &Path| OutputDirectory::shared(&job.directory.path().join(name));
+        let table = make(Path::new(&job.name()))?;
+        let of_values = job.files().iter().map(|file| make(folder(Path::new(file)))).collect::<Result<_, _>>()?;
+        Ok(Self { _of_values: of_values, _table: Some(table) })
+    }
+}
+
+/// A file in the folder of a divided table that is none of its own: of a value that the axis had before, or somebody else's.
+fn stray(job: &Job) -> io::Result<Option<PathBuf>> {
+    let files: Vec<PathBuf> = job.files().iter().map(|name| job.directory.path().join(name)).collect();
+    let mut folders = vec![job.directory.path().join(job.name())];
+    while let Some(folder) = folders.pop().filter(|folder| folder.exists()) {
+        for entry in fs::read_dir(folder)? {
+            let entry = entry?;
+            if entry.file_type()?.is_dir() {
+                folders.push(entry.path());
+            } else if !entry.file_name().as_encoded_bytes().starts_with(b".") && !files.contains(&entry.path()) {
+                return Ok(Some(entry.path()));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// Counts the rows of a complete file into `tally`.
+pub(super) fn count(table: &Path, tally: &mut Tally) -> Result<(), SweepError> {
     let unreadable = SweepError::file("cannot be read", table);
     let failed = |error: ParquetError| unreadable(io::Error::other(error));
     let reader = SerializedFileReader::new(File::open(table).map_err(&unreadable)?).map_err(failed)?;
     let fields = reader.metadata().file_metadata().schema().get_fields().iter();
     let wanted = fields.filter(|field| ["restitution", "status"].contains(&field.name())).map(Arc::clone).collect();
     let projection = Type::group_type_builder("table").with_fields(wanted).build().map_err(failed)?;
-    let mut tally = Tally::of(plan);
     for row in reader.get_row_iter(Some(projection)).map_err(failed)? {
         let (mut restitution, mut is_ok, mut is_outside) = (None, false, false);
         for (_, field) in row.map_err(failed)?.get_column_iter() {
@@ -104,7 +169,7 @@ pub(super) fn count(table: &Path, plan: &Plan) -> Result<Tally, SweepError> {
         };
         tally.push(count);
     }
-    Ok(tally)
+    Ok(())
 }
 
 fn append(writer: &mut SerializedFileWriter<BufWriter<NewFile>>, group: &[Chunk]) -> Result<(), ParquetError> {

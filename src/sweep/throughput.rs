@@ -75,6 +75,7 @@ pub fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> R
         plan,
         shard: None,
         format,
+        partition: None,
         directory,
         source: &Source::default(),
         progress: &|_| (),

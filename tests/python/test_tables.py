@@ -126,6 +126,8 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
 
 
 def test_ctrl_c_ends_a_long_table() -> None:
+    # a shell lets what it starts in the background ignore Ctrl-C
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     # hours of rows with a fixed step of a hundred-thousandth of the contact
     contact = steel(solver=dict(method="verlet", steps_per_contact=100_000))
     threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()

@@ -9,7 +9,7 @@ use parquet::schema::types::{SchemaDescriptor, Type, TypePtr};
 
 use crate::plan::Plan;
 use crate::provenance::PROGRAM;
-use crate::sweep::column::Column;
+use crate::sweep::column::{Column, columns};
 
 /// Rows computed and encoded at a time: few enough to stay in the cache.
 pub(super) const BATCH: usize = 4096;
@@ -19,9 +19,15 @@ pub(super) fn is_words(column: &Column) -> bool {
     matches!(column, Column::Name(..) | Column::Status)
 }
 
+/// The columns of a plan with their names, but for the one of this axis.
+pub(super) fn named(plan: &Plan, without: Option<usize>) -> (Vec<String>, Vec<Column>) {
+    let is_kept = |column: &Column| !matches!(column, Column::Name(place, _) if Some(*place) == without);
+    plan.column_names().into_iter().zip(columns(plan)).filter(|(_, column)| is_kept(column)).unzip()
+}
+
 /// The types of the columns.
-pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, ParquetError> {
-    let fields = plan.column_names().into_iter().zip(columns).map(|(name, column)| {
+pub(super) fn schema(names: &[String], columns: &[Column]) -> Result<TypePtr, ParquetError> {
+    let fields = names.iter().zip(columns).map(|(name, column)| {
         let (physical, repetition, logical) = match column {
             Column::Case => (Physical::INT64, Repetition::REQUIRED, None),
             Column::Plain(_) | Column::Number(..) => (Physical::DOUBLE, Repetition::REQUIRED, None),
@@ -30,7 +36,7 @@ pub(super) fn schema(plan: &Plan, columns: &[Column]) -> Result<TypePtr, Parquet
                 (Physical::BYTE_ARRAY, Repetition::REQUIRED, Some(LogicalType::String))
             }
         };
-        let field = Type::primitive_type_builder(&name, physical);
+        let field = Type::primitive_type_builder(name, physical);
         field.with_repetition(repetition).with_logical_type(logical).build().map(Arc::new)
     });
     let fields = fields.collect::<Result<_, _>>()?;

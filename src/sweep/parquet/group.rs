@@ -19,6 +19,7 @@ use crate::sweep::count::Count;
 use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::ordered::Made;
 use crate::sweep::pace::Pace;
+use crate::sweep::shard::Layout;
 
 /// An encoded column of a row group.
 pub(super) type Chunk = (Bytes, ColumnCloseResult);
@@ -53,9 +54,13 @@ struct Batch {
 }
 
 impl<'a> Encoder<'a> {
-    /// The group of these cases; `None` where it is stopped.
-    pub(super) fn group(&self, cases: Range<u64>) -> Result<Option<Made<Vec<Chunk>>>, ParquetError> {
-        let count = usize::try_from(cases.end - cases.start).unwrap_or(0);
+    /// The group of these rows of a file; `None` where it is stopped.
+    pub(super) fn group(
+        &self,
+        layout: &Layout,
+        rows_of_file: Range<u64>,
+    ) -> Result<Option<Made<Vec<Chunk>>>, ParquetError> {
+        let count = usize::try_from(rows_of_file.end - rows_of_file.start).unwrap_or(0);
         // eight bytes a number, and a little for the head of a page
         let sink = || TrackedWrite::new(Vec::with_capacity(count * 8 + (count / BATCH + 1) * 128));
         let mut sinks: Vec<Option<TrackedWrite<Vec<u8>>>> =
@@ -69,10 +74,12 @@ impl<'a> Encoder<'a> {
             .collect();
         let mut counts = Vec::with_capacity(count);
         let (mut rows, mut batch) = (Rows::default(), Batch::default());
-        for start in cases.clone().step_by(BATCH) {
+        for start in rows_of_file.clone().step_by(BATCH) {
             forget(&mut rows);
-            let batch_cases = start..cases.end.min(start + BATCH as u64);
-            if !self.pace.walk(batch_cases, |piece| self.evaluator.rows(piece, &mut rows)) {
+            let batch_rows = start..rows_of_file.end.min(start + BATCH as u64);
+            let compute =
+                |piece| layout.cases(piece).into_iter().for_each(|cases| self.evaluator.rows(cases, &mut rows));
+            if !self.pace.walk(batch_rows, compute) {
                 return Ok(None);
             }
             for (column, filling) in self.columns.iter().zip(&mut fillings) {
