@@ -1,0 +1,53 @@
+"""A large table, and a folder in which the recipes of scenarios/README.md find the command."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+STEEL = (ROOT / "scenarios" / "steel-on-steel.toml").read_text().split("[solver]")[0]
+# the steps of a DEM code, and many of them, so that few rows take some seconds
+SWEEP = """
+[solver]
+method = "verlet"
+steps_per_contact = 20_000
+
+[sweep]
+"impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = POINTS }
+"""
+RECIPES = (ROOT / "scenarios" / "README.md").read_text().split("### Beyond one machine")[1].split("\n## ")[0]
+
+
+def recipe(containing: str) -> str:
+    """The block of the page that has this word."""
+    (found,) = [block for block in re.findall(r"```sh\n(.*?)```", RECIPES, flags=re.DOTALL) if containing in block]
+    return found
+
+
+class Desk:
+    def __init__(self, folder: Path, points: int) -> None:
+        # as `cargo test` builds it, so that nothing is built twice
+        subprocess.run(["cargo", "test", "--quiet", "--no-run", "--test", "tables"], cwd=ROOT, check=True)
+        self.folder = folder
+        self.environment = {**os.environ, "PATH": f"{ROOT / 'target' / 'debug'}{os.pathsep}{os.environ['PATH']}"}
+        (folder / "big.toml").write_text(STEEL + SWEEP.replace("POINTS", str(points)))
+
+    def run(self, line: str, **environment: str) -> str:
+        done = subprocess.run(
+            ["bash", "-ec", line],
+            cwd=self.folder,
+            env=self.environment | environment,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
+        return done.stdout
+
+    def is_whole(self) -> bool:
+        """Whether the merged table has the bytes of an undivided run."""
+        self.run("plm-impact run big.toml --out whole --quiet")
+        return (self.folder / "table.csv").read_bytes() == (self.folder / "whole" / "table.csv").read_bytes()
