@@ -150,11 +150,11 @@ impl Repeat {
                 let mut speed = speed;
                 sequence.end = loop {
                     let hit = hit(&mut sequence, speed, Some(time))?;
-                    if hit.is_captured {
+                    if hit.is_captured() {
                         break End::Captured;
                     }
                     let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
-                    let (begin, from) = (time + hit.contact_time, hit.end_indentation);
+                    let (begin, from) = (time + hit.contact_time, hit.end_indentation());
                     let Some(flight) = Flight::between(gravity, begin, from, hit.rebound_speed, touch) else {
                         break End::InDent;
                     };

@@ -5,11 +5,8 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use super::problems::Problem;
-use crate::impact::{Method, Outcome, ScaledForces, batch, closed_form, course, verlet};
-use crate::integrate::library::{Library, Scheme};
-use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::Law;
+use crate::impact::{Method, Outcome, ScaledForces, Solver, batch, closed_form, run, verlet};
+use crate::integrate::{IntegrationError, Work};
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
 
@@ -107,48 +104,47 @@ const NONE: ScaledForces = ScaledForces::NONE;
 /// Impacts of one batch. Their speeds differ by up to a thousandth, so that the lanes do not all take the same steps.
 const BATCH: usize = 512;
 
-/// A method ready to run a problem many times.
+/// A method with its setting.
 enum Runner<'a> {
-    Rk8(Rk8),
-    Library(Library),
-    Verlet { step: f64, most_steps: u64 },
+    Method(Solver),
+    /// Fixed steps of this length.
+    Verlet {
+        step: f64,
+        most_steps: u64,
+    },
     Exact,
-    Batch { problems: Vec<batch::Problem<'a>>, tolerance: f64 },
+    Batch {
+        problems: Vec<batch::Problem<'a>>,
+        tolerance: f64,
+    },
 }
 
 impl<'a> Runner<'a> {
     fn new(contender: Contender, rung: Rung, phase: f64, problem: &'a Problem) -> Self {
-        let tolerance = if let Rung::Tolerance(tolerance) = rung { tolerance } else { 0.0 };
-        match contender {
-            Contender::Method(Method::Dopri5) => Self::Library(Library::new(Scheme::Dopri5, tolerance)),
-            Contender::Method(Method::Dop853) => Self::Library(Library::new(Scheme::Dop853, tolerance)),
-            Contender::Method(Method::Verlet) => {
-                let steps = if let Rung::Steps(steps) = rung { steps } else { 1 };
+        match (contender, rung) {
+            (Contender::Method(_), Rung::Steps(steps)) => {
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);
                 Self::Verlet { step, most_steps: 10 * u64::from(steps) }
             }
-            Contender::Method(Method::ClosedForm) => Self::Exact,
-            Contender::Method(Method::Rk8 | Method::Auto) => Self::Rk8(Rk8::new(tolerance)),
-            Contender::Batch => {
+            (Contender::Method(method), Rung::Tolerance(tolerance)) => {
+                Self::Method(Solver { method, tolerance, ..Solver::default() })
+            }
+            (Contender::Batch, Rung::Tolerance(tolerance)) => {
                 #[allow(clippy::cast_precision_loss)]
                 let speed = |i: usize| problem.speed * (1.0 + 1e-3 * (i % 61) as f64 / 61.0);
                 Self::Batch { problems: (0..BATCH).map(|i| (&problem.law, speed(i), NONE)).collect(), tolerance }
             }
+            (_, Rung::Exact | Rung::Steps(_)) => Self::Exact,
         }
     }
 
     /// One impact with its cost. Of a batch all impacts: the outcome is that of the first, the problem itself, and the cost
     /// is left out.
     fn run(&self, problem: &Problem) -> Result<(Outcome, Work), IntegrationError> {
-        fn by(mut integrator: impl Integrator, law: &Law, speed: f64) -> Result<(Outcome, Work), IntegrationError> {
-            let outcome = course::integrate(law, speed, &NONE, &mut integrator, None)?;
-            Ok((outcome, integrator.work()))
-        }
         let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
         let mut work = Work::default();
         let outcome = match self {
-            Self::Rk8(rk8) => return by(rk8.clone(), law, speed),
-            Self::Library(library) => return by(library.clone(), law, speed),
+            Self::Method(solver) => return run(law, speed, &NONE, None, solver, None),
             Self::Verlet { step, most_steps } => verlet::march(law, speed, &NONE, *step, *most_steps, &mut work, None)?,
             Self::Exact => closed_form::solve(law, speed),
             Self::Batch { problems, tolerance } => batch::integrate(black_box(problems), *tolerance).swap_remove(0)?,

@@ -95,8 +95,6 @@ pub struct Impact {
     pub method: Method,
     /// What a table holds of it.
     pub essentials: Essentials,
-    /// √(e² − loss) \[1\], not below 0; `None` as above.
-    pub restitution_with_waves: Option<f64>,
     /// e v \[m/s\].
     pub rebound_speed: f64,
     /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
@@ -199,7 +197,6 @@ impl Impact {
             speed,
             method,
             essentials,
-            restitution_with_waves: essentials.restitution_with_waves(),
             rebound_speed: restitution * speed,
             loading_time: outcome.loading_time * scales.time(),
             peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,

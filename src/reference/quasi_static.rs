@@ -15,8 +15,6 @@ pub struct Unloaded {
     pub indentation: f64,
     /// f_m.
     pub force: f64,
-    /// δ_s/δ at the peak.
-    pub sphere_share: f64,
     /// δ_r/δ_m.
     pub residual_share: f64,
     /// W/(F_Y δ_Y).
@@ -58,7 +56,6 @@ fn unloaded() -> Result<Vec<Unloaded>, ReferenceError> {
             case: row.case,
             indentation: row.x,
             force: row.f,
-            sphere_share: row.sphere_share,
             residual_share: row.residual_share,
         })
     };

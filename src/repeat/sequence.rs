@@ -1,9 +1,10 @@
 //! What came of a series: its impacts, why it ended, and what would come after.
 
 use std::mem::discriminant;
+use std::ops::Deref;
 
 use super::flight::Flight;
-use crate::impact::{Fate, Impact, Method, Warning};
+use crate::impact::{Energy, Essentials, Fate, Impact, Method, UnderForces, Warning};
 use crate::math::power::max_or_nan;
 
 /// Why a series ended.
@@ -35,47 +36,33 @@ impl End {
     }
 }
 
-/// One impact of a series. SI units.
+/// One impact of a series. It holds what a table holds of it, and derefs to that, as in `hit.peak_force`. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// First touch \[s\]; `None` for shots.
     pub time: Option<f64>,
     /// Impact speed \[m/s\].
     pub speed: f64,
-    /// e \[1\]; 0 if captured.
-    pub restitution: f64,
     /// e v \[m/s\].
     pub rebound_speed: f64,
-    /// F_m \[N\].
-    pub peak_force: f64,
-    /// δ_m \[m\] from the original surface.
-    pub peak_indentation: f64,
-    /// δ_r \[m\]: depth of the dent afterwards.
-    pub residual_indentation: f64,
-    /// How much deeper this impact made it \[m\].
+    /// What a table holds of it.
+    pub essentials: Essentials,
+    /// Where the kinetic energy went.
+    pub energy: Energy,
+    /// Fate, losses and work under gravity or damping.
+    pub under_forces: Option<UnderForces>,
+    /// How much deeper this impact made the dent \[m\].
     pub dent_growth: f64,
-    /// First touch to separation \[s\]; infinite if captured.
-    pub contact_time: f64,
-    /// δ at separation \[m\]: that of the dent, or more under viscous damping.
-    pub end_indentation: f64,
-    /// ½ m v² \[J\].
-    pub kinetic_in: f64,
-    /// ½ m (e v)² \[J\].
-    pub recovered: f64,
-    /// Spent on the dent \[J\]; `None` for a half-space without a yield strength.
-    pub plastic: Option<f64>,
-    /// Taken by damping \[J\], if there is any.
-    pub damping: Option<f64>,
-    /// Elastic energy left at separation under viscous damping \[J\].
-    pub stored_at_separation: Option<f64>,
-    /// Error of the impact's own ledger \[1\].
-    pub drift: f64,
-    /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
-    pub is_captured: bool,
-    /// δ where a captured sphere comes to rest \[m\].
-    pub static_indentation: Option<f64>,
     /// The flight after it, if there is one.
     pub flight: Option<Flight>,
+}
+
+impl Deref for Hit {
+    type Target = Essentials;
+
+    fn deref(&self) -> &Essentials {
+        &self.essentials
+    }
 }
 
 /// What came of a series.
@@ -101,34 +88,33 @@ pub struct Sequence {
 
 impl Hit {
     pub(super) fn of(impact: &Impact, time: Option<f64>, dent_before: f64) -> Self {
-        let (energy, under_forces) = (&impact.energy, impact.under_forces.as_ref());
-        Self {
-            time,
-            speed: impact.speed,
-            restitution: impact.restitution,
-            rebound_speed: impact.rebound_speed,
-            peak_force: impact.peak_force,
-            peak_indentation: impact.peak_indentation,
-            residual_indentation: impact.residual_indentation,
-            dent_growth: impact.residual_indentation - dent_before,
-            contact_time: impact.contact_time,
-            end_indentation: under_forces.map_or(impact.residual_indentation, |forces| forces.end_indentation),
-            kinetic_in: energy.kinetic_in,
-            recovered: energy.recovered,
-            plastic: energy.plastic,
-            damping: under_forces.and_then(|forces| forces.damping_loss),
-            stored_at_separation: under_forces.and_then(|forces| forces.stored_at_separation),
-            drift: energy.drift,
-            static_indentation: under_forces.and_then(|forces| forces.static_indentation),
-            is_captured: under_forces.is_some_and(|forces| forces.fate == Fate::Captured),
-            flight: None,
-        }
+        let &Impact { speed, rebound_speed, essentials, energy, under_forces, .. } = impact;
+        let dent_growth = essentials.residual_indentation - dent_before;
+        Self { time, speed, rebound_speed, essentials, energy, under_forces, dent_growth, flight: None }
+    }
+
+    /// Something that only an impact under gravity or damping has.
+    #[must_use]
+    pub fn forced(&self, value: fn(&UnderForces) -> Option<f64>) -> Option<f64> {
+        self.under_forces.as_ref().and_then(value)
+    }
+
+    /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
+    #[must_use]
+    pub fn is_captured(&self) -> bool {
+        self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
+    }
+
+    /// δ at separation \[m\]: that of the dent, or more under viscous damping.
+    #[must_use]
+    pub fn end_indentation(&self) -> f64 {
+        self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
     }
 
     /// Time of separation \[s\]; `None` for shots and for a captured sphere.
     #[must_use]
     pub fn separation_time(&self) -> Option<f64> {
-        self.time.filter(|_| !self.is_captured).map(|time| time + self.contact_time)
+        self.time.filter(|_| !self.is_captured()).map(|time| time + self.contact_time)
     }
 }
 
@@ -142,7 +128,7 @@ impl Sequence {
     /// Largest drift of the ledgers of the impacts.
     #[must_use]
     pub fn drift(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.drift).fold(0.0, max_or_nan)
+        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
     }
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {

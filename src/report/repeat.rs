@@ -95,10 +95,10 @@ pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
             };
             line("remaining", rest);
         }
-        if let Some(static_indentation) = last.static_indentation {
+        if let Some(static_indentation) = last.forced(|forces| forces.static_indentation) {
             line("rests at", format!("{} below the original surface", quantity(static_indentation, "m")));
         }
-        if last.plastic.is_some() {
+        if last.energy.plastic.is_some() {
             line("deepest dent", quantity(sequence.deepest_dent(), "m"));
         }
         line("energy drift", format!("{:.1e}, the largest of all impacts", sequence.drift()));
@@ -111,7 +111,7 @@ pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
 fn rows(sequence: &Sequence) -> String {
     let hits = &sequence.hits;
     let (is_timed, can_yield) =
-        (hits.iter().any(|hit| hit.time.is_some()), hits.iter().any(|hit| hit.plastic.is_some()));
+        (hits.iter().any(|hit| hit.time.is_some()), hits.iter().any(|hit| hit.energy.plastic.is_some()));
     let mut lines: Vec<Vec<String>> = Vec::new();
     let mut head = vec!["impact"];
     head.extend(is_timed.then_some("time"));
@@ -137,7 +137,7 @@ fn rows(sequence: &Sequence) -> String {
             cells.push(quantity(hit.residual_indentation, "m"));
             cells.push(quantity(hit.dent_growth, "m"));
         }
-        cells.push(if hit.is_captured { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
+        cells.push(if hit.is_captured() { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
         lines.push(cells);
     }
     aligned(&lines, |_| false)

@@ -18,7 +18,7 @@ pub fn table(contact: &Contact, impact: &Impact) -> String {
     });
     let e = if impact.speed > 0.0 { number(impact.restitution) } else { "none".to_owned() };
     row("restitution", e, end);
-    if let (Some(loss), Some(restitution)) = (impact.wave_loss_fraction, impact.restitution_with_waves) {
+    if let (Some(loss), Some(restitution)) = (impact.wave_loss_fraction, impact.restitution_with_waves()) {
         row("with waves", number(restitution), format!("{} of the energy radiated", percent(loss)));
     }
     row("rebound speed", quantity(impact.rebound_speed, "m/s"), format!("impact at {}", quantity(impact.speed, "m/s")));

@@ -98,7 +98,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             row("residual indentation", "m", [fe.residual_indentation, impact.residual_indentation], DENT);
         }
         let Some(shape) = case.impacts.last() else { continue };
-        if let (Some(restitution), Some(loss)) = (shape.restitution_with_waves, shape.wave_loss_fraction) {
+        if let (Some(restitution), Some(loss)) = (shape.restitution_with_waves(), shape.wave_loss_fraction) {
             row("restitution, pressure-shape with waves", "", [fe.restitution, restitution], WITH_WAVES);
             row("energy radiated as waves", "", [fe.radiated_share, loss], RADIATED);
         }

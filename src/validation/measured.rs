@@ -40,7 +40,7 @@ pub(super) fn restitution(
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
-    Ok(impact.restitution_with_waves.unwrap_or(impact.restitution))
+    Ok(impact.restitution_with_waves().unwrap_or(impact.restitution))
 }
 
 /// The yield strength \[Pa\] of a block on which the device gives this restitution; e rises with the strength.

@@ -40,7 +40,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "wave_loss_fraction" if WAVES [Density: |row| row.wave_loss_fraction]: of.impact.wave_loss_fraction;
         /// The restitution less what the waves take; 0 where they would take more than comes back.
         "restitution_with_waves" if WAVES [Density: Essentials::restitution_with_waves]:
-            of.impact.restitution_with_waves;
+            of.impact.restitution_with_waves();
         /// Speed of the sphere when it separates.
         "rebound_speed_m_per_s": of.impact.rebound_speed;
         /// Time from first touch to separation; `null` for a captured sphere.

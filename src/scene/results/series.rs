@@ -105,13 +105,13 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         });
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" if CAPTURED:
-            of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.static_indentation)).flatten();
+            of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.forced(|forces| forces.static_indentation))).flatten();
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J": of.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J": of.last(|hit| hit.recovered);
+        "energy.last_recovered_J": of.last(|hit| hit.energy.recovered);
         /// Energy spent on dents.
-        "energy.plastic_J" if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.plastic).sum::<f64>());
+        "energy.plastic_J" if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Largest error of the energy balance of any impact.
         "energy.drift": of.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
@@ -164,23 +164,23 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         /// Largest indentation, from the original surface.
         "peak_indentation_m": row.1.peak_indentation;
         /// Depth of the dent afterwards.
-        "residual_indentation_m" if YIELDS: row.1.plastic.map(|_| row.1.residual_indentation);
+        "residual_indentation_m" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
         /// How much deeper this impact made the dent.
-        "dent_growth_m" if YIELDS: row.1.plastic.map(|_| row.1.dent_growth);
+        "dent_growth_m" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
         /// Time from first touch to separation; empty if captured.
         "contact_time_s": row.1.contact_time;
         /// Kinetic energy at first touch.
         "kinetic_in_J": row.1.kinetic_in;
         /// Kinetic energy at separation.
-        "recovered_J": row.1.recovered;
+        "recovered_J": row.1.energy.recovered;
         /// Energy spent on the dent.
-        "plastic_J" if YIELDS: row.1.plastic;
+        "plastic_J" if YIELDS: row.1.energy.plastic;
         /// Energy taken by damping.
-        "damping_J" if DAMPING: row.1.damping;
+        "damping_J" if DAMPING: row.1.forced(|forces| forces.damping_loss);
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "stored_at_separation_J" if VISCOUS: row.1.stored_at_separation;
+        "stored_at_separation_J" if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
         /// Error of the energy balance.
-        "energy_drift": row.1.drift;
+        "energy_drift": row.1.energy.drift;
     }
 }
 

@@ -29,7 +29,7 @@ fn notes(case: &Case) -> Vec<String> {
     let of_law =
         case.impacts.iter().zip(EXPONENTS).map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution));
     let of_reference = format!("  finite elements: {:.4}", case.reference.restitution);
-    let with_waves = case.impacts.last().and_then(|impact| impact.restitution_with_waves);
+    let with_waves = case.impacts.last().and_then(|impact| impact.restitution_with_waves());
     let with_waves = with_waves.map(|restitution| format!("  … with waves: {restitution:.4}"));
     ["Restitution".to_owned(), of_reference].into_iter().chain(of_law).chain(with_waves).collect()
 }
