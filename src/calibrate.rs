@@ -27,6 +27,7 @@ pub mod statistics;
 use crate::law::LawChoice;
 use crate::plan::Source as Text;
 use crate::plan::free::Free;
+use crate::progress::Counter;
 use crate::scenario::calibrate::{Source, Wanted};
 use crate::scenario::{Scenario, read_text};
 use crate::scene::Scene;
@@ -204,11 +205,12 @@ impl Measurements {
         Fit::of(problem, is_estimated).map_err(reason)
     }
 
-    /// All that the measurements tell.
+    /// All that the measurements tell. Counted are the laws that are fitted, and the keys whose intervals are found.
     ///
     /// # Errors
     /// [`CalibrateError`].
-    pub fn calibrate(&self) -> Result<Calibration<'_>, CalibrateError> {
+    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, CalibrateError> {
+        progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
             laws.push((
@@ -218,10 +220,12 @@ impl Measurements {
                     fit => Ok(fit?),
                 },
             ));
+            progress.step();
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
         laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
         let fit = self.fit(&self.wanted.scene.law)?;
+        progress.step();
         let place = fit.minima[0].clone();
         let reason = |reason| CalibrateError::NoAnswer { name: self.data.name.clone(), reason };
         let predicted = fit.problem.predict(&place.shares).map_err(reason)?;
@@ -258,6 +262,7 @@ impl Measurements {
                 intervals: refusal.is_none().then(|| profile.intervals(i).map(value)),
                 posterior: (!posteriors.is_empty()).then(|| posteriors.remove(0)),
             });
+            progress.step();
         }
         let outlies = |residual: &&f64| self.wanted.is_robust && residual.abs() > OUTLIER;
         let outliers = residuals.iter().filter(outlies).count();
@@ -342,7 +347,7 @@ impl Calibration<'_> {
         };
         let p = p.filter(|p| *p < REJECTED)?;
         Some(format!(
-            "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --law all",
+            "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --all-laws",
             crate::units::four_digits(p)
         ))
     }

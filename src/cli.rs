@@ -3,12 +3,17 @@
 mod bench;
 mod calibrate;
 mod check;
+mod completions;
 mod export;
 mod fit_plm;
+mod init;
 mod interrupt;
 mod laws;
+mod man;
 mod materials;
 mod merge;
+mod output;
+mod pictures;
 mod reference;
 mod run;
 mod scenario;
@@ -17,34 +22,45 @@ mod sweep;
 pub mod terminal;
 mod threads;
 mod validate;
+mod watched;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
+use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
 /// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
 /// tolerance, or measurements contradict the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
 #[derive(Debug, Parser)]
-#[command(version)]
+#[command(
+    version,
+    after_help = "Examples:\n  plm-impact init\n  plm-impact run impact.toml --set impact.speed=\"1 m/s\""
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// How errors and warnings are written to standard error
+    #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value = "text")]
+    error_format: ErrorFormat,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Bench(bench::Arguments),
+    Init(init::Arguments),
     Run(run::Arguments),
     Check(check::Arguments),
     Calibrate(calibrate::Arguments),
-    Export(export::Arguments),
     Merge(merge::Arguments),
+    Export(export::Arguments),
     Laws(laws::Arguments),
     Materials(materials::Arguments),
     Schema(schema::Arguments),
     Reference(reference::Arguments),
     Validate(validate::Arguments),
     FitPlm(fit_plm::Arguments),
+    Bench(bench::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// Does what the command line says.
@@ -52,18 +68,72 @@ enum Command {
 /// # Errors
 /// What the subcommand reports, ready to be printed.
 pub fn run() -> anyhow::Result<()> {
-    match Cli::parse().command {
-        Command::Bench(arguments) => bench::bench(&arguments),
+    let Cli { command, error_format } = parse();
+    error_format.begin();
+    match command {
+        Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
-        Command::Export(arguments) => export::export(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
+        Command::Export(arguments) => export::export(&arguments),
         Command::Laws(arguments) => laws::laws(&arguments),
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema(arguments) => schema::schema(&arguments),
         Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
+        Command::Bench(arguments) => bench::bench(&arguments),
+        Command::Completions(arguments) => completions::completions(&arguments, Cli::command()),
+        Command::Man(arguments) => man::man(&arguments, Cli::command()),
+    }
+}
+
+/// The command line; one that is wrong ends the program.
+fn parse() -> Cli {
+    Cli::try_parse().unwrap_or_else(|error| {
+        let words: Vec<_> = std::env::args().collect();
+        let asks = words.iter().any(|word| word == "--error-format=json")
+            || words.windows(2).any(|pair| pair == ["--error-format", "json"]);
+        if !(asks && error.use_stderr()) {
+            error.exit()
+        }
+        ErrorFormat::Json.begin();
+        let text = error.to_string();
+        terminal::failure(text.trim_start_matches("error: ").trim_end(), 2);
+        std::process::exit(2)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words of a line as a shell makes them, up to a pipe.
+    fn words(line: &str) -> Vec<String> {
+        let (mut words, mut is_quoted) = (vec![String::new()], false);
+        for c in line.chars().take_while(|c| *c != '|' && *c != '>') {
+            match c {
+                '"' => is_quoted = !is_quoted,
+                ' ' if !is_quoted => words.push(String::new()),
+                c => words.last_mut().into_iter().for_each(|word| word.push(c)),
+            }
+        }
+        words.retain(|word| !word.is_empty());
+        words
+    }
+
+    #[test]
+    fn the_help_of_every_command_ends_with_two_examples_that_parse() {
+        let program = Cli::command();
+        for command in program.get_subcommands().chain([&program]).filter(|command| command.get_name() != "help") {
+            let text = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let examples: Vec<&str> = text.strip_prefix("Examples:\n").unwrap_or_default().lines().collect();
+            assert_eq!(examples.len(), 2, "{}", command.get_name());
+            for example in examples {
+                let parsed = Cli::try_parse_from(words(example.trim()));
+                assert!(parsed.is_ok(), "{example}: {:?}", parsed.err());
+            }
+        }
     }
 }

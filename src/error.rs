@@ -1,5 +1,7 @@
 //! Every error of a command, and its exit code.
 
+mod details;
+
 use std::path::PathBuf;
 
 use thiserror::Error;
@@ -14,6 +16,7 @@ use crate::scenario::{Scenario, ScenarioError};
 use crate::sweep::SweepError;
 use crate::sweep::shard::ShardError;
 use crate::validation::ValidationError;
+pub use details::Details;
 
 /// Why a command did not do its job. The texts say what, where, the value, and the way out.
 #[derive(Debug, Error)]
@@ -49,9 +52,14 @@ pub enum Error {
     /// A sweep or a merge did not finish.
     #[error(transparent)]
     Sweep(#[from] SweepError),
-    /// A sweep that SIGTERM stopped.
-    #[error(transparent)]
-    Terminated(SweepError),
+    /// A signal stopped the command.
+    #[error("{what}")]
+    Stopped {
+        /// What was stopped, and what to do.
+        what: String,
+        /// What a shell says of a process that this signal ended.
+        exit_code: u8,
+    },
     /// A shard that does not exist.
     #[error("--shard: {0}")]
     Shard(ShardError),
@@ -139,7 +147,7 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(SweepError::Interrupted { .. } | SweepError::Dropped) => 130,
-            Self::Terminated(_) => 143,
+            Self::Stopped { exit_code, .. } => *exit_code,
             Self::Missed { .. } | Self::Contradicted { .. } => 3,
             Self::Output(error) | Self::Sweep(SweepError::Output(error)) if is_full_disk(error) => 1,
             Self::Sweep(SweepError::File { .. })

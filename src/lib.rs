@@ -168,6 +168,8 @@ pub mod plan;
 #[doc(hidden)]
 pub mod plot;
 #[doc(hidden)]
+pub mod progress;
+#[doc(hidden)]
 pub mod provenance;
 #[cfg(feature = "python")]
 mod python;

@@ -1,4 +1,4 @@
-//! Pictures of results, drawn in memory with a font linked in: PNG bytes that are the same on every machine.
+//! Pictures of results, drawn in memory with a font linked in: PNG or SVG, with the same bytes on every machine.
 //!
 //! Nothing here computes physics. plotters draws the primitives (lines, polygons, text); axes, dashes and the key are
 //! laid out here, because its charts have neither dash patterns per series, nor a key outside the axes, nor engineering
@@ -19,6 +19,7 @@ mod key;
 pub mod lines;
 mod mark;
 mod of_key;
+mod pictures;
 mod posterior;
 pub mod repeat;
 pub mod stack;
@@ -28,12 +29,14 @@ pub mod sweep;
 use thiserror::Error;
 
 pub use axis::{Axis, Scale};
+pub use canvas::Canvas;
 pub use force_indentation::force_indentation;
 pub use heatmap::Heatmap;
 pub use histogram::Histogram;
 pub use history::history;
 pub use indentation::indentation;
 pub use lines::{Guide, Lines, Look, Series};
+pub use pictures::Pictures;
 pub use stack::{Panel, Stack};
 pub use style::Mark;
 

@@ -36,6 +36,7 @@ pub mod flight;
 pub mod sequence;
 
 use crate::impact::{Contact, Impact, ImpactError, Method, Solver, Spot};
+use crate::progress::Counter;
 use flight::Flight;
 pub use sequence::{End, Hit, Sequence};
 
@@ -110,6 +111,24 @@ impl Repeat {
     /// # Errors
     /// [`ImpactError`] of the first impact that has no result.
     pub fn run(&self, contact: &Contact, solver: &Solver, samples: usize) -> Result<Sequence, ImpactError> {
+        self.run_watched(contact, solver, samples, &Counter::default())
+    }
+
+    /// The same, counting the impacts.
+    ///
+    /// # Errors
+    /// [`ImpactError`] of the first impact that has no result.
+    pub fn run_watched(
+        &self,
+        contact: &Contact,
+        solver: &Solver,
+        samples: usize,
+        progress: &Counter,
+    ) -> Result<Sequence, ImpactError> {
+        progress.expect(match &self.drive {
+            Drive::Bouncing { most, .. } => *most,
+            Drive::Shots(speeds) => speeds.len() as u64,
+        });
         let traced = (MOST_ROWS / (2 * samples).max(1)).max(1);
         let mut sequence = Sequence {
             hits: Vec::new(),
@@ -133,6 +152,7 @@ impl Repeat {
             sequence.method = impact.method;
             sequence.warn(number, &impact.warnings);
             sequence.hits.push(hit);
+            progress.step();
             if samples.is_some() {
                 sequence.traced.push(impact);
             }

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
-pub use outcome::Outcome;
+pub use outcome::{Order, Outcome};
 
 /// How scenarios of one kind are done.
 #[derive(Debug, Clone, Copy)]
@@ -30,8 +30,8 @@ pub enum Run {
     Once {
         /// What the scenario is, for messages: "one impact".
         what: &'static str,
-        /// Runs a scenario; the second argument is the command line, for the provenance.
-        run: fn(&Scenario, &str) -> Result<Outcome, Error>,
+        /// Runs a scenario.
+        run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     },
     /// Row after row, by [`crate::sweep::Job`].
     Table,

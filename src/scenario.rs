@@ -41,6 +41,7 @@ mod place;
 mod repeat;
 mod source;
 mod sweep;
+mod template;
 mod values;
 
 use std::path::{Path, PathBuf};
@@ -49,12 +50,13 @@ use crate::impact::{Solver, Warning};
 use crate::material::{HalfSpace, Material};
 use crate::scene::taken::Taken;
 use crate::scene::{DEFAULT_SAMPLES, EITHER, KEYS, Scene};
-pub use document::{Document, LARGEST_SCENARIO, read_text};
+pub use document::{Document, LARGEST_SCENARIO, read_text, text_of};
 use entries::Entries;
 pub use error::ScenarioError;
 pub use kind::Kind;
 pub use place::{Place, Refusal};
 pub use source::plan_of;
+pub use template::template;
 
 /// A scenario file, read and checked.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,6 +22,7 @@ mod restitution;
 mod unloading;
 
 use crate::law::PlmCoefficients;
+use crate::progress::Counter;
 pub use check::{Check, Known, Tolerance, Verdict};
 pub use error::{EXPONENTS, ValidationError};
 pub use pictures::pictures;
@@ -43,14 +44,16 @@ pub const SOURCES: [Source; 10] = [
     oracle::checks,
 ];
 
-/// All rows for a law with these coefficients.
+/// All rows for a law with these coefficients. Counted are the sources.
 ///
 /// # Errors
 /// [`ValidationError`].
-pub fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Check>, ValidationError> {
     let mut all = Vec::new();
+    progress.expect(SOURCES.len() as u64);
     for source in SOURCES {
         all.extend(source(coefficients)?);
+        progress.step();
     }
     if coefficients != PlmCoefficients::built_in() {
         // what is on record was found of the built-in law

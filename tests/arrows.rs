@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// The folders (and single files) of `src`, lowest first: each may use those before it and itself. Names on one line stand
 /// side by side and do not use each other. Every folder has its place here.
 const ORDER: &[&[&str]] = &[
-    &["math", "provenance"],
+    &["math", "progress", "provenance"],
     &["units", "output"],
     &["material", "strength"],
     &["law", "integrate", "materials"],

@@ -102,7 +102,7 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
         notes: Vec::new(),
     };
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
-    Ok(OutputFile { name, bytes: lines.to_png()? })
+    Ok(OutputFile { name, bytes: lines.draw()?.to_png()? })
 }
 
 const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];

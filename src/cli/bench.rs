@@ -13,6 +13,9 @@ use plm_impact::sweep::throughput::throughput;
 
 /// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact bench --out bench
+  plm-impact bench --quick --out quick-bench")]
 pub struct Arguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/bench")]
@@ -31,7 +34,7 @@ const PAGE: &str = "README.md";
 pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
     let directory =
         OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
-    super::run::say_what_is_replaced(&directory);
+    super::output::say_what_is_replaced(&directory);
     directory.check([PAGE, "speed_vs_error.csv"]).map_err(Error::from)?;
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };

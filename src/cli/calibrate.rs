@@ -9,7 +9,7 @@ use plm_impact::run::{Run, way};
 use plm_impact::scenario::Kind;
 use plm_impact::scene::words::LAWS;
 
-use super::run::Output;
+use super::output::Output;
 use super::scenario::ScenarioArguments;
 
 /// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
@@ -20,6 +20,9 @@ use super::scenario::ScenarioArguments;
 /// contact_time_s, peak_force_N, each with a column of standard deviations (restitution_sd) if known; other keys of the
 /// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact calibrate impact.toml --restitution 0.49 --speed \"2 m/s\"
+  plm-impact calibrate impact.toml rebounds.csv --set law=thornton --out by-thornton")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
@@ -41,9 +44,9 @@ pub struct Arguments {
     /// Impact speed of that measurement: --speed "3 m/s"
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
-    /// Law to fit, or "all" to fit every law and rank them
-    #[arg(long, value_name = "LAW")]
-    law: Option<String>,
+    /// Fit every other law too, and rank them
+    #[arg(long)]
+    all_laws: bool,
     #[command(flatten)]
     output: Output,
 }
@@ -52,7 +55,7 @@ pub fn calibrate(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(Error::from)?;
     scenario.wanted().map_err(Error::from)?;
     match way(Kind::Calibrate).run {
-        Run::Once { run, .. } => arguments.output.once(&arguments.scenario.scenario, &scenario, run),
+        Run::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
         Run::Table => Ok(()),
     }
 }
@@ -74,15 +77,11 @@ impl Arguments {
             ("impact.speed", &self.speed),
         ];
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
-        match self.law.as_deref() {
-            Some("all") => {
-                // under the law of Hertz nothing yields
-                let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
-                let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
-                settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
-            }
-            Some(law) => settings.push(format!("law={}", quoted(law))),
-            None => {}
+        if self.all_laws {
+            // under the law of Hertz nothing yields
+            let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
+            let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
+            settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
         }
         Ok(settings)
     }

@@ -7,6 +7,9 @@ use super::scenario::ScenarioArguments;
 
 /// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact check impact.toml
+  plm-impact check impact.toml --set sphere.youngs_modulus=rigid --error-format json")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
@@ -15,6 +18,6 @@ pub struct Arguments {
 pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
     let scenario = arguments.scenario.load().map_err(Error::from)?;
     let outcome = plm_impact::run::check(&scenario)?;
-    super::run::warn(&outcome.warnings);
+    super::output::warn(&outcome.warnings);
     super::terminal::print(&outcome.text)
 }

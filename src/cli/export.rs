@@ -11,6 +11,9 @@ use super::scenario::ScenarioArguments;
 
 /// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact export impact.toml --to lammps --speed \"1 m/s\"
+  plm-impact export impact.toml --to csv --speeds \"0.1 m/s,10 m/s\"")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
@@ -36,7 +39,7 @@ pub fn export(arguments: &Arguments) -> anyhow::Result<()> {
         equal: if arguments.equal_peak_force { Equal::PeakForce } else { Equal::ContactTime },
     };
     let scenario = arguments.scenario.load().map_err(Error::from)?;
-    let text = lines(&scenario, &request, &super::run::command_line())?;
+    let text = lines(&scenario, &request, &super::output::command_line())?;
     super::terminal::print(&text).context("standard output")
 }
 

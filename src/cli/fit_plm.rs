@@ -17,6 +17,9 @@ use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 /// `# sphere.radius = 35 mm`. Columns: indentation_m, force_N, sphere_indentation_m (or elastic_approach_m), and
 /// contact_radius_m if known; or, without units, delta_over_deltaY, F_over_FY, delta_s_over_delta, a_over_R.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact fit-plm curve-1.csv curve-2.csv -o fitted.toml
+  plm-impact fit-plm curve-1.csv curve-2.csv --fit-knots --name \"my alloys\" -o free.toml")]
 pub struct Arguments {
     /// Loading curves, best of several ratios of the moduli
     #[arg(value_name = "CURVES.csv", required = true)]
@@ -64,7 +67,7 @@ pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
     let fitted = fit::fit(&curves, &plan).map_err(Error::from)?;
     let default_name = || format!("PLM, {}", Path::new(&file_name).with_extension("").display());
     let name = arguments.name.clone().unwrap_or_else(default_name);
-    let coefficients = report::coefficients(&fitted, &name, &super::run::command_line());
+    let coefficients = report::coefficients(&fitted, &name, &super::output::command_line());
     let text = report::toml(&coefficients).map_err(Error::from)?;
     directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }]).map_err(Error::from)?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();

@@ -1,4 +1,4 @@
-//! Ctrl-C and SIGTERM: the run is asked to stop, and if it has not within a second it is ended. Whatever it was at, its
+//! Ctrl-C and SIGTERM: a sweep is asked to stop, and if it has not within a second it is ended. Whatever it was at, its
 //! files are whole: what is not complete has not taken its place.
 
 use std::sync::Arc;
@@ -14,44 +14,68 @@ use signal_hook::flag;
 /// What a shell says of a process that this signal ended.
 const ENDED_BY: usize = 128;
 /// How often signals are looked for, and how long a run has to stop by itself.
-const LOOK: Duration = Duration::from_millis(50);
+pub const LOOK: Duration = Duration::from_millis(50);
 const PATIENCE: Duration = Duration::from_millis(700);
 
-/// Whether a signal came, and which.
+/// Whether a signal came, and which. Once this is dropped, signals end the process as they do by default.
 pub struct Interrupt {
     /// Set by either signal.
     pub is_set: Arc<AtomicBool>,
     code: Arc<AtomicUsize>,
+    is_over: Arc<AtomicBool>,
 }
 
 impl Interrupt {
     /// Listens from now on.
     pub fn listen() -> anyhow::Result<Self> {
-        let interrupt = Self { is_set: Arc::default(), code: Arc::default() };
+        let interrupt = Self { is_set: Arc::default(), code: Arc::default(), is_over: Arc::default() };
         for signal in [SIGINT, SIGTERM] {
             let code = ENDED_BY + usize::try_from(signal)?;
-            let listened = flag::register_usize(signal, Arc::clone(&interrupt.code), code);
+            let listened = flag::register_conditional_default(signal, Arc::clone(&interrupt.is_over));
+            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&interrupt.code), code));
             listened.and_then(|_| flag::register(signal, Arc::clone(&interrupt.is_set))).context("signals")?;
         }
-        let code = Arc::clone(&interrupt.code);
-        std::thread::Builder::new().spawn(move || end_the_slow(&code)).context("signals")?;
         Ok(interrupt)
+    }
+
+    /// From now on ends the process a second after a signal, where a single row, or a picture, takes longer.
+    pub fn end_the_slow(&self) -> anyhow::Result<()> {
+        let code = Arc::clone(&self.code);
+        let end = move || {
+            while code.load(Ordering::Relaxed) == 0 {
+                std::thread::sleep(LOOK);
+            }
+            std::thread::sleep(PATIENCE);
+            let exit_code = super::terminal::error(&stopped(GOES_ON.to_owned(), &code).into());
+            std::process::exit(exit_code.into());
+        };
+        std::thread::Builder::new().spawn(end).map(drop).context("signals")
     }
 
     /// The error of a sweep, with the exit code of the signal.
     pub fn explain(&self, error: SweepError) -> Error {
-        let is_stop = matches!(error, SweepError::Interrupted { .. } | SweepError::Dropped);
-        let is_term = i32::try_from(self.code.load(Ordering::Relaxed)).is_ok_and(|code| code == 128 + SIGTERM);
-        if is_stop && is_term { Error::Terminated(error) } else { Error::Sweep(error) }
+        match error {
+            SweepError::Interrupted { .. } | SweepError::Dropped => stopped(error.to_string(), &self.code),
+            error => Error::Sweep(error),
+        }
+    }
+
+    /// What is to be said where a signal stopped work that leaves nothing.
+    pub fn nothing_written(&self) -> Option<Error> {
+        let is_set = self.is_set.load(Ordering::Relaxed);
+        is_set.then(|| stopped("interrupted; nothing was written".to_owned(), &self.code))
     }
 }
 
-/// Ends the process where a single row, or a picture, takes longer than a second.
-fn end_the_slow(code: &AtomicUsize) {
-    while code.load(Ordering::Relaxed) == 0 {
-        std::thread::sleep(LOOK);
+impl Drop for Interrupt {
+    fn drop(&mut self) {
+        self.is_over.store(true, Ordering::Relaxed);
     }
-    std::thread::sleep(PATIENCE);
-    super::terminal::note("error: interrupted; the same command goes on from the rows that are written");
-    std::process::exit(i32::try_from(code.load(Ordering::Relaxed)).unwrap_or(1));
+}
+
+const GOES_ON: &str = "interrupted; the same command goes on from the rows that are written";
+
+fn stopped(what: String, code: &AtomicUsize) -> Error {
+    let exit_code = u8::try_from(code.load(Ordering::Relaxed)).ok().filter(|code| *code > 0);
+    Error::Stopped { what, exit_code: exit_code.unwrap_or(130) }
 }

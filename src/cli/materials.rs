@@ -8,6 +8,9 @@ use plm_impact::units::nearest::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact materials
+  plm-impact materials aluminium-6061-t6")]
 pub struct Arguments {
     /// Name of one material
     name: Option<String>,

@@ -11,8 +11,13 @@ use plm_impact::run::table;
 use plm_impact::scenario::plan_of;
 use plm_impact::sweep::merge;
 
+use super::pictures::PictureArguments;
+
 /// Put the shards of a table together: byte for byte table and pictures of an undivided run
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact merge shards --out whole/table.csv
+  plm-impact merge shards/table-0-of-2.csv shards/table-1-of-2.csv --out table.csv --pictures none")]
 pub struct Arguments {
     /// Tables of shards, or directories of them
     #[arg(required = true, value_name = "DIR|FILE")]
@@ -26,6 +31,8 @@ pub struct Arguments {
     /// Warnings and errors only
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    pictures: PictureArguments,
 }
 
 pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
@@ -34,10 +41,10 @@ pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
     let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force, plan_of);
     let merged = merged.map_err(Error::from)?;
     let warnings = table::warnings(&merged.plan);
-    super::run::warn(&warnings);
+    super::output::warn(&warnings);
     // the shards are of this version, or they would not have been merged
-    let provenance = Provenance::new(merged.sidecar.scenario_sha256.clone(), &super::run::command_line());
-    let files = table::files(&merged.plan, &merged.tally, &warnings, &provenance)?;
+    let provenance = Provenance::new(merged.sidecar.scenario_sha256.clone(), &super::output::command_line());
+    let files = table::files(&merged.plan, &merged.tally, &warnings, &provenance, arguments.pictures.format)?;
     directory.write(&files).map_err(Error::from)?;
     if !arguments.quiet {
         super::terminal::print(&report::sweep::lines(&merged.tally))?;

@@ -9,6 +9,9 @@ use plm_impact::scene::reference;
 
 /// Print the tables of all keys and results, or write them into a page between its marks
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact reference > keys.md
+  plm-impact reference scenarios/README.md")]
 pub struct Arguments {
     /// Markdown page to write them into, such as scenarios/README.md
     #[arg(value_name = "PAGE")]

@@ -1,28 +1,46 @@
 //! The scenario among the arguments of a command.
 
-use std::path::PathBuf;
+use std::io::stdin;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use plm_impact::scenario::{Scenario, ScenarioError};
+use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, text_of};
+
+/// What stands for standard input in place of a file.
+pub const STANDARD_INPUT: &str = "-";
 
 /// A scenario and what the command line changes in it.
 #[derive(Debug, Args)]
 pub struct ScenarioArguments {
-    /// Scenario file (TOML)
+    /// Scenario file (TOML); - is standard input, and files that it names are then relative to the current directory
     #[arg(value_name = "FILE")]
-    pub scenario: PathBuf,
-    /// Override a key: --set impact.speed="1 m/s"
+    scenario: PathBuf,
+    /// Override a key: --set impact.speed="1 m/s", or choose a law: --set law=thornton
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
 }
 
 impl ScenarioArguments {
+    /// What the scenario is called in messages and outputs.
+    pub fn name(&self) -> &Path {
+        if self.is_standard_input() { Path::new("stdin") } else { &self.scenario }
+    }
+
+    fn is_standard_input(&self) -> bool {
+        self.scenario == Path::new(STANDARD_INPUT)
+    }
+
     pub fn load(&self) -> Result<Scenario, ScenarioError> {
         self.load_with(&[])
     }
 
     /// The same with more overrides.
     pub fn load_with(&self, more: &[String]) -> Result<Scenario, ScenarioError> {
-        Scenario::load(&self.scenario, &[&self.overrides, more].concat())
+        let overrides = [&self.overrides, more].concat();
+        if self.is_standard_input() {
+            let text = text_of(self.name(), stdin().lock(), LARGEST_SCENARIO)?;
+            return Scenario::from_text("stdin", &text, &overrides);
+        }
+        Scenario::load(&self.scenario, &overrides)
     }
 }

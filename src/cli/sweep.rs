@@ -1,10 +1,7 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
-use std::io::{self, IsTerminal as _};
-
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
 use plm_impact::plan::Plan;
@@ -16,6 +13,8 @@ use plm_impact::scenario::Scenario;
 use plm_impact::sweep::{self, Format, Job, Partition, Progress, Shard};
 
 use super::interrupt::Interrupt;
+use super::output::Output;
+use super::watched::bar;
 
 /// Options of sweeps.
 #[derive(Debug, Args)]
@@ -88,15 +87,20 @@ pub fn run(
     plan: &Plan,
     warnings: &[String],
     directory: &OutputDirectory,
-    command: &str,
-    is_quiet: bool,
+    output: &Output,
 ) -> anyhow::Result<()> {
     let shard = options.shard()?;
     let partition =
         options.partition_by.as_ref().map(|key| Partition::of(plan, key)).transpose().map_err(Error::from)?;
     let format = options.format(partition.is_some())?;
+    let pictures = output.pictures.format;
+    if shard.is_some() && output.json {
+        let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
+        return Err(Error::Option(message.to_owned()).into());
+    }
     let interrupt = Interrupt::listen()?;
-    let bar = if is_quiet || !io::stderr().is_terminal() { ProgressBar::hidden() } else { bar() };
+    interrupt.end_the_slow()?;
+    let bar = bar(output.quiet, "{human_pos}/{human_len} rows, {per_sec}, {eta} left");
     let source = scenario.source().map_err(Error::from)?;
     let job = Job {
         plan,
@@ -112,27 +116,27 @@ pub fn run(
         is_cancelled: &interrupt.is_set,
     };
     if shard.is_none() {
-        let files = job.files();
-        directory.check(files.iter().map(String::as_str).chain([SUMMARY]).chain(PICTURES)).map_err(Error::from)?;
+        let drawn = PICTURES.map(|name| format!("{name}.{}", pictures.name()));
+        let files = job.files().into_iter().chain(drawn).collect::<Vec<_>>();
+        directory.check(files.iter().map(String::as_str).chain([SUMMARY])).map_err(Error::from)?;
     }
     let written = super::threads::with(options.threads, || job.run());
     bar.finish_and_clear();
     let written = written?.map_err(|error| interrupt.explain(error))?;
-    let mut names = vec![written.table.display().to_string()];
+    let mut files = Vec::new();
     if shard.is_none() {
-        let provenance = Provenance::new(source.sha256(), command);
-        let files = table::files(plan, &written.tally, warnings, &provenance)?;
-        names.extend(files.iter().map(|file| file.name.clone()));
+        let provenance = Provenance::new(source.sha256(), &super::output::command_line());
+        files = table::files(plan, &written.tally, warnings, &provenance, pictures)?;
         directory.write(&files).map_err(Error::from)?;
         written.close().map_err(Error::from)?;
     }
-    if !is_quiet {
-        super::terminal::print(&report::sweep::lines(&written.tally))?;
-        if written.resumed > 0 {
-            super::terminal::note(format_args!("{} of these rows were there from an earlier run", written.resumed));
-        }
-        super::terminal::note(format_args!("wrote {}", names.join(", ")));
-    }
+    let resumed = match written.resumed {
+        0 => String::new(),
+        rows => format!("{rows} of these rows were there from an earlier run\n"),
+    };
+    let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
+    let wrote = format!("{resumed}wrote {}", names.collect::<Vec<_>>().join(", "));
+    output.report(&report::sweep::lines(&written.tally), &files, wrote)?;
     finish(&written.tally, written.table.clone())
 }
 
@@ -142,10 +146,4 @@ pub fn finish(tally: &sweep::sidecar::Tally, table: std::path::PathBuf) -> anyho
         return Ok(());
     }
     Err(Error::FailedCases { failures: tally.failures, rows: tally.rows, table }.into())
-}
-
-fn bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rows, {per_sec}, {eta} left")
-        .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(0).with_style(style)
 }

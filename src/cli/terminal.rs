@@ -1,13 +1,103 @@
-//! What is written to the terminal.
+//! What is written to the terminal: results to standard output, errors, warnings and notes to standard error, in colour
+//! where a terminal shows it, or for programs as JSON.
 
 use std::fmt::Display;
 use std::io::{self, Write as _};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Context as _;
+use clap::ValueEnum;
+use clap::builder::styling::{AnsiColor, Style};
+use plm_impact::error::{Details, Error};
+use serde::Serialize;
+
+/// How errors, warnings and notes are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ErrorFormat {
+    /// As text
+    Text,
+    /// As one JSON object a line, with level and message, and as far as they are known file, line, column, key, value, allowed
+    Json,
+}
+
+/// Whether programs read it.
+static IS_JSON: AtomicBool = AtomicBool::new(false);
+
+impl ErrorFormat {
+    /// From now on.
+    pub fn begin(self) {
+        IS_JSON.store(self == Self::Json, Ordering::Relaxed);
+    }
+}
+
+/// The error that ends the program; gives the exit code.
+pub fn error(error: &anyhow::Error) -> u8 {
+    let known = error.downcast_ref::<Error>();
+    let exit_code = known.map_or(1, Error::exit_code);
+    if is_json() {
+        let details = known.map(Error::details).unwrap_or_default();
+        let message = details.message.clone().unwrap_or_else(|| format!("{error:#}"));
+        say_json("error", Some(exit_code), Details { message: Some(message), ..details });
+    } else {
+        say(Some((AnsiColor::Red, "error")), &format!("{error:#}"));
+    }
+    exit_code
+}
+
+/// The same for a program, where nothing but a text is known.
+pub fn failure(message: &str, exit_code: u8) {
+    say_json("error", Some(exit_code), of_text(message));
+}
+
+/// Something that may be wrong.
+pub fn warning(text: impl Display) {
+    speak(Some((AnsiColor::Yellow, "warning")), &text.to_string());
+}
+
+/// Something worth knowing.
+pub fn note(text: impl Display) {
+    speak(None, &text.to_string());
+}
+
+fn is_json() -> bool {
+    IS_JSON.load(Ordering::Relaxed)
+}
+
+fn speak(level: Option<(AnsiColor, &str)>, text: &str) {
+    if is_json() {
+        say_json(level.map_or("note", |(_, name)| name), None, of_text(text));
+    } else {
+        say(level, text);
+    }
+}
+
+fn of_text(text: &str) -> Details {
+    Details { message: Some(text.to_owned()), ..Details::default() }
+}
 
 /// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.
-pub fn note(line: impl Display) {
-    drop(writeln!(io::stderr().lock(), "{}", harmless(&line.to_string())));
+fn say(level: Option<(AnsiColor, &str)>, text: &str) {
+    let begin = level.map_or_else(String::new, |(color, name)| {
+        let style = Style::new().bold().fg_color(Some(color.into()));
+        format!("{style}{name}:{style:#} ")
+    });
+    drop(writeln!(anstream::stderr().lock(), "{begin}{}", harmless(text)));
+}
+
+/// An object for a program.
+#[derive(Serialize)]
+struct Said<'a> {
+    level: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exit_code: Option<u8>,
+    #[serde(flatten)]
+    details: Details,
+}
+
+fn say_json(level: &str, exit_code: Option<u8>, details: Details) {
+    // texts and numbers are always JSON
+    let object = serde_json::to_string(&Said { level, exit_code, details }).unwrap_or_default();
+    drop(writeln!(io::stderr().lock(), "{object}"));
 }
 
 /// The text without control characters, which names of files and keys may hold and which a terminal obeys.

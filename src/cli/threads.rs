@@ -47,8 +47,8 @@ fn start(wanted: usize) -> Result<ThreadPool, Error> {
         match builder.build() {
             Ok(pool) => {
                 if threads < wanted {
-                    super::terminal::note(format_args!(
-                        "warning: the system did not start {wanted} threads; going on with {threads} of {wanted} threads"
+                    super::terminal::warning(format_args!(
+                        "the system did not start {wanted} threads; going on with {threads} of {wanted} threads"
                     ));
                 }
                 return Ok(pool);

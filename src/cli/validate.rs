@@ -6,13 +6,20 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
+use plm_impact::plot::Pictures;
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validation::{self, ValidationError, Verdict, check, experiments, report};
+
+use super::pictures::PictureArguments;
+use super::watched::watched;
 
 /// Compare with finite elements, published values and closed forms: CSV, Markdown, pictures, a summary on the terminal
 ///
 /// Exit code 3 if a deviation exceeds its tolerance and is not on record as known.
 #[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact validate --out validation --pictures none
+  plm-impact validate --out mine --experiments measurements")]
 pub struct Arguments {
     /// Output directory
     #[arg(long, value_name = "DIR", default_value = "plots/validate")]
@@ -29,21 +36,28 @@ pub struct Arguments {
     /// scenario: `# sphere.diameter = 3 mm`, `# half_space.hardness = 300 HV`; `# source = ...` says who measured.
     #[arg(long, value_name = "DIR")]
     experiments: Option<PathBuf>,
-    /// Tables only
-    #[arg(long)]
-    no_pictures: bool,
+    #[command(flatten)]
+    pictures: PictureArguments,
 }
 
 pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let own = arguments.coefficients.as_deref().map(load).transpose().map_err(Error::from)?;
-    let coefficients = own.as_ref().unwrap_or_else(|| PlmCoefficients::built_in());
-    let measured = arguments.experiments.as_deref().map(|path| experiments::load(path, coefficients));
+    let is_built_in = own.is_none();
+    let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
+    let measured = arguments.experiments.as_deref().map(|path| experiments::load(path, &coefficients));
     let measured = measured.transpose().map_err(Error::from)?.unwrap_or_default();
     let directory =
         OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
-    super::run::say_what_is_replaced(&directory);
-    let checks = validation::checks(coefficients).map_err(Error::from)?;
-    let mut page = report::page(&checks, &coefficients.provenance.name, own.is_none());
+    super::output::say_what_is_replaced(&directory);
+    let name = coefficients.provenance.name.clone();
+    let format = arguments.pictures.format;
+    let (checks, measured, pictures) = watched(false, move |progress| {
+        let checks = validation::checks(&coefficients, progress)?;
+        let draw = || validation::pictures(&coefficients, &measured, format, progress);
+        let pictures = super::threads::with(None, draw)??;
+        Ok::<_, Error>((checks, measured, pictures))
+    })??;
+    let mut page = report::page(&checks, &name, is_built_in);
     let mut files = vec![OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? }];
     let mut said = report::table(&checks);
     if !measured.is_empty() {
@@ -51,12 +65,12 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
         said = report::experiments::table(&measured) + "\n" + &said;
         files.push(OutputFile { name: "experiments.csv".into(), bytes: report::experiments::csv(&measured)? });
     }
+    if format == Pictures::Svg {
+        page = page.replace(".png", ".svg");
+    }
     files.push(OutputFile { name: "README.md".into(), bytes: page.into_bytes() });
     let tables = files.len();
-    if !arguments.no_pictures {
-        let pictures = super::threads::with(None, || validation::pictures(coefficients, &measured))?;
-        files.extend(pictures.map_err(Error::from)?);
-    }
+    files.extend(pictures);
     let out = directory.path().to_owned();
     directory.write(&files).map_err(Error::from)?;
     super::terminal::print(&said)?;

@@ -1,7 +1,7 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and the laws beside each other.
 
 use super::of_key::{axis_of, title_of};
-use super::{Axis, Guide, Lines, PlotError, Series, posterior};
+use super::{Axis, Canvas, Guide, Lines, PlotError, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::problem::Problem;
 use crate::calibrate::quantity::MEASURED;
@@ -18,26 +18,26 @@ const PLACES: u32 = 120;
 /// Values over a wider range than this have a logarithmic axis.
 const WIDE: f64 = 5.0;
 
-/// The pictures, by file name.
+/// The pictures, by name.
 ///
 /// # Errors
 /// [`PlotError`].
-pub fn pictures(of: &Calibration) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+pub fn pictures(of: &Calibration) -> Result<Vec<(String, Canvas)>, PlotError> {
     let mut pictures = Vec::new();
     let has_lines = of.residuals.len() > of.keys.len();
     for what in of.fit.problem.data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}.png", MEASURED[what].name), fitted(of, what)?));
+        pictures.push((format!("fit_{}", MEASURED[what].name), fitted(of, what)?));
     }
     if has_lines {
-        pictures.push(("residuals.png".to_owned(), residuals(of)?));
+        pictures.push(("residuals".to_owned(), residuals(of)?));
     }
     if let Some(sheet) = &of.sheet {
-        pictures.push(("posterior.png".to_owned(), posterior::map(of, sheet)?));
+        pictures.push(("posterior".to_owned(), posterior::map(of, sheet)?));
     } else if let Some(found) = of.keys.first().filter(|found| found.posterior.is_some()) {
-        pictures.push(("posterior.png".to_owned(), density(found, of.refusal.is_some())?));
+        pictures.push(("posterior".to_owned(), density(found, of.refusal.is_some())?));
     }
     if !of.laws.is_empty() && has_lines {
-        pictures.push(("laws.png".to_owned(), laws(of)?));
+        pictures.push(("laws".to_owned(), laws(of)?));
     }
     Ok(pictures)
 }
@@ -95,7 +95,7 @@ fn shown(of: &Calibration, what: usize) -> Vec<usize> {
     all.into_iter().step_by(step).collect()
 }
 
-fn fitted(of: &Calibration, what: usize) -> Result<Vec<u8>, PlotError> {
+fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let shown = shown(of, what);
     let at = |value: &usize| over.at(of, *value);
@@ -131,7 +131,7 @@ fn fitted(of: &Calibration, what: usize) -> Result<Vec<u8>, PlotError> {
     });
     let x = over.axis(what, points.iter().map(|point| point.0));
     let title = format!("{} and the law with the best keys", title_of(MEASURED[what].name));
-    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: notes.collect() }.to_png()
+    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: notes.collect() }.draw()
 }
 
 /// Points of a line.
@@ -169,7 +169,7 @@ fn line_data(key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Data, Ve
     (Data { name: String::new(), keys: vec![key], rows, values }, at)
 }
 
-fn residuals(of: &Calibration) -> Result<Vec<u8>, PlotError> {
+fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
     let data = of.fit.problem.data;
     let measured = data.measured();
     let over = match Over::of(data) {
@@ -196,11 +196,11 @@ fn residuals(of: &Calibration) -> Result<Vec<u8>, PlotError> {
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
     let notes = of.p_of_runs.map(|p| format!("runs of signs: p = {}", crate::units::four_digits(p)));
     let p = of.p.map(|p| format!("chi-square: p = {}", crate::units::four_digits(p)));
-    Lines { title: "Residuals".to_owned(), x, y, series, guides, notes: p.into_iter().chain(notes).collect() }.to_png()
+    Lines { title: "Residuals".to_owned(), x, y, series, guides, notes: p.into_iter().chain(notes).collect() }.draw()
 }
 
 /// The posterior of one key.
-fn density(found: &Found, is_refused: bool) -> Result<Vec<u8>, PlotError> {
+fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
     let marginal = found.posterior.clone().unwrap_or_default();
     let highest = marginal.density.iter().copied().fold(0.0, f64::max);
     let points: Vec<(f64, f64)> = marginal
@@ -221,11 +221,11 @@ fn density(found: &Found, is_refused: bool) -> Result<Vec<u8>, PlotError> {
     let series = vec![Series::bare("posterior", points)];
     let title = format!("{}: what the measurements say", title_of(found.free.key.path));
     let y = Axis::linear("Posterior density, highest = 1", "").between(0.0, 1.05);
-    Lines { title, x: axis_of(found.free.key, is_wide), y, series, guides, notes }.to_png()
+    Lines { title, x: axis_of(found.free.key, is_wide), y, series, guides, notes }.draw()
 }
 
 /// Every law with its best keys, beside the first quantity that was measured.
-fn laws(of: &Calibration) -> Result<Vec<u8>, PlotError> {
+fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let what = data.values[0].what;
     let shown = shown(of, what);
@@ -250,7 +250,7 @@ fn laws(of: &Calibration) -> Result<Vec<u8>, PlotError> {
     series.push(Series::points("measured", points.clone()).styled(BLACK));
     let x = over.axis(what, points.iter().map(|point| point.0));
     let title = "Laws with their best keys, and how far their AIC is above the least".to_owned();
-    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: Vec::new() }.to_png()
+    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: Vec::new() }.draw()
 }
 
 /// A full line in the second colour.

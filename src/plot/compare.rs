@@ -1,6 +1,6 @@
 //! The picture of a comparison: force against indentation while each law unloads from one peak.
 
-use super::{Axis, Lines, PlotError, Series};
+use super::{Axis, Canvas, Lines, PlotError, Series};
 use crate::compare::{Comparison, Origin};
 use crate::law::Unloading;
 use crate::units::rounded::number;
@@ -20,7 +20,7 @@ fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
 ///
 /// # Errors
 /// [`PlotError`].
-pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
+pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
     /// A black circle among the styles, behind as many curves as there are laws.
     const BLACK: usize = 13;
     let point = &comparison.bodies.yield_point;
@@ -48,5 +48,5 @@ pub fn picture(comparison: &Comparison) -> Result<Vec<u8>, PlotError> {
         Origin::Plm => "peak: from the PLM",
         Origin::Given => "peak: as given",
     };
-    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.to_png()
+    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.draw()
 }

@@ -34,7 +34,7 @@ const LOOPS: [Loop; 3] = [
 ///
 /// # Errors
 /// [`PlotError::Data`] for an impact without a trace; otherwise what drawing and encoding report.
-pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
+pub fn force_indentation(impact: &Impact) -> Result<Canvas, PlotError> {
     let trace = &impact.trace;
     // a sphere that creeps to rest has no turning point: its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
@@ -56,38 +56,38 @@ pub fn force_indentation(impact: &Impact) -> Result<Vec<u8>, PlotError> {
 
     let guide = Stroke { color: GREY, width: 2.0, dash: DOTTED };
     let peak = (impact.peak_indentation, impact.peak_force);
-    frame.curve(&mut canvas, [(0.0, peak.1), peak, (peak.0, 0.0)].into_iter(), guide)?;
-    frame.draw_outline(&mut canvas)?;
+    frame.curve(&mut canvas, [(0.0, peak.1), peak, (peak.0, 0.0)].into_iter(), guide);
+    frame.draw_outline(&mut canvas);
     for (one, (stroke, _)) in LOOPS.iter().zip((0..).map(series)) {
         for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
             let curve = part.iter().map(|row| ((one.indentation)(row), row.force));
-            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke })?;
+            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke });
         }
     }
     if is_damped(impact) {
         for part in [loading, unloading] {
             let curve = part.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
-            frame.curve(&mut canvas, curve, ELASTIC)?;
+            frame.curve(&mut canvas, curve, ELASTIC);
         }
     }
     for (one, (stroke, mark)) in LOOPS.iter().zip((0..).map(series)) {
         for (part, share) in [loading, unloading].into_iter().zip(one.marks) {
             if let Some(row) = near_force(part, share * impact.peak_force) {
-                frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color)?;
+                frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color);
             }
         }
     }
     for row in trace.iter().filter(|row| matches!(row.event, Some(Event::Yield | Event::Knot))) {
         let is_yield = row.event == Some(Event::Yield);
         let (mark, radius) = if is_yield { (Mark::Diamond, MARK) } else { (Mark::Circle, KNOT) };
-        frame.mark(&mut canvas, (row.indentation, row.force), mark, radius, INK)?;
+        frame.mark(&mut canvas, (row.indentation, row.force), mark, radius, INK);
     }
-    frame.mark(&mut canvas, peak, Mark::Square, MARK, INK)?;
+    frame.mark(&mut canvas, peak, Mark::Square, MARK, INK);
     if impact.has_dent() {
-        frame.mark(&mut canvas, (impact.residual_indentation, 0.0), Mark::Inverted, MARK, INK)?;
+        frame.mark(&mut canvas, (impact.residual_indentation, 0.0), Mark::Inverted, MARK, INK);
     }
     key::draw(&mut canvas, &entries, &frame)?;
-    canvas.to_png()
+    Ok(canvas)
 }
 
 /// The row of a branch whose force is nearest to `force`.

@@ -58,9 +58,9 @@ impl Frame {
             let x = left + mark.at * (right - left);
             let is_major = mark.label.is_some();
             if is_major {
-                canvas.polyline(&[(x, top), (x, bottom)], GRID_LINE)?;
+                canvas.polyline(&[(x, top), (x, bottom)], GRID_LINE);
             }
-            canvas.polyline(&[(x, bottom), (x, bottom + tick_length(is_major))], TICK)?;
+            canvas.polyline(&[(x, bottom), (x, bottom + tick_length(is_major))], TICK);
             if let Some(label) = mark.label.filter(|_| has_labels) {
                 canvas.text(&label, (x, bottom + 32.0), LABEL_SIZE, INK, Anchor::Middle)?;
             }
@@ -79,9 +79,9 @@ impl Frame {
             let y = bottom - mark.at * (bottom - top);
             let is_major = mark.label.is_some();
             if is_major {
-                canvas.polyline(&[(left, y), (right, y)], GRID_LINE)?;
+                canvas.polyline(&[(left, y), (right, y)], GRID_LINE);
             }
-            canvas.polyline(&[(left - tick_length(is_major), y), (left, y)], TICK)?;
+            canvas.polyline(&[(left - tick_length(is_major), y), (left, y)], TICK);
             if let Some(label) = mark.label {
                 widest = widest.max(text_width(&label, LABEL_SIZE)?);
                 canvas.text(&label, (left - 18.0, y), LABEL_SIZE, INK, Anchor::End)?;
@@ -92,10 +92,10 @@ impl Frame {
     }
 
     /// The outline, over the ends of the curves.
-    pub(super) fn draw_outline(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+    pub(super) fn draw_outline(&self, canvas: &mut Canvas) {
         let Bounds { left, top, right, bottom } = self.bounds;
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-        canvas.polyline(&corners, Stroke::solid(INK, 2.0))
+        canvas.polyline(&corners, Stroke::solid(INK, 2.0));
     }
 
     /// The title of the picture, above the box; a long one in two lines, smaller if need be.
@@ -118,52 +118,40 @@ impl Frame {
     }
 
     /// A curve through values; what lies outside the box is cut off.
-    pub(super) fn curve(
-        &self,
-        canvas: &mut Canvas,
-        values: impl Iterator<Item = (f64, f64)>,
-        stroke: Stroke,
-    ) -> Result<(), PlotError> {
+    pub(super) fn curve(&self, canvas: &mut Canvas, values: impl Iterator<Item = (f64, f64)>, stroke: Stroke) {
         let mut piece: Vec<Point> = Vec::new();
         let mut before: Option<Point> = None;
         for (x, y) in values {
             let point = self.place(x, y);
             if !point.0.is_finite() || !point.1.is_finite() {
-                canvas.polyline(&std::mem::take(&mut piece), stroke)?;
+                canvas.polyline(&std::mem::take(&mut piece), stroke);
                 before = None;
                 continue;
             }
             if let Some((from, to)) = before.and_then(|before| self.clipped(before, point)) {
                 if piece.last() != Some(&from) {
-                    canvas.polyline(&std::mem::take(&mut piece), stroke)?;
+                    canvas.polyline(&std::mem::take(&mut piece), stroke);
                     piece.push(from);
                 }
                 piece.push(to);
             }
             before = Some(point);
         }
-        canvas.polyline(&piece, stroke)
+        canvas.polyline(&piece, stroke);
     }
 
     /// A marker with a white rim, if it is in the box.
-    pub(super) fn mark(
-        &self,
-        canvas: &mut Canvas,
-        (x, y): (f64, f64),
-        mark: Mark,
-        radius: f64,
-        color: RGBColor,
-    ) -> Result<(), PlotError> {
+    pub(super) fn mark(&self, canvas: &mut Canvas, (x, y): (f64, f64), mark: Mark, radius: f64, color: RGBColor) {
         let at = self.place(x, y);
         let Bounds { left, top, right, bottom } = self.bounds;
         // half a pixel for rounding
         if !(left - 0.5..=right + 0.5).contains(&at.0) || !(top - 0.5..=bottom + 0.5).contains(&at.1) {
-            return Ok(());
+            return;
         }
         if !matches!(mark, Mark::Cross | Mark::Plus) {
-            mark.draw(canvas, at, radius + 2.0, PAPER)?;
+            mark.draw(canvas, at, radius + 2.0, PAPER);
         }
-        mark.draw(canvas, at, radius, color)
+        mark.draw(canvas, at, radius, color);
     }
 
     /// The part of a straight line inside the box (Liang and Barsky 1984).

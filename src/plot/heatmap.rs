@@ -38,11 +38,11 @@ pub struct Heatmap {
 }
 
 impl Heatmap {
-    /// The picture as PNG.
+    /// The picture.
     ///
     /// # Errors
     /// [`PlotError::Data`] if the lists do not fit; otherwise what drawing and encoding report.
-    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+    pub fn draw(&self) -> Result<Canvas, PlotError> {
         let (columns, rows) = (self.x_values.len(), self.y_values.len());
         if columns < 2 || rows < 2 || self.values.len() != columns * rows {
             return Err(PlotError::Data(format!(
@@ -66,13 +66,13 @@ impl Heatmap {
                 let from = frame.place(x_edges[column], y_edges[row]);
                 let to = frame.place(x_edges[column + 1], y_edges[row + 1]);
                 let (low, high) = ((from.0.min(to.0), from.1.min(to.1)), (from.0.max(to.0), from.1.max(to.1)));
-                canvas.rectangle(low, high, shade(&color, *value))?;
+                canvas.rectangle(low, high, shade(&color, *value));
             }
         }
-        frame.draw_outline(&mut canvas)?;
+        frame.draw_outline(&mut canvas);
         draw_bar(&mut canvas, color, bounds)?;
         frame.draw_title(&mut canvas, &self.title)?;
-        canvas.to_png()
+        Ok(canvas)
     }
 }
 
@@ -88,9 +88,10 @@ fn draw_bar(canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<()
         let (from, to) = (f64::from(step) / f64::from(STEPS), f64::from(step + 1) / f64::from(STEPS));
         let (low, high) = (bar.place(0.0, bar.y.value_at(from)), bar.place(1.0, bar.y.value_at(to)));
         let shade = shade(&bar.y, bar.y.value_at(0.5 * (from + to)));
-        canvas.rectangle((bar.bounds.left, high.1), (bar.bounds.right, low.1), shade)?;
+        canvas.rectangle((bar.bounds.left, high.1), (bar.bounds.right, low.1), shade);
     }
-    bar.draw_outline(canvas)
+    bar.draw_outline(canvas);
+    Ok(())
 }
 
 /// Viridis along the axis of the colours; grey for what has no value.

@@ -25,11 +25,11 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// The picture as PNG.
+    /// The picture.
     ///
     /// # Errors
     /// [`PlotError::Data`] if edges and counts do not fit; otherwise what drawing and encoding report.
-    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+    pub fn draw(&self) -> Result<Canvas, PlotError> {
         if self.counts.is_empty() || self.edges.len() != self.counts.len() + 1 {
             return Err(PlotError::Data(format!(
                 "a histogram of {} bins needs one edge more, not {}",
@@ -55,21 +55,21 @@ impl Histogram {
         for (edges, height) in self.edges.windows(2).zip(&heights) {
             let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
             if high.1 < low.1 {
-                canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5])?;
+                canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5]);
                 // a thin gap, where bars are wide enough to have one
                 if high.0 - low.0 > 6.0 {
-                    canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0))?;
+                    canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0));
                 }
             }
         }
         for (i, (at, _)) in self.lines.iter().enumerate() {
             let ends = [(*at, 0.0), (*at, frame.y.value_at(1.0))];
-            frame.curve(&mut canvas, ends.into_iter(), stroke(i))?;
+            frame.curve(&mut canvas, ends.into_iter(), stroke(i));
         }
-        frame.draw_outline(&mut canvas)?;
+        frame.draw_outline(&mut canvas);
         frame.draw_title(&mut canvas, &self.title)?;
         key::draw(&mut canvas, &entries, &frame)?;
-        canvas.to_png()
+        Ok(canvas)
     }
 
     fn entries(&self) -> Vec<Entry> {

@@ -27,7 +27,7 @@ type Quantity = fn(&TraceRow) -> f64;
 ///
 /// # Errors
 /// [`PlotError::Data`] for an impact without a trace; otherwise what drawing and encoding report.
-pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
+pub fn history(impact: &Impact) -> Result<Canvas, PlotError> {
     if impact.trace.is_empty() {
         return Err(PlotError::Data("a history needs a trace: run the impact with samples".into()));
     }
@@ -56,24 +56,24 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
         frame.draw_y(&mut canvas)?;
         for (time, stroke) in [(impact.loading_time, peak), (impact.duration(), separation)] {
             let (low, high) = (frame.y.value_at(0.0), frame.y.value_at(1.0));
-            frame.curve(&mut canvas, [(time, low), (time, high)].into_iter(), stroke)?;
+            frame.curve(&mut canvas, [(time, low), (time, high)].into_iter(), stroke);
         }
         if i == 2 {
             let rest = [(0.0, 0.0), (frame.x.value_at(1.0), 0.0)];
-            frame.curve(&mut canvas, rest.into_iter(), Stroke::solid(INK, 1.5))?;
+            frame.curve(&mut canvas, rest.into_iter(), Stroke::solid(INK, 1.5));
         }
-        frame.draw_outline(&mut canvas)?;
+        frame.draw_outline(&mut canvas);
         for (j, quantity) in curves.iter().enumerate() {
             let (stroke, mark) = series(first_color + j);
             let stroke = Stroke { dash: SOLID, width: width(first_color + j), ..stroke };
             let points = impact.trace.iter().map(|row| (row.time, quantity(row)));
-            frame.curve(&mut canvas, points, stroke)?;
+            frame.curve(&mut canvas, points, stroke);
             if curves.len() > 1 {
                 // each curve has its markers at its own times, as two of them may lie on each other
                 let rows =
                     (0..MARKS).filter_map(|k| impact.trace.get(impact.trace.len() * (3 * k + j + 1) / (3 * MARKS + 1)));
                 for row in rows {
-                    frame.mark(&mut canvas, (row.time, quantity(row)), mark, 8.0, stroke.color)?;
+                    frame.mark(&mut canvas, (row.time, quantity(row)), mark, 8.0, stroke.color);
                 }
             }
         }
@@ -83,7 +83,7 @@ pub fn history(impact: &Impact) -> Result<Vec<u8>, PlotError> {
         }
         top += step;
     }
-    canvas.to_png()
+    Ok(canvas)
 }
 
 /// The ends of the axis of speeds: gravity may make a sphere faster than it came, and a captured one still moves.

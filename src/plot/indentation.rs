@@ -30,8 +30,8 @@ struct Loop<'a> {
 /// The picture `force_indentation.png` of an indentation. The trace is drawn as it is.
 ///
 /// # Errors
-/// What drawing and encoding report.
-pub fn indentation(tested: &[Tested]) -> Result<Vec<u8>, PlotError> {
+/// [`PlotError`].
+pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
     let loops = loops(tested);
     let entries = entries(&loops, tested);
     let rows = || loops.iter().flat_map(|one| one.rows);
@@ -47,7 +47,7 @@ pub fn indentation(tested: &[Tested]) -> Result<Vec<u8>, PlotError> {
     };
     frame.draw_axes(&mut canvas)?;
     frame.draw_title(&mut canvas, &title(tested))?;
-    frame.draw_outline(&mut canvas)?;
+    frame.draw_outline(&mut canvas);
     for (one, (stroke, _)) in loops.iter().zip((0..).map(series)) {
         for branch in one.rows.chunk_by(|a, b| is_loading(a) == is_loading(b)) {
             let mut rows: Vec<&TraceRow> = branch.iter().collect();
@@ -58,13 +58,13 @@ pub fn indentation(tested: &[Tested]) -> Result<Vec<u8>, PlotError> {
             }
             let dash = if is_loading { SOLID } else { DASHED };
             let curve = rows.into_iter().map(|row| ((one.indentation)(row), row.force));
-            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke })?;
+            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke });
         }
     }
     for (i, one) in loops.iter().enumerate() {
         let (stroke, mark) = series(i);
         for row in marked(one.rows, i, loops.len()) {
-            frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color)?;
+            frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color);
         }
     }
     for (span, force, i) in spans(tested) {
@@ -74,13 +74,13 @@ pub fn indentation(tested: &[Tested]) -> Result<Vec<u8>, PlotError> {
         #[allow(clippy::cast_precision_loss)] // a handful
         let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
         let (low, high) = (above(frame.place(span.low, force)), above(frame.place(span.high, force)));
-        canvas.polyline(&[low, high], stroke)?;
+        canvas.polyline(&[low, high], stroke);
         for (x, y) in [low, high] {
-            canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke)?;
+            canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke);
         }
     }
     key::draw(&mut canvas, &entries, &frame)?;
-    canvas.to_png()
+    Ok(canvas)
 }
 
 fn is_loading(row: &TraceRow) -> bool {

@@ -134,10 +134,10 @@ pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Res
         // the last one may count those without room
         let entry = entries.get(i).filter(|_| layout.entries.len() == entries.len() || i + 1 < layout.entries.len());
         if let Some(stroke) = entry.and_then(|entry| entry.line) {
-            canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke)?;
+            canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke);
         }
         if let Some((mark, radius, color)) = entry.and_then(|entry| entry.mark) {
-            mark.draw(canvas, (left + 0.5 * SAMPLE, y), radius, color)?;
+            mark.draw(canvas, (left + 0.5 * SAMPLE, y), radius, color);
         }
         for (line, is_ink) in lines {
             let color = if *is_ink { INK } else { GREY };

@@ -159,11 +159,11 @@ const PALE: f64 = 0.35;
 const MARK: f64 = 9.0;
 
 impl Lines {
-    /// The picture as PNG.
+    /// The picture.
     ///
     /// # Errors
-    /// What drawing and encoding report.
-    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+    /// [`PlotError`].
+    pub fn draw(&self) -> Result<Canvas, PlotError> {
         let values = || self.series.iter().flat_map(|series| series.points.iter().copied());
         let x = self.x.fitted(values().map(|point| point.0));
         let y = self.y.fitted(values().map(|point| point.1));
@@ -178,16 +178,16 @@ impl Lines {
         frame.draw_axes(&mut canvas)?;
         for (i, band) in self.series.iter().enumerate().filter(|(_, one)| one.look == Look::Band) {
             let corners: Vec<_> = band.points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
-            canvas.polygon(&corners, tinted(series(band.style.unwrap_or(i)).0.color, PALE))?;
+            canvas.polygon(&corners, tinted(series(band.style.unwrap_or(i)).0.color, PALE));
         }
         for guide in guides {
-            frame.curve(&mut canvas, guide.points(&frame.x, &frame.y).into_iter(), guide.stroke())?;
+            frame.curve(&mut canvas, guide.points(&frame.x, &frame.y).into_iter(), guide.stroke());
         }
-        frame.draw_outline(&mut canvas)?;
+        frame.draw_outline(&mut canvas);
         for (i, curve) in self.series.iter().enumerate().filter(|(_, one)| one.look != Look::Band) {
             let (stroke, mark) = series(curve.style.unwrap_or(i));
             if curve.look != Look::Points {
-                frame.curve(&mut canvas, curve.points.iter().copied(), stroke)?;
+                frame.curve(&mut canvas, curve.points.iter().copied(), stroke);
             }
             let marked = match curve.look {
                 Look::Line => self.sparse_marks(&frame, i),
@@ -195,12 +195,12 @@ impl Lines {
                 Look::Bare | Look::Band => Vec::new(),
             };
             for point in marked {
-                frame.mark(&mut canvas, point, mark, MARK, stroke.color)?;
+                frame.mark(&mut canvas, point, mark, MARK, stroke.color);
             }
         }
         frame.draw_title(&mut canvas, &self.title)?;
         key::draw(&mut canvas, &entries, &frame)?;
-        canvas.to_png()
+        Ok(canvas)
     }
 
     /// Points of a series at even distances along its curve; each series is shifted against the others, so that markers

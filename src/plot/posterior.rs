@@ -26,8 +26,8 @@ type Line = (f64, Vec<(f64, f64)>);
 /// The picture.
 ///
 /// # Errors
-/// What drawing and encoding report.
-pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Vec<u8>, PlotError> {
+/// [`PlotError`].
+pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     let [first, second] = &of.keys[..] else { return Err(PlotError::Data("a map needs two keys".to_owned())) };
     let lines: Vec<Line> = sheet
         .iter()
@@ -94,18 +94,18 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Vec<u8>, PlotError> {
                 if density > VISIBLE * highest {
                     let from = inside(main.place(line[0], between(above)));
                     let to = inside(main.place(line[1], between(below)));
-                    canvas.rectangle(from, to, tinted(PALETTE[0], density / highest))?;
+                    canvas.rectangle(from, to, tinted(PALETTE[0], density / highest));
                 }
             }
         }
     }
     for (level, stroke) in levels.into_iter().zip(contours) {
         for contour in contour(&lines, level) {
-            main.curve(&mut canvas, contour.into_iter(), stroke)?;
+            main.curve(&mut canvas, contour.into_iter(), stroke);
         }
     }
-    main.mark(&mut canvas, (first.estimate, second.estimate), Mark::Cross, 9.0, PALETTE[6])?;
-    main.draw_outline(&mut canvas)?;
+    main.mark(&mut canvas, (first.estimate, second.estimate), Mark::Cross, 9.0, PALETTE[6]);
+    main.draw_outline(&mut canvas);
     let curve = Stroke::solid(PALETTE[0], 3.0);
     let heights = |marginal: &Marginal, found: &Found| {
         let highest = marginal.density.iter().copied().fold(0.0, f64::max);
@@ -119,12 +119,12 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Vec<u8>, PlotError> {
     for (frame, found, is_turned) in [(&above, first, false), (&right, second, true)] {
         let points = heights(found.posterior.as_ref().unwrap_or(&Marginal::default()), found);
         let points = points.into_iter().map(|(x, y)| if is_turned { (y, x) } else { (x, y) });
-        frame.curve(&mut canvas, points, curve)?;
-        frame.draw_outline(&mut canvas)?;
+        frame.curve(&mut canvas, points, curve);
+        frame.draw_outline(&mut canvas);
     }
     above.draw_title(&mut canvas, "What the measurements say of both keys")?;
     key::draw(&mut canvas, &entries, &Frame { bounds: all, ..above })?;
-    canvas.to_png()
+    Ok(canvas)
 }
 
 /// Half-way between neighbours; the outer ones as far as the inner.

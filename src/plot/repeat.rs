@@ -23,9 +23,9 @@ const MOST_POINTS: usize = 200_000;
 /// no time between them.
 ///
 /// # Errors
-/// What drawing and encoding report.
+/// [`PlotError`].
 #[must_use]
-pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Vec<u8>, PlotError>> {
+pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Canvas, PlotError>> {
     let last = sequence.hits.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
     let flights: Vec<&Flight> =
@@ -62,7 +62,7 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Vec<u8>, Pl
         panels,
         notes: Vec::new(),
     };
-    Some(stack.to_png())
+    Some(stack.draw())
 }
 
 fn title(repeat: &Repeat, sequence: &Sequence) -> String {
@@ -79,8 +79,8 @@ fn title(repeat: &Repeat, sequence: &Sequence) -> String {
 /// `impacts.png`: impact speed, e, and the depth of the dent against the number of the impact.
 ///
 /// # Errors
-/// What drawing and encoding report.
-pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError> {
+/// [`PlotError`].
+pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
     #[allow(clippy::cast_precision_loss)] // at most a million
     let numbered = |value: fn(&crate::repeat::Hit) -> f64| -> Vec<(f64, f64)> {
         sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit))).collect()
@@ -114,7 +114,7 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotErro
     } else {
         Axis::linear("Impact", "").between(0.0, last + 1.0)
     };
-    Stack { title: title(repeat, sequence), x, panels, notes: Vec::new() }.to_png()
+    Stack { title: title(repeat, sequence), x, panels, notes: Vec::new() }.draw()
 }
 
 /// Loops with a colour and an entry in the key; all others are grey.
@@ -126,7 +126,7 @@ const DRAWN: usize = 300;
 ///
 /// # Errors
 /// [`PlotError::Data`] for a series without traces; otherwise what drawing and encoding report.
-pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError> {
+pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
     let traced = &sequence.traced;
     if traced.is_empty() {
         return Err(PlotError::Data("loops need traces: run the series with samples".into()));
@@ -164,16 +164,16 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Vec<u8>, PlotError>
     };
     frame.draw_axes(&mut canvas)?;
     frame.draw_title(&mut canvas, &title(repeat, sequence))?;
-    frame.draw_outline(&mut canvas)?;
+    frame.draw_outline(&mut canvas);
     for index in spread(traced.len(), DRAWN) {
-        draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5))?;
+        draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5));
     }
     // later loops lie on earlier ones where they run up and down the same branch: each narrower than the one before
     for (i, (first, _)) in named.iter().enumerate() {
-        draw(&frame, &mut canvas, &traced[*first], Stroke::solid(PALETTE[i], width(i, named.len())))?;
+        draw(&frame, &mut canvas, &traced[*first], Stroke::solid(PALETTE[i], width(i, named.len())));
     }
     key::draw(&mut canvas, &entries, &frame)?;
-    canvas.to_png()
+    Ok(canvas)
 }
 
 /// First and last of impacts one after the other that are all the same: their loops lie on each other.
@@ -197,14 +197,13 @@ fn width(index: usize, count: usize) -> f64 {
     if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
 }
 
-fn draw(frame: &Frame, canvas: &mut Canvas, impact: &Impact, stroke: Stroke) -> Result<(), PlotError> {
+fn draw(frame: &Frame, canvas: &mut Canvas, impact: &Impact, stroke: Stroke) {
     let turn = impact.trace.iter().position(|row| row.event == Some(Event::Peak)).unwrap_or(0);
     let (loading, unloading) = (&impact.trace[..=turn.min(impact.trace.len() - 1)], &impact.trace[turn..]);
     for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
         let curve = part.iter().map(|row| (row.indentation, row.force));
-        frame.curve(canvas, curve, Stroke { dash, ..stroke })?;
+        frame.curve(canvas, curve, Stroke { dash, ..stroke });
     }
-    Ok(())
 }
 
 /// Indices of at most `wanted` of `count` things: all, or from the first to the last in even ratios.

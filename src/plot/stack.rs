@@ -38,11 +38,11 @@ pub struct Panel {
 }
 
 impl Stack {
-    /// The picture as PNG.
+    /// The picture.
     ///
     /// # Errors
-    /// What drawing and encoding report.
-    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+    /// [`PlotError`].
+    pub fn draw(&self) -> Result<Canvas, PlotError> {
         let entries = self.entries();
         let all = key::bounds(&entries)?;
         let mut canvas = Canvas::try_new(SIZE)?;
@@ -70,7 +70,7 @@ impl Stack {
                 let (stroke, mark) = series(one.style.unwrap_or(index));
                 index += 1;
                 if one.look != Look::Points {
-                    frame.curve(&mut canvas, one.points.iter().copied(), Stroke { dash: SOLID, ..stroke })?;
+                    frame.curve(&mut canvas, one.points.iter().copied(), Stroke { dash: SOLID, ..stroke });
                 }
                 let mut radius = radius(one.points.len(), all.right - all.left);
                 if one.look == Look::Points {
@@ -79,18 +79,18 @@ impl Stack {
                 }
                 if one.look != Look::Line && radius > 0.0 {
                     for point in &one.points {
-                        frame.mark(&mut canvas, *point, mark, radius, stroke.color)?;
+                        frame.mark(&mut canvas, *point, mark, radius, stroke.color);
                     }
                 }
             }
-            frame.draw_outline(&mut canvas)?;
+            frame.draw_outline(&mut canvas);
             if i == 0 {
                 frame.draw_title(&mut canvas, &self.title)?;
                 key::draw(&mut canvas, &entries, &frame)?;
             }
             top = bottom + GAP;
         }
-        canvas.to_png()
+        Ok(canvas)
     }
 
     fn entries(&self) -> Vec<Entry> {

@@ -4,7 +4,7 @@ use super::of_key;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting};
 use crate::plan::{Cases, Plan, label};
-use crate::plot::{self, Guide, Heatmap, Histogram, Lines, PlotError, Series};
+use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, PlotError, Series};
 use crate::reference::quasi_static;
 use crate::scene::quantity::Notation;
 use crate::strength::hardness::vickers;
@@ -25,16 +25,16 @@ const LONG: u64 = 8;
 /// Bars of a histogram.
 const BARS: usize = 60;
 
-/// Names of pictures that tables have.
-pub const PICTURES: [&str; 3] = ["restitution.png", "restitution_map.png", "restitution_histogram.png"];
+/// Names of pictures that tables have, without their endings.
+pub const PICTURES: [&str; 3] = ["restitution", "restitution_map", "restitution_histogram"];
 
-/// The pictures of a plan, by file name.
+/// The pictures of a plan, by name.
 ///
 /// # Errors
 /// [`PlotError`].
-pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Vec<u8>)>, PlotError> {
+pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Canvas)>, PlotError> {
     let Cases::Grid(axes) = &plan.cases else {
-        return Ok(histogram(tally)?.map(|png| (PICTURES[2], png)).into_iter().collect());
+        return Ok(histogram(tally)?.map(|drawn| (PICTURES[2], drawn)).into_iter().collect());
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
@@ -100,7 +100,7 @@ fn shown(axis: &Axis, place: u64) -> f64 {
     }
 }
 
-fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
+fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     let evaluator = Evaluator::new(plan);
     let first = &axes[0];
     let at = some_places(first, MOST_POINTS);
@@ -145,7 +145,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
         Some(second) => format!("Restitution, curves by {}", words(second)),
         None => "Restitution".to_owned(),
     };
-    Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.to_png()
+    Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.draw()
 }
 
 /// e of the finite-element unloadings of this scene's materials, at the speed whose energy they took; within the speeds of
@@ -190,7 +190,7 @@ fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
     scene.contact().ok()?.yield_speed()
 }
 
-fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
+fn map(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     let evaluator = Evaluator::new(plan);
     let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
     let values = rows
@@ -206,10 +206,10 @@ fn map(plan: &Plan, axes: &[Axis]) -> Result<Vec<u8>, PlotError> {
         values,
         color: plot::Axis::linear("e", "").between(0.0, 1.0),
     }
-    .to_png()
+    .draw()
 }
 
-fn histogram(tally: &Tally) -> Result<Option<Vec<u8>>, PlotError> {
+fn histogram(tally: &Tally) -> Result<Option<Canvas>, PlotError> {
     let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution())
     else {
         return Ok(None);
@@ -225,5 +225,5 @@ fn histogram(tally: &Tally) -> Result<Option<Vec<u8>>, PlotError> {
         lines: lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}"))).collect(),
         notes: vec![format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)],
     };
-    picture.to_png().map(Some)
+    picture.draw().map(Some)
 }

@@ -244,7 +244,11 @@ impl Impact {
     }
 
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let picture = py.detach(|| Ok::<_, PyErr>(plot::force_indentation(&*self.traced()?).map_err(exception)));
+        let picture = py.detach(|| {
+            Ok::<_, PyErr>(
+                plot::force_indentation(&*self.traced()?).and_then(|drawn| drawn.to_png()).map_err(exception),
+            )
+        });
         Ok(PyBytes::new(py, &picture??))
     }
 }

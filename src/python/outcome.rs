@@ -12,9 +12,11 @@ use super::work::interruptible;
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;
+use crate::plot::Pictures;
+use crate::progress::Counter;
 use crate::provenance::Provenance;
 use crate::report;
-use crate::run::{Outcome as Written, Run, table, way};
+use crate::run::{Order, Outcome as Written, Run, table, way};
 use crate::scenario::Scenario;
 use crate::sweep::count::Count;
 use crate::sweep::sidecar::Tally;
@@ -50,8 +52,9 @@ pub fn run(py: Python<'_>, scenario: &Bound<'_, PyAny>, set: Option<&Bound<'_, P
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
     match way(scenario.kind().map_err(exception)?).run {
         Run::Once { run, .. } => {
+            let order = Order { command: &command, pictures: Pictures::Png, progress: &Counter::default() };
             let Written { mut warnings, text, files, contradiction } =
-                interruptible(py, |_| run(&scenario, &command))?.map_err(exception)?;
+                interruptible(py, |_| run(&scenario, &order))?.map_err(exception)?;
             warnings.extend(contradiction);
             warn(py, &warnings)?;
             Ok(Outcome { warnings, text, files, table: None })
@@ -71,7 +74,7 @@ fn run_table(py: Python<'_>, scenario: &Scenario, command: &str) -> PyResult<Out
     let made = interruptible(py, |_| {
         let tally = tally(&plan, &table, &status);
         let provenance = Provenance::new(scenario.sha256()?, command);
-        let files = table::files(&plan, &tally, &warnings, &provenance)?;
+        let files = table::files(&plan, &tally, &warnings, &provenance, Pictures::Png)?;
         Ok::<_, Error>((report::sweep::lines(&tally), files))
     });
     let (text, files) = made?.map_err(exception)?;

@@ -4,33 +4,34 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Item, Table, value};
 
-use super::outcome::{self, Outcome, file};
+use super::outcome::{self, Order, Outcome, file};
 use crate::calibrate::{Calibration, Measurements};
 use crate::error::Error;
 use crate::plot::calibrate::pictures;
+use crate::progress::Counter;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
-    let found = measured.calibrate()?;
+    let found = measured.calibrate(&Counter::default())?;
     Ok(Outcome {
         contradiction: found.contradiction.clone(),
         ..Outcome::checked(warnings(&measured, &found), report::table(&found))
     })
 }
 
-pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
-    let found = measured.calibrate()?;
-    let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, command)?;
+    let found = measured.calibrate(order.progress)?;
+    let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, order.command)?;
     let mut files = vec![
         file("summary.json", report::summary(&measured, &found, &provenance)?),
         file("calibrated.toml", calibrated(scenario, &measured, &found)),
         file("residuals.csv", report::residuals(&found)?),
     ];
     files.extend(report::posterior(&found)?.map(|csv| file("posterior.csv", csv)));
-    files.extend(pictures(&found)?.into_iter().map(|(name, png)| file(&name, png)));
+    files.extend(order.pictures.files(|| pictures(&found))?);
     Ok(Outcome {
         warnings: warnings(&measured, &found),
         text: report::table(&found),

@@ -1,6 +1,6 @@
 //! A comparison of unloading laws.
 
-use super::outcome::{Outcome, file};
+use super::outcome::{Order, Outcome, file};
 use crate::compare::Comparison;
 use crate::error::Error;
 use crate::plot;
@@ -16,17 +16,17 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     Ok(Outcome::checked(texts(&comparison), text))
 }
 
-pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
     let inputs = Inputs(report::inputs(scenario, &comparison));
-    let provenance = Provenance::new(scenario.sha256()?, command);
+    let provenance = Provenance::new(scenario.sha256()?, order.command);
     let warnings = texts(&comparison);
     let rows = rows(&comparison);
-    let files = vec![
+    let mut files = vec![
         file("summary.json", report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
         file("comparison.csv", report::csv(&rows)?),
-        file("unloading.png", plot::compare::picture(&comparison)?),
     ];
+    files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison)?)]))?);
     Ok(Outcome::done(warnings, report::table(&comparison), files))
 }
 

@@ -1,6 +1,6 @@
 //! One impact.
 
-use super::outcome::{self, Outcome, file};
+use super::outcome::{self, Order, Outcome, file};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
@@ -73,15 +73,16 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     Ok(Outcome::checked(texts(&impact), overview(&scene, &contact) + &strength.unwrap_or_default()))
 }
 
-pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
-    let provenance = provenance(scenario, &scene, impact.method, command)?;
-    let files = vec![
+    let provenance = provenance(scenario, &scene, impact.method, order.command)?;
+    let mut files = vec![
         file("summary.json", summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
         file("trace.csv", trace(&impact)?),
-        file("force_indentation.png", plot::force_indentation(&impact)?),
-        file("history.png", plot::history(&impact)?),
     ];
+    files.extend(order.pictures.files(|| {
+        Ok(vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)])
+    })?);
     Ok(Outcome::done(texts(&impact), table(&contact, &impact), files))
 }
 

@@ -1,6 +1,6 @@
 //! Slow indentations.
 
-use super::outcome::{self, Outcome, file};
+use super::outcome::{self, Order, Outcome, file};
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::plot;
@@ -65,16 +65,16 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested) + &strength.unwrap_or_default()))
 }
 
-pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
     let inputs = Inputs(report::inputs(scenario, &scene));
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let provenance = outcome::provenance(scenario, &scene.law, can_yield, command)?;
-    let files = vec![
+    let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command)?;
+    let mut files = vec![
         file("summary.json", report::summary(&tested, &warnings, &inputs, &provenance)?),
         file("trace.csv", report::trace(&tested)?),
-        file("force_indentation.png", plot::indentation(&tested)?),
     ];
+    files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested)?)]))?);
     let text = report::table(&tested);
     Ok(Outcome::done(warnings, text, files))
 }

@@ -3,8 +3,21 @@
 use crate::error::Error;
 use crate::law::LawChoice;
 use crate::output::OutputFile;
+use crate::plot::Pictures;
+use crate::progress::Counter;
 use crate::provenance::{LawOf, Provenance};
 use crate::scenario::Scenario;
+
+/// What a run is asked for besides its scenario.
+#[derive(Debug, Clone, Copy)]
+pub struct Order<'a> {
+    /// The command line, for the provenance.
+    pub command: &'a str,
+    /// What pictures are written as.
+    pub pictures: Pictures,
+    /// Is told how far the run is.
+    pub progress: &'a Counter,
+}
 
 /// What came of a scenario.
 #[derive(Debug, Clone, PartialEq)]

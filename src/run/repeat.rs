@@ -1,10 +1,11 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, held, provenance};
-use super::outcome::{Outcome, file};
+use super::outcome::{Order, Outcome, file};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
 use crate::plot;
+use crate::progress::Counter;
 use crate::repeat::{Repeat, Sequence};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
@@ -37,38 +38,39 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), E
     Ok((scene, contact, repeat))
 }
 
-fn compute(scenario: &Scenario) -> Result<Computed, Error> {
+fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &scene)?;
-    let sequence =
-        repeat.run(&contact, &scene.solver, scene.samples).map_err(|reason| Error::impact(scenario, reason))?;
+    let sequence = repeat.run_watched(&contact, &scene.solver, scene.samples, progress);
+    let sequence = sequence.map_err(|reason| Error::impact(scenario, reason))?;
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
     Ok(Computed { scene, contact, repeat, sequence, warnings })
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario)?;
+    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario, &Counter::default())?;
     let deepest = sequence.hits.iter().map(|hit| hit.peak_indentation).fold(0.0, f64::max);
     let strength = strength::which(&scene.half_space, scene.has_flow(), deepest / scene.sphere.radius);
     let text = report::repeat_lines(&repeat) + &overview(&scene, &contact) + &strength.unwrap_or_default();
     Ok(Outcome::checked(warnings, text))
 }
 
-pub(super) fn run(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario)?;
-    let provenance = provenance(scenario, &scene, sequence.method, command)?;
+pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
+    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario, order.progress)?;
+    let provenance = provenance(scenario, &scene, sequence.method, order.command)?;
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
         file("summary.json", summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, scene.samples)?),
-        file("force_indentation.png", plot::repeat::loops(&repeat, &sequence)?),
-        file("impacts.png", plot::repeat::impacts(&repeat, &sequence)?),
     ];
-    if let Some(picture) = plot::repeat::height(&repeat, &sequence) {
-        files.push(file("height.png", picture?));
-    }
+    files.extend(order.pictures.files(|| {
+        let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
+        let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence)?)];
+        drawn.extend(plot::repeat::height(&repeat, &sequence).transpose()?.map(|height| ("height", height)));
+        Ok(drawn)
+    })?);
     let text = report::table(&repeat, &sequence);
     Ok(Outcome::done(warnings, text, files))
 }

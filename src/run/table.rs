@@ -4,6 +4,7 @@ use super::outcome::{Outcome, file};
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;
+use crate::plot::Pictures;
 use crate::plot::sweep::pictures;
 use crate::provenance::Provenance;
 use crate::report::overview::overview;
@@ -54,8 +55,9 @@ pub fn files(
     tally: &Tally,
     warnings: &[String],
     provenance: &Provenance,
+    format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
-    let summary = summary(plan, tally, warnings, provenance)?;
-    let pictures = pictures(plan, tally)?.into_iter().map(|(name, bytes)| file(name, bytes));
-    Ok(std::iter::once(file(SUMMARY, summary)).chain(pictures).collect())
+    let mut files = vec![file(SUMMARY, summary(plan, tally, warnings, provenance)?)];
+    files.extend(format.files(|| pictures(plan, tally))?);
+    Ok(files)
 }

@@ -23,10 +23,19 @@ pub const LARGEST_SCENARIO: u64 = 1;
 /// # Errors
 /// [`ScenarioError`] if it cannot be read, is too large, or is no text.
 pub fn read_text(path: &Path, largest: u64) -> Result<String, ScenarioError> {
+    let file = File::open(path).map_err(|reason| ScenarioError::Unreadable { path: path.to_owned(), reason })?;
+    text_of(path, file, largest)
+}
+
+/// The same of what is already open; `path` stands for it in messages.
+///
+/// # Errors
+/// As [`read_text`].
+pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, ScenarioError> {
     let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
     let most = largest << 20;
     let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
+    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > most {
         return Err(ScenarioError::TooLarge { path: path.to_owned(), largest });
     }

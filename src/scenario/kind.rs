@@ -31,8 +31,9 @@ const NO_SPHERE: &str =
     "a comparison has one peak for all laws and does not ask whether the sphere yields; leave the key out";
 
 impl Kind {
-    /// The kinds that have a table of their own, with its name.
-    const TABLES: &[(&'static str, Self)] = &[
+    /// All kinds with their names; every one but the first has a table of that name.
+    pub const ALL: [(&'static str, Self); 7] = [
+        ("impact", Self::Impact),
         ("sweep", Self::Sweep),
         ("monte_carlo", Self::MonteCarlo),
         ("repeat", Self::Repeat),
@@ -67,7 +68,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError::Refused`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, ScenarioError> {
-        let mut given = Kind::TABLES.iter().filter(|(table, _)| self.is_given(table));
+        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.is_given(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
             (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.is_given(idle)) {

@@ -81,7 +81,9 @@ fn heading(table: &str) -> String {
 /// Words that are listed in the line of their key.
 const MOST_WORDS: usize = 20;
 
-fn written(form: &Form) -> String {
+/// What may be written as the value of a key, as Markdown.
+#[must_use]
+pub fn written(form: &Form) -> String {
     let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
     match form {
         Form::Number(quantity, None) => number(quantity),

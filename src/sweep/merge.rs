@@ -190,7 +190,7 @@ fn check_place(out: &Path, shards: &[Finished]) -> Result<(), SweepError> {
         "is a directory"
     } else if out.file_name().is_some_and(|name| name == SUMMARY) {
         "is the name of the summary, which goes beside the table"
-    } else if out.extension().is_some_and(|extension| extension == "png") {
+    } else if out.extension().is_some_and(|extension| extension == "png" || extension == "svg") {
         "is the name of a picture, which goes beside the table"
     } else if shards.iter().any(|shard| is_out(&shard.table) || is_out(&sidecar_path(&shard.table))) {
         "is one of the shards"

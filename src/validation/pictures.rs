@@ -18,11 +18,12 @@ use super::experiments::Experiment;
 use crate::law::{Peak, PlmCoefficients};
 use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
-use crate::plot::{Axis, Guide, Lines, PlotError, Series};
+use crate::plot::{Axis, Guide, Lines, Pictures, PlotError, Series};
+use crate::progress::Counter;
 
 /// A picture before it is drawn.
 struct Picture {
-    /// Without ".png".
+    /// Without its ending.
     name: String,
     lines: Lines,
 }
@@ -42,8 +43,8 @@ impl Picture {
         self
     }
 
-    fn draw(&self) -> Result<OutputFile, PlotError> {
-        Ok(OutputFile { name: format!("{}.png", self.name), bytes: self.lines.to_png()? })
+    fn file(&self, format: Pictures) -> Result<Option<OutputFile>, PlotError> {
+        format.file(&self.name, &self.lines.draw()?)
     }
 }
 
@@ -74,11 +75,19 @@ fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -
     sampled(ln(low), ln(high), n, |at| point(exp(at)))
 }
 
-/// All pictures, those of measurements of one's own last.
+/// All pictures, those of measurements of one's own last. Counted are the pictures.
 ///
 /// # Errors
 /// [`ValidationError`].
-pub fn pictures(coefficients: &PlmCoefficients, measured: &[Experiment]) -> Result<Vec<OutputFile>, ValidationError> {
+pub fn pictures(
+    coefficients: &PlmCoefficients,
+    measured: &[Experiment],
+    format: Pictures,
+    progress: &Counter,
+) -> Result<Vec<OutputFile>, ValidationError> {
+    if format == Pictures::None {
+        return Ok(Vec::new());
+    }
     let cases = cases()?;
     let mut pictures = deviations::pictures(&cases, coefficients);
     for case in &cases {
@@ -91,6 +100,8 @@ pub fn pictures(coefficients: &PlmCoefficients, measured: &[Experiment]) -> Resu
     pictures.push(hardening::picture(coefficients)?);
     pictures.push(measured::picture(coefficients)?);
     pictures.extend(measured.iter().map(experiments::picture));
-    let drawn: Result<Vec<OutputFile>, PlotError> = pictures.par_iter().map(Picture::draw).collect();
-    Ok(drawn?)
+    progress.expect(pictures.len() as u64);
+    let drawn: Result<Vec<Option<OutputFile>>, PlotError> =
+        pictures.par_iter().map(|picture| picture.file(format).inspect(|_| progress.step())).collect();
+    Ok(drawn?.into_iter().flatten().collect())
 }

@@ -98,7 +98,7 @@ fn files_that_are_no_measurement_are_refused_by_line() {
     ] {
         assert!(LEEB.contains(from), "{from}");
         let desk = desk(&[("a.csv", &LEEB.replacen(from, to, 1))]);
-        let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--no-pictures"]);
+        let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--pictures", "none"]);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(message.contains(want), "{want}: {message}");

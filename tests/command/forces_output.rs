@@ -1,7 +1,9 @@
 //! What is written about impacts under gravity and damping, and tables of them.
 
 use plm_impact::impact::{Method, Solver};
-use plm_impact::run::{Outcome, Run, impact, way};
+use plm_impact::plot::Pictures;
+use plm_impact::progress::Counter;
+use plm_impact::run::{Order, Outcome, Run, impact, way};
 use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use serde_json::Value;
@@ -21,7 +23,7 @@ fn scenario(more: &str, overrides: &[&str]) -> Scenario {
 /// One impact, run.
 fn run(scenario: &Scenario) -> Outcome {
     let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
-    run(scenario, "test").unwrap()
+    run(scenario, &Order { command: "test", pictures: Pictures::None, progress: &Counter::default() }).unwrap()
 }
 
 /// `summary.json` and the header of `trace.csv`.

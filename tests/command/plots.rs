@@ -100,7 +100,7 @@ fn extent(places: &[(usize, usize)]) -> (usize, usize) {
 #[test]
 fn force_against_indentation_shows_three_loops_that_fill_the_axes() {
     for impact in scenes() {
-        let picture = Picture::decoded(&plot::force_indentation(&impact).unwrap());
+        let picture = Picture::decoded(&plot::force_indentation(&impact).unwrap().to_png().unwrap());
         let [left, top, right, bottom] = picture.axes();
         #[allow(clippy::cast_precision_loss)]
         let inside = |color| {
@@ -126,7 +126,7 @@ fn force_against_indentation_shows_three_loops_that_fill_the_axes() {
 #[test]
 fn history_shows_force_indentations_and_speed() {
     for impact in scenes() {
-        let picture = Picture::decoded(&plot::history(&impact).unwrap());
+        let picture = Picture::decoded(&plot::history(&impact).unwrap().to_png().unwrap());
         for color in [PURPLE, BLUE, VERMILLION, GREEN, ORANGE] {
             assert!(picture.places(color).len() > 300, "{color:?}");
         }
@@ -139,8 +139,11 @@ fn history_shows_force_indentations_and_speed() {
 #[test]
 fn the_same_data_give_the_same_bytes() {
     let impact = impact(210e9, Some(345e6), 3.0);
-    assert_eq!(plot::force_indentation(&impact).unwrap(), plot::force_indentation(&impact).unwrap());
-    assert_eq!(plot::history(&impact).unwrap(), plot::history(&impact).unwrap());
+    for draw in [plot::force_indentation, plot::history] {
+        let [one, other] = [(); 2].map(|()| draw(&impact).unwrap());
+        assert_eq!(one.to_png().unwrap(), other.to_png().unwrap());
+        assert_eq!(one.to_svg().unwrap(), other.to_svg().unwrap());
+    }
 }
 
 #[test]
@@ -166,7 +169,7 @@ fn a_curve_lies_where_its_values_are() {
         lines(log(), log(), vec![vec![(1.0, 1.0), (1e4, 1e4)]]),
     ];
     for case in cases {
-        let picture = Picture::decoded(&case.to_png().unwrap());
+        let picture = Picture::decoded(&case.draw().unwrap().to_png().unwrap());
         for share in [0.1, 0.35, 0.6, 0.9] {
             assert!(picture.shows(BLUE, (share, share)), "{share}");
             assert!(!picture.shows(BLUE, (share, 1.0 - share + 0.3 * share)), "{share}");
@@ -186,7 +189,7 @@ fn curves_and_guides_are_cut_at_the_axes() {
         Guide::Horizontal { at: 0.75, label: "level".into() },
         Guide::Power { through: (0.5, 0.5), slope: 1.0, label: "slope".into() },
     ];
-    let picture = Picture::decoded(&plot.to_png().unwrap());
+    let picture = Picture::decoded(&plot.draw().unwrap().to_png().unwrap());
     let [left, top, right, bottom] = picture.axes();
     assert!(picture.shows(BLUE, (0.01, 0.25)) && picture.shows(BLUE, (0.99, 0.25)));
     assert!(picture.shows(VERMILLION, (0.5, 0.97)));
@@ -209,7 +212,7 @@ fn odd_data_make_a_picture_and_no_panic() {
     ];
     for points in odd {
         for axis in [Axis::linear("x", "m"), Axis::engineering("x", "m"), Axis::log("x", "m")] {
-            let png = lines(axis.clone(), axis.clone(), vec![points.clone()]).to_png().unwrap();
+            let png = lines(axis.clone(), axis.clone(), vec![points.clone()]).draw().unwrap().to_png().unwrap();
             Picture::decoded(&png);
         }
     }
@@ -226,7 +229,7 @@ fn a_heat_map_has_each_cell_in_its_colour() {
         values: vec![0.0, 1.0, f64::NAN, 0.5],
         color: Axis::linear("e", "").between(0.0, 1.0),
     };
-    let picture = Picture::decoded(&map.to_png().unwrap());
+    let picture = Picture::decoded(&map.draw().unwrap().to_png().unwrap());
     // both ends of viridis (van der Walt and Smith 2015): 440154 and fde725; shares of the way to the colour bar's end
     let [left, top, right, bottom] = picture.axes();
     let cells = [((0.2, 0.25), [0x44, 0x01, 0x54]), ((0.65, 0.25), [0xfd, 0xe7, 0x25]), ((0.2, 0.9), [0xe2; 3])];
@@ -236,7 +239,7 @@ fn a_heat_map_has_each_cell_in_its_colour() {
         assert!(got.iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 2), "{got:?} for {color:?}");
     }
     map.values.pop();
-    assert!(matches!(map.to_png(), Err(PlotError::Data(_))));
+    assert!(matches!(map.draw(), Err(PlotError::Data(_))));
 }
 
 #[test]
@@ -249,7 +252,7 @@ fn bars_are_as_high_as_their_counts() {
         lines: vec![(0.5, "mean 0.5".into())],
         notes: vec!["sd 0.1".into()],
     };
-    let picture = Picture::decoded(&histogram.to_png().unwrap());
+    let picture = Picture::decoded(&histogram.draw().unwrap().to_png().unwrap());
     for (bin, count) in [(0.0, 100.0), (1.0, 50.0), (3.0, 25.0)] {
         // the axis ends 6 % above the highest bar
         let (x, height) = ((bin + 0.3) / 4.0, count / 106.0);
@@ -257,5 +260,5 @@ fn bars_are_as_high_as_their_counts() {
     }
     assert!(!picture.shows(SKY, (2.5 / 4.0, 0.05)));
     histogram.edges.pop();
-    assert!(matches!(histogram.to_png(), Err(PlotError::Data(_))));
+    assert!(matches!(histogram.draw(), Err(PlotError::Data(_))));
 }

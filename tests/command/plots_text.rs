@@ -18,7 +18,11 @@ fn curves(names: impl Iterator<Item = String>) -> Vec<Series> {
 fn lines(title: &str, axis: &str, names: impl Iterator<Item = String>, notes: &[&str]) -> Vec<u8> {
     let notes = notes.iter().map(ToString::to_string).collect();
     let (x, y) = (Axis::engineering(axis, "m/s"), Axis::engineering(axis, "N"));
-    Lines { title: title.into(), x, y, series: curves(names), guides: Vec::new(), notes }.to_png().unwrap()
+    Lines { title: title.into(), x, y, series: curves(names), guides: Vec::new(), notes }
+        .draw()
+        .unwrap()
+        .to_png()
+        .unwrap()
 }
 
 #[test]
@@ -62,11 +66,11 @@ fn long_titles_names_and_notes_stay_on_the_sheet() {
         values: vec![0.0, 0.1, 0.2, 123_456.0],
         color: Axis::linear(LONG, ""),
     };
-    assert!(has_free_border(&heat.to_png().unwrap()));
+    assert!(has_free_border(&heat.draw().unwrap().to_png().unwrap()));
     let panel = |axis: &str| Panel { y: Axis::linear(axis, ""), share: 1.0, series: curves(names(2, LONG)) };
     let stack =
         Stack { title: LONG.into(), x: Axis::linear(LONG, ""), panels: vec![panel(LONG), panel("y")], notes: vec![] };
-    assert!(has_free_border(&stack.to_png().unwrap()));
+    assert!(has_free_border(&stack.draw().unwrap().to_png().unwrap()));
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
-use plm_impact::run::{Run, way};
+use plm_impact::plot::Pictures;
+use plm_impact::progress::Counter;
+use plm_impact::run::{Order, Run, way};
 use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 use plm_impact::scene::{KEYS, Key, Scene};
 
@@ -348,7 +350,8 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
         names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
         if let kind @ (Kind::Indentation | Kind::Repeat | Kind::Compare) = scenario.kind().unwrap() {
             let Run::Once { run, .. } = way(kind).run else { panic!("{kind:?} is no table") };
-            let outcome = run(&scenario, "test").unwrap();
+            let order = Order { command: "test", pictures: Pictures::None, progress: &Counter::default() };
+            let outcome = run(&scenario, &order).unwrap();
             assert!(outcome.warnings.is_empty(), "{}", path.display());
             if kind == Kind::Compare {
                 assert!(scenario.comparison().unwrap().compared().len() > 8, "{}", path.display());

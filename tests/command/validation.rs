@@ -7,6 +7,7 @@ use std::fs;
 use approx::assert_relative_eq;
 use plm_impact::law::PlmCoefficients;
 use plm_impact::math::power::max_or_nan;
+use plm_impact::progress::Counter;
 use plm_impact::validation::check::{Check, Known, Tolerance, Verdict, largest};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;
@@ -95,7 +96,8 @@ fn another_law_misses_and_the_exit_code_says_so() {
     );
     assert_ne!(steeper, BUILT_IN);
     fs::write(directory.path().join("steeper.toml"), steeper).unwrap();
-    let output = call(directory.path(), &["validate", "--coefficients", "steeper.toml", "--out", "v", "--no-pictures"]);
+    let output =
+        call(directory.path(), &["validate", "--coefficients", "steeper.toml", "--out", "v", "--pictures", "none"]);
     let (table, message) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(3), "{table}{message}");
     assert!(table.contains("MISS: loading: force, rms over the curve: case 3"), "{table}");
@@ -283,7 +285,7 @@ const CURVES: [&str; 5] = [
 ];
 
 fn checks() -> Vec<Check> {
-    validation::checks(PlmCoefficients::built_in()).unwrap()
+    validation::checks(PlmCoefficients::built_in(), &Counter::default()).unwrap()
 }
 
 #[test]

@@ -335,3 +335,31 @@ fn a_file_of_somebody_else_gives_way_only_to_the_same_bytes() {
     let said = ends(&desk, &["run", "s.toml", "--out", "out", "--set", "impact.speed=1"], 2);
     assert!(said.contains("is not as this program wrote it"), "{said}");
 }
+
+#[test]
+fn signals_end_other_long_work_at_once_and_nothing_is_left() {
+    let desk = Desk::with("");
+    ends(&desk, &["init", "repeat"], 0);
+    ends(&desk, &["init", "calibrate"], 0);
+    // impacts of some milliseconds each
+    let slow = ["--set", "solver.method=verlet", "--set", "solver.steps_per_contact=1000000", "--out", "out/deep"];
+    let repeat = [&["run", "repeat.toml", "--set", "repeat.impacts=100000"][..], &slow].concat();
+    let calibrate = [&["calibrate", "calibrate.toml", "--all-laws"][..], &slow].concat();
+    let validate = vec!["validate", "--out", "out/deep"];
+    for arguments in [repeat, calibrate, validate] {
+        for (name, want) in [("-INT", 130), ("-TERM", 143)] {
+            let mut child = start(&desk, &arguments);
+            // the folder is made before anything is computed
+            assert!(is_reached(&mut child, || desk.path("out/deep").exists()), "{arguments:?}");
+            std::thread::sleep(Duration::from_millis(200));
+            signal(&child, name);
+            let begun = Instant::now();
+            let output = child.wait_with_output().unwrap();
+            let said = text(&output.stderr);
+            assert_eq!(code(&output), Some(want), "{arguments:?}: {said}");
+            assert_eq!(said, "error: interrupted; nothing was written\n");
+            assert!(begun.elapsed() < Duration::from_secs(20));
+            assert!(!desk.path("out").exists(), "{arguments:?}");
+        }
+    }
+}

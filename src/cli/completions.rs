@@ -1,0 +1,22 @@
+//! `plm-impact completions`
+
+use clap::{Args, Command};
+use clap_complete::{Shell, generate};
+
+/// Print the completions of a shell
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact completions bash > ~/.local/share/bash-completion/completions/plm-impact
+  plm-impact completions zsh > _plm-impact")]
+pub struct Arguments {
+    /// The shell
+    shell: Shell,
+}
+
+pub fn completions(Arguments { shell }: &Arguments, mut program: Command) -> anyhow::Result<()> {
+    let mut text = Vec::new();
+    generate(*shell, &mut program, env!("CARGO_PKG_NAME"), &mut text);
+    // for bash a program with a hyphen in its name has two names, until https://github.com/clap-rs/clap/issues/6421 is solved
+    let [wrong, right] = ["__subcmd__", "__"].map(|hyphen| env!("CARGO_PKG_NAME").replace('-', hyphen));
+    super::terminal::print(&String::from_utf8(text)?.replace(&wrong, &right))
+}

@@ -1,0 +1,46 @@
+//! `plm-impact init`
+
+use std::fs::File;
+use std::io::{ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use plm_impact::error::Error;
+use plm_impact::scenario::{Kind, template};
+
+use super::scenario::STANDARD_INPUT;
+
+/// Write a scenario to begin with, in which a comment explains every key
+///
+/// It runs as it is. A file that is there is never overwritten.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact init sweep
+  plm-impact init --out - | plm-impact run - --json")]
+pub struct Arguments {
+    /// What is to be run
+    #[arg(default_value = "impact", value_parser = PossibleValuesParser::new(Kind::ALL.map(|(name, _)| name)))]
+    kind: String,
+    /// File to write; - is standard output [default: KIND.toml]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+pub fn init(Arguments { kind, out }: &Arguments) -> anyhow::Result<()> {
+    let found = Kind::ALL.into_iter().find(|(name, _)| name == kind).map_or(Kind::Impact, |(_, kind)| kind);
+    let text = template(found);
+    let out = out.clone().unwrap_or_else(|| format!("{kind}.toml").into());
+    if out == Path::new(STANDARD_INPUT) {
+        return super::terminal::print(&text);
+    }
+    let name = out.display();
+    let mut file = File::create_new(&out).map_err(|reason| match reason.kind() {
+        ErrorKind::AlreadyExists => Error::Option(format!("{name}: is there already; name another file with --out")),
+        _ => Error::Option(format!("{name}: cannot be written: {reason}; name another file with --out")),
+    })?;
+    file.write_all(text.as_bytes()).with_context(|| format!("{name}: cannot be written"))?;
+    super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
+    Ok(())
+}

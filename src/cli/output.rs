@@ -1,0 +1,124 @@
+//! What a run writes, where, and what it says.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::output::{Origin, OutputDirectory, OutputFile};
+use plm_impact::run::table::SUMMARY;
+use plm_impact::run::{Order, Outcome, heed};
+use plm_impact::scenario::Scenario;
+
+use super::pictures::PictureArguments;
+use super::watched::watched;
+
+/// What is written, and where.
+#[derive(Debug, Args)]
+#[allow(clippy::struct_excessive_bools)] // each is an option
+pub struct Output {
+    /// Output directory [default: plots/<scenario name>]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace files that this program did not write, and results of another scenario
+    #[arg(long)]
+    force: bool,
+    /// Take warnings for errors: write nothing, exit code 1
+    #[arg(long)]
+    pub strict: bool,
+    /// Neither table nor progress; warnings and errors only
+    #[arg(long)]
+    pub quiet: bool,
+    /// Print summary.json, and nothing else, to standard output
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub pictures: PictureArguments,
+}
+
+/// Says that results without a list of files are there.
+pub fn say_what_is_replaced(directory: &OutputDirectory) {
+    if directory.is_of_earlier_version() {
+        let path = directory.path().display();
+        super::terminal::note(format_args!(
+            "{path}: the results of an earlier version that are there will be replaced"
+        ));
+    }
+}
+
+/// Warnings to standard error.
+pub fn warn(warnings: &[String]) {
+    for warning in warnings {
+        super::terminal::warning(warning);
+    }
+}
+
+impl Output {
+    /// Runs a scenario at once. Warnings and where the files are to standard error, the files to the directory, the table to
+    /// standard output.
+    pub fn once(
+        &self,
+        file: &Path,
+        scenario: Scenario,
+        run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
+    ) -> anyhow::Result<()> {
+        let directory = self.prepare(file, &scenario)?;
+        let pictures = self.pictures.format;
+        let (scenario, outcome) = watched(self.quiet, move |progress| {
+            let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress });
+            (scenario, outcome)
+        })?;
+        let Outcome { warnings, text, files, contradiction } = outcome?;
+        warn(&warnings);
+        heed(&scenario, warnings.len(), self.strict)?;
+        let out = directory.path().to_owned();
+        directory.write(&files).map_err(Error::from)?;
+        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+        self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
+        let name = || scenario.document.name().to_owned();
+        contradiction.map_or(Ok(()), |reason| Err(Error::Contradicted { scenario: name(), reason }.into()))
+    }
+
+    /// Prints the table of a run and notes where its files are, or prints the summary alone.
+    pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> anyhow::Result<()> {
+        if self.json {
+            let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
+            super::terminal::print(&String::from_utf8_lossy(summary))?;
+        } else if !self.quiet {
+            super::terminal::print(text)?;
+            super::terminal::note(where_to);
+        }
+        Ok(())
+    }
+
+    /// Where the outputs go.
+    pub fn directory(&self, file: &Path) -> PathBuf {
+        let default = || Path::new("plots").join(file.file_stem().unwrap_or(file.as_os_str()));
+        self.out.clone().unwrap_or_else(default)
+    }
+
+    /// The same, ready to be written to.
+    pub fn prepare(&self, file: &Path, scenario: &Scenario) -> anyhow::Result<OutputDirectory> {
+        let hash = scenario.sha256().map_err(Error::from)?;
+        let origin = Origin::File(file, &hash);
+        let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force).map_err(Error::from)?;
+        say_what_is_replaced(&directory);
+        Ok(directory)
+    }
+}
+
+/// As typed, but for the program's directory, which says nothing about the run.
+pub fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+/// Quoted for a shell where it has to be.
+fn quoted(argument: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+@%".contains(c);
+    if !argument.is_empty() && argument.chars().all(is_plain) {
+        argument.to_owned()
+    } else {
+        format!("'{}'", argument.replace('\'', r"'\''"))
+    }
+}

@@ -1,0 +1,65 @@
+//! Work that may take long: how far it is is shown on a terminal, and a signal stops it.
+
+use std::io::{self, IsTerminal as _};
+use std::panic::resume_unwind;
+use std::sync::Arc;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+
+use anyhow::Context as _;
+use indicatif::{ProgressBar, ProgressStyle};
+use plm_impact::progress::Counter;
+
+use super::interrupt::{Interrupt, LOOK};
+
+/// Bytes of the stack of a thread, as many as that of a program.
+const STACK: usize = 8 << 20;
+/// A bar is shown for work that takes longer than so many looks.
+const SOON: u32 = 10;
+
+/// Does the work on a thread of its own, and leaves it where a signal comes.
+///
+/// # Errors
+/// [`Error::Stopped`](plm_impact::error::Error::Stopped); and where the system gives neither thread nor signals.
+pub fn watched<T: Send + 'static>(
+    is_quiet: bool,
+    work: impl FnOnce(&Counter) -> T + Send + 'static,
+) -> anyhow::Result<T> {
+    let interrupt = Interrupt::listen()?;
+    let progress = Arc::new(Counter::default());
+    let (sender, receiver) = channel();
+    let counter = Arc::clone(&progress);
+    let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
+    let worker = worker.context("thread")?;
+    let bar = bar(is_quiet, "{human_pos}/{human_len} done, {elapsed}");
+    for look in 0_u32.. {
+        match receiver.recv_timeout(LOOK) {
+            Ok(done) => {
+                bar.finish_and_clear();
+                return Ok(done);
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => break,
+        }
+        if let Some(stopped) = interrupt.nothing_written() {
+            bar.finish_and_clear();
+            return Err(stopped.into());
+        }
+        let (done, total) = progress.read();
+        if look > SOON && total > 1 {
+            bar.set_length(total);
+            bar.set_position(done);
+        }
+    }
+    // it ended without a result: by a panic
+    worker.join().map_or_else(|panic| resume_unwind(panic), |()| anyhow::bail!("the work ended without a result"))
+}
+
+/// A bar on a terminal, and what stands behind it.
+pub fn bar(is_quiet: bool, text: &str) -> ProgressBar {
+    if is_quiet || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template(&format!("{{bar:40}} {text}"));
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

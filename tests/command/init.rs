@@ -1,0 +1,101 @@
+//! Scenarios to begin with: each runs as it is, its comments are the sentences of the registry, and no file is overwritten.
+
+use crate::common::command::{Desk, text};
+use plm_impact::scenario::Kind;
+use plm_impact::scene::keys::KEYS;
+use plm_impact::scene::other_keys::OTHER_KEYS;
+use plm_impact::scene::schema::schema;
+
+/// A scenario without its comments: lines that can be put in are put in.
+fn all_put_in(scenario: &str) -> String {
+    let is_comment = |line: &&str| line.starts_with("# ");
+    let lines = scenario.lines().filter(|line| !is_comment(line)).map(|line| line.trim_start_matches('#'));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn every_kind_runs_as_it_is_and_with_all_that_can_be_put_in() {
+    let valid = jsonschema::validator_for(&schema()).unwrap();
+    for (kind, of) in Kind::ALL {
+        let desk = Desk::with("");
+        let output = desk.call(&["init", kind]);
+        assert_eq!(output.status.code(), Some(0), "{kind}: {}", text(&output.stderr));
+        assert!(output.stdout.is_empty() && text(&output.stderr).contains(&format!("wrote {kind}.toml")));
+        let file = format!("{kind}.toml");
+        let scenario = desk.read(&file);
+        std::fs::write(desk.path("all.toml"), all_put_in(&scenario)).unwrap();
+        assert_ne!(all_put_in(&scenario).lines().count(), scenario.lines().count());
+        for name in [file.as_str(), "all.toml"] {
+            let table: toml::Table = toml::from_str(&desk.read(name)).unwrap();
+            assert!(valid.is_valid(&serde_json::to_value(table).unwrap()), "{name} of {kind}");
+            for command in ["check", "run"] {
+                let output = desk.call(&[command, name]);
+                let said = text(&output.stderr);
+                assert_eq!(output.status.code(), Some(0), "{command} {name} of {kind}: {said}");
+                assert!(!said.contains("warning"), "{command} {name} of {kind}: {said}");
+            }
+        }
+        let read = plm_impact::scenario::Scenario::from_text(kind, &scenario, &[]).unwrap();
+        assert_eq!(read.kind().unwrap(), of);
+        assert!(desk.path(&format!("plots/{kind}/summary.json")).exists());
+    }
+}
+
+#[test]
+fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
+    let about = |path: &str| {
+        let numeric = KEYS.iter().map(|key| (key.path, key.about));
+        numeric.chain(OTHER_KEYS.iter().map(|key| (key.path, key.about))).find(|(known, _)| *known == path)
+    };
+    let mut told = 0;
+    for (kind, _) in Kind::ALL {
+        let scenario = text(&Desk::with("").call(&["init", kind, "--out", "-"]).stdout);
+        let (mut table, mut comment) = (String::new(), String::new());
+        for line in scenario.lines().skip(2) {
+            if let Some(more) = line.strip_prefix("# ") {
+                comment = format!("{comment} {more}");
+                continue;
+            }
+            let line = line.trim_start_matches('#');
+            if let Some(name) = line.strip_prefix('[') {
+                name.trim_end_matches(']').clone_into(&mut table);
+            } else if let Some((name, _)) = line.split_once(" = ") {
+                let name = name.replace('"', "");
+                let path = format!("{table}.{name}");
+                let wanted = name.strip_prefix("free.").map(|_| "calibrate.free");
+                if let Some((_, sentence)) = about(&path).or_else(|| about(wanted.unwrap_or(&name))) {
+                    assert!(comment.trim_start().starts_with(sentence), "{path}: {comment}");
+                    told += 1;
+                } else {
+                    let has_none = ["monte_carlo.samples", "monte_carlo.seed", "indentation.steps"];
+                    assert!(has_none.contains(&path.as_str()), "{path}");
+                }
+            }
+            comment.clear();
+        }
+    }
+    // seven for the bodies of seven kinds, but for two densities, and more
+    assert!(told > 7 * 7 - 2, "{told}");
+}
+
+#[test]
+fn a_file_that_is_there_is_kept_and_another_name_can_be_given() {
+    let desk = Desk::with("mine");
+    let output = desk.call(&["init", "sweep", "--out", "s.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("s.toml: is there already; name another file with --out"));
+    assert_eq!(desk.read("s.toml"), "mine");
+    assert_eq!(desk.call(&["init", "sweep", "--out", "t.toml"]).status.code(), Some(0));
+    let printed = desk.call(&["init", "sweep", "--out", "-"]);
+    assert_eq!(text(&printed.stdout), desk.read("t.toml"));
+    // one impact, if nothing else is said
+    assert_eq!(desk.call(&["init"]).status.code(), Some(0));
+    assert!(desk.read("impact.toml").contains("\n[impact]\n"));
+    assert_eq!(desk.files(""), ["impact.toml", "s.toml", "t.toml"]);
+    let nowhere = desk.call(&["init", "--out", "none/s.toml"]);
+    assert_eq!(nowhere.status.code(), Some(2));
+    assert!(text(&nowhere.stderr).contains("none/s.toml: cannot be written"), "{}", text(&nowhere.stderr));
+    let unknown = desk.call(&["init", "swep"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(text(&unknown.stderr).contains("'sweep'"), "{}", text(&unknown.stderr));
+}

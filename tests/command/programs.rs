@@ -1,0 +1,248 @@
+//! What programs and shells get: summaries and errors as JSON, standard input, completions, manual pages, and examples that
+//! run.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use crate::common::STEEL;
+use crate::common::command::{Desk, text};
+use plm_impact::scenario::Kind;
+use serde_json::{Value, json};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
+
+/// The command in a directory, with a text on standard input.
+fn fed(desk: &Desk, arguments: &[&str], input: &str) -> Output {
+    let mut command = assert_cmd::Command::new(PROGRAM);
+    command.current_dir(desk.path("")).args(arguments).write_stdin(input).output().unwrap()
+}
+
+/// A line for a shell, in a directory, where `plm-impact` is the program.
+fn shell(desk: &Desk, line: &str) -> Output {
+    let script = format!("plm-impact() {{ '{PROGRAM}' \"$@\"; }}; {line}");
+    Command::new("bash").args(["-c", &script]).current_dir(desk.path("")).env("HOME", desk.path("")).output().unwrap()
+}
+
+fn objects(bytes: &[u8]) -> Vec<Value> {
+    text(bytes).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn json_prints_the_summary_that_is_written_and_nothing_else() {
+    for (kind, _) in Kind::ALL {
+        let desk = Desk::with("");
+        let file = format!("{kind}.toml");
+        assert_eq!(desk.call(&["init", kind]).status.code(), Some(0));
+        let output = desk.call(&["run", &file, "--json", "--out", "out"]);
+        assert_eq!(output.status.code(), Some(0), "{kind}: {}", text(&output.stderr));
+        assert_eq!(text(&output.stdout), desk.read("out/summary.json"), "{kind}");
+        assert!(serde_json::from_slice::<Value>(&output.stdout).unwrap().is_object());
+        assert!(output.stderr.is_empty(), "{kind}: {}", text(&output.stderr));
+    }
+    // warnings are elsewhere
+    let desk = Desk::with(STEEL);
+    let output = desk.call(&["run", "s.toml", "--json", "--set", "impact.speed=200 m/s"]);
+    assert_eq!(serde_json::from_slice::<Value>(&output.stdout).unwrap()["inputs"]["impact_speed_m_per_s"], 200.0);
+    assert!(text(&output.stderr).starts_with("warning: "));
+    // a part of a table has no summary
+    assert_eq!(desk.call(&["init", "sweep"]).status.code(), Some(0));
+    let output = desk.call(&["run", "sweep.toml", "--json", "--shard", "0/2", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--json prints the summary of a whole table"));
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
+    let desk = Desk::with(STEEL.replace("radius = \"5 mm\"", "radius = \"-5 mm\""));
+    fs::write(desk.path("name.toml"), STEEL.replace("radius =", "radus =")).unwrap();
+    fs::write(desk.path("good.toml"), STEEL).unwrap();
+    fs::write(desk.path("data.csv"), "restitution\n0.5\nmuch\n").unwrap();
+    let cases: [(&[&str], Value); 7] = [
+        (
+            &["run", "s.toml"],
+            json!({"file": "s.toml", "line": 2, "column": 10, "key": "sphere.radius", "value": "\"-5 mm\"",
+                   "allowed": "a length > 0 m and finite", "exit_code": 2}),
+        ),
+        (&["check", "name.toml"], json!({"file": "name.toml", "line": 2, "column": 1, "key": "sphere.radus"})),
+        (
+            &["check", "good.toml", "--set", "impact.speed=-1"],
+            json!({"key": "impact.speed", "value": "-1", "allowed": "a speed > 0 m/s and finite"}),
+        ),
+        (&["run", "none.toml"], json!({"file": "none.toml", "exit_code": 2})),
+        (&["calibrate", "good.toml", "data.csv"], json!({"line": 3, "exit_code": 2})),
+        (&["run", "good.toml", "--out", "good.toml"], json!({"file": "good.toml", "exit_code": 2})),
+        (&["run", "good.toml", "--no-such-option"], json!({"exit_code": 2})),
+    ];
+    for (arguments, want) in cases {
+        let output = desk.call(&[arguments, &["--error-format", "json"]].concat());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(output.stdout.is_empty());
+        let all = objects(&output.stderr);
+        let [said] = &all[..] else { panic!("{arguments:?}: {all:?}") };
+        assert_eq!(said["level"], "error");
+        assert!(said["message"].as_str().is_some_and(|message| message.len() > 10), "{said}");
+        for (key, value) in want.as_object().unwrap() {
+            assert_eq!(&said[key], value, "{key} of {arguments:?}: {said}");
+        }
+    }
+    // what is not known is not there
+    let output = desk.call(&["check", "name.toml", "--error-format", "json"]);
+    let said = &objects(&output.stderr)[0];
+    assert!(said.get("value").is_none() && said.get("allowed").is_none(), "{said}");
+    assert!(said["message"].as_str().unwrap().contains("did you mean `radius`"), "{said}");
+    // warnings and notes are objects too
+    let arguments = ["run", "good.toml", "--set", "impact.speed=200 m/s", "--error-format", "json"];
+    let levels: Vec<Value> = objects(&desk.call(&arguments).stderr).iter().map(|said| said["level"].clone()).collect();
+    assert!(levels.contains(&json!("warning")) && levels.last() == Some(&json!("note")), "{levels:?}");
+}
+
+#[test]
+fn a_dash_reads_the_scenario_from_standard_input() {
+    let desk = Desk::with(STEEL);
+    let run = |arguments: &[&str], input: &str| {
+        let output = fed(&desk, arguments, input);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    assert_eq!(run(&["run", "-"], STEEL), text(&desk.call(&["run", "s.toml"]).stdout));
+    assert!(desk.path("plots/stdin/summary.json").exists());
+    assert_eq!(run(&["check", "-"], STEEL), text(&desk.call(&["check", "s.toml"]).stdout));
+    let export = |file| ["export", file, "--to", "csv", "--speed", "1 m/s"];
+    let lines =
+        |printed: &str| printed.lines().filter(|line| !line.starts_with('#')).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(lines(&run(&export("-"), STEEL)), lines(&text(&desk.call(&export("s.toml")).stdout)));
+    assert!(
+        run(&["calibrate", "-", "--restitution", "0.49", "--out", "c"], STEEL).contains("half_space.yield_strength")
+    );
+    // a table, and files beside the current directory
+    let sweep = text(&desk.call(&["init", "sweep", "--out", "-"]).stdout);
+    run(&["run", "-", "--out", "t"], &sweep);
+    assert!(desk.path("t/table.csv").exists());
+    fs::write(desk.path("flow.csv"), "plastic_strain,stress_Pa\n0,3.45e8\n0.1,5e8\n").unwrap();
+    let flow = STEEL.replace("[impact]", "flow_stress.table = \"flow.csv\"\n[impact]");
+    run(&["check", "-"], &flow);
+    // messages name it
+    let bad = fed(&desk, &["check", "-"], &STEEL.replace("5 mm", "5 mn"));
+    assert_eq!(bad.status.code(), Some(2));
+    assert!(text(&bad.stderr).starts_with("error: stdin:2:10: sphere.radius: "), "{}", text(&bad.stderr));
+    let endless = fed(&desk, &["check", "-"], &"# long\n".repeat(200_000));
+    assert!(text(&endless.stderr).contains("stdin: is larger than 1 MiB"), "{}", text(&endless.stderr));
+}
+
+/// Names of the commands, from the help.
+fn commands() -> Vec<String> {
+    let help = text(&Desk::with("").call(&["--help"]).stdout);
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    let names = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    names.map(|line| line.split_whitespace().next().unwrap().to_owned()).filter(|name| name != "help").collect()
+}
+
+#[test]
+fn completions_and_manual_pages_know_every_command() {
+    let desk = Desk::with("");
+    let commands = commands();
+    assert!(commands.len() > 12, "{commands:?}");
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let output = desk.call(&["completions", shell]);
+        assert_eq!(output.status.code(), Some(0));
+        let script = text(&output.stdout);
+        for command in &commands {
+            assert!(script.contains(command.as_str()), "{command} for {shell}");
+        }
+        assert!(script.contains("--error-format") || script.contains("error-format"), "{shell}");
+    }
+    // bash takes them, and completes an option
+    let line = "eval \"$(plm-impact completions bash)\"; COMP_WORDS=(plm-impact run --pic); COMP_CWORD=2; \
+                complete -p plm-impact | sed 's/.*-F //; s/ .*//' > name; $(cat name) plm-impact --pic run; echo \"${COMPREPLY[@]}\"";
+    assert_eq!(text(&shell(&desk, line).stdout).trim(), "--pictures");
+    let page = |command: &[&str]| {
+        let output = desk.call(&[&["man"], command].concat());
+        assert_eq!(output.status.code(), Some(0), "{command:?}: {}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    assert!(page(&[]).contains(".TH plm-impact 1"));
+    for command in &commands {
+        let page = page(&[command]);
+        assert!(page.contains(&format!(".TH plm-impact-{command} 1")), "{page}");
+        assert!(page.contains("Examples:"), "{command}");
+    }
+    let unknown = desk.call(&["man", "rum"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(text(&unknown.stderr).contains("did you mean \"run\""), "{}", text(&unknown.stderr));
+}
+
+#[test]
+fn the_examples_of_every_help_run() {
+    let desk = Desk::with("");
+    // what the examples take for given
+    let prepared = "plm-impact init; plm-impact init sweep; mkdir -p scenarios measurements .local/share/bash-completion/completions; \
+                    for i in 0 1; do plm-impact run sweep.toml --shard $i/2 --out shards --quiet; done";
+    assert!(shell(&desk, prepared).status.success());
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/");
+    fs::copy(format!("{root}scenarios/README.md"), desk.path("scenarios/README.md")).unwrap();
+    for (number, case) in [(1, 1), (2, 3)] {
+        let from = format!("{root}src/reference/fe_loading_case{case}.csv");
+        fs::copy(from, desk.path(&format!("curve-{number}.csv"))).unwrap();
+    }
+    fs::write(desk.path("rebounds.csv"), "speed_m_per_s,restitution,restitution_sd\n1,0.62,0.02\n3,0.5,0.02\n")
+        .unwrap();
+    let mut count = 0;
+    for command in commands() {
+        let help = text(&desk.call(&[&command, "--help"]).stdout);
+        let examples = help.split("\nExamples:\n").nth(1).unwrap_or_else(|| panic!("{command}: {help}"));
+        for example in examples.lines() {
+            let example = example.trim_start();
+            assert!(example.starts_with("plm-impact "), "{command}: {example}");
+            // these measure time, need a reader of pages, or measurements: that they parse is a test of the command line
+            if command == "bench" || example.contains("man -l") || example.contains("measurements") {
+                continue;
+            }
+            if example == "plm-impact init sweep" {
+                fs::remove_file(desk.path("sweep.toml")).unwrap();
+            }
+            let output = shell(&desk, &format!("set -o pipefail; {example}"));
+            assert_eq!(output.status.code(), Some(0), "{example}: {}", text(&output.stderr));
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count}");
+}
+
+#[test]
+fn messages_are_coloured_on_a_terminal_alone() {
+    const RED: &str = "\u{1b}[1m\u{1b}[31merror:\u{1b}[0m";
+    let desk = Desk::with(STEEL);
+    // `script` runs a command on a terminal
+    let on_terminal = |environment: &str| {
+        text(
+            &shell(&desk, &format!("{environment} TERM=xterm script -qec \"'{PROGRAM}' check none.toml\" /dev/null"))
+                .stdout,
+        )
+    };
+    if on_terminal("").contains("not found") {
+        eprintln!("!!! SKIPPED: the test of colour on a terminal. The command script cannot be had here. !!!");
+    } else {
+        assert!(on_terminal("").contains(RED), "{:?}", on_terminal(""));
+        assert!(on_terminal("NO_COLOR=1").contains("error: none.toml"), "{:?}", on_terminal("NO_COLOR=1"));
+    }
+    let piped = text(&desk.call(&["check", "none.toml"]).stderr);
+    assert!(piped.starts_with("error: none.toml: "), "{piped:?}");
+    // as other tools do where colour is asked for
+    let forced = text(&shell(&desk, "CLICOLOR_FORCE=1 plm-impact run s.toml --set impact.speed=200").stderr);
+    assert!(forced.starts_with("\u{1b}[1m\u{1b}[33mwarning:\u{1b}[0m "), "{forced:?}");
+}
+
+#[test]
+fn progress_is_shown_on_a_terminal_alone() {
+    let desk = Desk::with("");
+    assert_eq!(desk.call(&["init", "repeat"]).status.code(), Some(0));
+    // impacts of milliseconds each
+    let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=100000 --set repeat.impacts=200 \
+                --set output.samples=2 --pictures none";
+    let piped = shell(&desk, &format!("plm-impact {slow}"));
+    assert_eq!(piped.status.code(), Some(0), "{}", text(&piped.stderr));
+    assert!(!text(&piped.stderr).contains("/200"), "{}", text(&piped.stderr));
+    let shown = text(&shell(&desk, &format!("TERM=xterm script -qec \"'{PROGRAM}' {slow}\" /dev/null")).stdout);
+    assert!(shown.contains("not found") || shown.contains("/200 done"), "{shown:?}");
+}
