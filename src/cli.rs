@@ -25,6 +25,7 @@ mod validate;
 mod watched;
 
 use clap::{CommandFactory as _, Parser, Subcommand};
+use plm_impact::error::Error;
 use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
@@ -68,7 +69,7 @@ enum Command {
 /// # Errors
 /// What the subcommand reports, ready to be printed.
 pub fn run() -> anyhow::Result<()> {
-    let Cli { command, error_format } = parse();
+    let Cli { command, error_format } = parse()?;
     error_format.begin();
     match command {
         Command::Init(arguments) => init::init(&arguments),
@@ -89,19 +90,17 @@ pub fn run() -> anyhow::Result<()> {
     }
 }
 
-/// The command line; one that is wrong ends the program.
-fn parse() -> Cli {
-    Cli::try_parse().unwrap_or_else(|error| {
-        let words: Vec<_> = std::env::args().collect();
-        let asks = words.iter().any(|word| word == "--error-format=json")
-            || words.windows(2).any(|pair| pair == ["--error-format", "json"]);
-        if !(asks && error.use_stderr()) {
+/// The command line. One that is wrong ends the program, unless a program is to be told.
+fn parse() -> Result<Cli, Error> {
+    Cli::try_parse().map_err(|error| {
+        let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
+        let words = words.join(" ");
+        let asks = ["--error-format=json", "--error-format json"].iter().any(|option| words.contains(option));
+        if !asks || !error.use_stderr() {
             error.exit()
         }
         ErrorFormat::Json.begin();
-        let text = error.to_string();
-        terminal::failure(text.trim_start_matches("error: ").trim_end(), 2);
-        std::process::exit(2)
+        Error::Option(error.to_string().trim_start_matches("error: ").trim_end().to_owned())
     })
 }
 

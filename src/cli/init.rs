@@ -40,7 +40,8 @@ pub fn init(Arguments { kind, out }: &Arguments) -> anyhow::Result<()> {
         ErrorKind::AlreadyExists => Error::Option(format!("{name}: is there already; name another file with --out")),
         _ => Error::Option(format!("{name}: cannot be written: {reason}; name another file with --out")),
     })?;
-    file.write_all(text.as_bytes()).with_context(|| format!("{name}: cannot be written"))?;
+    let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(&out)));
+    written.with_context(|| format!("{name}: cannot be written"))?;
     super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
     Ok(())
 }

@@ -44,11 +44,6 @@ pub fn error(error: &anyhow::Error) -> u8 {
     exit_code
 }
 
-/// The same for a program, where nothing but a text is known.
-pub fn failure(message: &str, exit_code: u8) {
-    say_json("error", Some(exit_code), of_text(message));
-}
-
 /// Something that may be wrong.
 pub fn warning(text: impl Display) {
     speak(Some((AnsiColor::Yellow, "warning")), &text.to_string());
@@ -59,20 +54,18 @@ pub fn note(text: impl Display) {
     speak(None, &text.to_string());
 }
 
-fn is_json() -> bool {
+/// Whether a program reads what is said.
+pub fn is_json() -> bool {
     IS_JSON.load(Ordering::Relaxed)
 }
 
 fn speak(level: Option<(AnsiColor, &str)>, text: &str) {
     if is_json() {
-        say_json(level.map_or("note", |(_, name)| name), None, of_text(text));
+        let message = Details { message: Some(text.to_owned()), ..Details::default() };
+        say_json(level.map_or("note", |(_, name)| name), None, message);
     } else {
         say(level, text);
     }
-}
-
-fn of_text(text: &str) -> Details {
-    Details { message: Some(text.to_owned()), ..Details::default() }
 }
 
 /// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.

@@ -57,7 +57,7 @@ pub fn watched<T: Send + 'static>(
 
 /// A bar on a terminal, and what stands behind it.
 pub fn bar(is_quiet: bool, text: &str) -> ProgressBar {
-    if is_quiet || !io::stderr().is_terminal() {
+    if is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template(&format!("{{bar:40}} {text}"));

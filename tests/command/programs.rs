@@ -86,6 +86,10 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
             assert_eq!(&said[key], value, "{key} of {arguments:?}: {said}");
         }
     }
+    // a name that is no text
+    let odd = shell(&desk, "plm-impact run $'\\xff.toml' --no-such-option --error-format=json");
+    assert_eq!(odd.status.code(), Some(2), "{}", text(&odd.stderr));
+    assert_eq!(objects(&odd.stderr)[0]["level"], "error");
     // what is not known is not there
     let output = desk.call(&["check", "name.toml", "--error-format", "json"]);
     let said = &objects(&output.stderr)[0];

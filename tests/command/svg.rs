@@ -125,3 +125,24 @@ fn the_report_of_a_validation_shows_its_pictures_as_svg() {
         assert!(Document::parse(&desk.read(&format!("v/{name}"))).is_ok(), "{name}");
     }
 }
+
+#[test]
+fn merged_shards_have_the_pictures_of_the_undivided_run() {
+    let desk = Desk::with("");
+    let run = |arguments: &[&str]| {
+        let output = desk.call(arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    };
+    run(&["init", "sweep"]);
+    run(&["run", "sweep.toml", "--pictures", "svg", "--out", "whole"]);
+    for shard in ["0/2", "1/2"] {
+        run(&["run", "sweep.toml", "--shard", shard, "--out", "shards"]);
+    }
+    for (format, count) in [("svg", 3), ("none", 2)] {
+        run(&["merge", "shards", "--out", &format!("{format}/table.csv"), "--pictures", format]);
+        assert_eq!(desk.files(format).len(), count, "{:?}", desk.files(format));
+    }
+    assert_eq!(desk.read("svg/restitution.svg"), desk.read("whole/restitution.svg"));
+    let place = desk.call(&["merge", "shards", "--out", "restitution.svg"]);
+    assert!(text(&place.stderr).contains("is the name of a picture"), "{}", text(&place.stderr));
+}

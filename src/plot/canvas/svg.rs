@@ -19,7 +19,7 @@ const SIZE: f64 = 1.24 / super::EM;
 const RISE: f64 = 0.76 / super::EM - 0.5;
 
 /// A rectangle is so much larger than it is, so that no light comes through between neighbours \[px\].
-const OVERLAP: f64 = 0.3;
+const OVERLAP: f64 = 0.5;
 
 #[allow(clippy::cast_possible_truncation)] // casts saturate, and what is outside the sheet is not seen
 fn device((x, y): Point) -> (i32, i32) {
@@ -47,7 +47,8 @@ impl Canvas {
         drop(backend);
         let of_drawing = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
         let of_picture = format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\"");
-        Ok(svg.replacen(&of_drawing, &of_picture, 1).into_bytes())
+        // nothing is seen through, which need not be said of every shape
+        Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
     }
 }
 
