@@ -149,7 +149,7 @@ impl Profile<'_, '_> {
     /// The posterior of the only key.
     #[must_use]
     pub fn posterior(&self) -> Marginal {
-        let shares = self.nodes(0, 400);
+        let shares = self.nodes(0, if self.problem.counted.len() > MANY { 60 } else { 400 });
         let density = shares.iter().map(|share| self.relative(self.problem.sum(&[*share]))).collect();
         Marginal { shares, density }.normalised()
     }
@@ -159,7 +159,7 @@ impl Profile<'_, '_> {
     #[must_use]
     pub fn sheet(&self, key: usize) -> (Sheet, Marginal) {
         let other = 1 - key;
-        let many = if self.problem.counted.len() > 3000 { (20, 12) } else { (80, 30) };
+        let many = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
         let sheet: Sheet =
             self.nodes(key, many.0).into_iter().map(|share| (share, self.across(key, other, share, many.1))).collect();
         let mass = |line: &Vec<(f64, f64)>| trapezoids(line.iter().copied());
@@ -185,6 +185,8 @@ impl Profile<'_, '_> {
     }
 }
 
+/// So many values cost seconds at every place, and make the posterior smooth: fewer places show it.
+const MANY: usize = 3000;
 /// How far the posterior is followed, in standard deviations.
 const WIDE: f64 = 4.5;
 /// Places where a basin apart from the others is looked for.
