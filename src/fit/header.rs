@@ -1,20 +1,20 @@
 //! The comment lines of a loading curve that name its bodies.
 
 use crate::material::{HalfSpace, Material, Pair};
-use crate::scene::quantity::{LENGTH, MODULUS, POISSONS_RATIO, Quantity, SPHERE_MODULUS, STRENGTH};
+use crate::scene::Key;
 use crate::units::nearest::did_you_mean;
 
 /// What is wrong, and in which line.
 type Refusal = (Option<u64>, String);
 
-/// Keys, as in a scenario.
-const KEYS: [(&str, Quantity); 6] = [
-    ("sphere.youngs_modulus", SPHERE_MODULUS),
-    ("sphere.poissons_ratio", POISSONS_RATIO),
-    ("half_space.youngs_modulus", MODULUS),
-    ("half_space.poissons_ratio", POISSONS_RATIO),
-    ("half_space.yield_strength", STRENGTH),
-    ("sphere.radius", LENGTH),
+/// Keys of a scenario.
+const KEYS: [&str; 6] = [
+    "sphere.youngs_modulus",
+    "sphere.poissons_ratio",
+    "half_space.youngs_modulus",
+    "half_space.poissons_ratio",
+    "half_space.yield_strength",
+    "sphere.radius",
 ];
 /// Keys that columns without a dimension need.
 const NEEDED: usize = 5;
@@ -50,12 +50,13 @@ impl Header {
     fn take(&mut self, comment: &str) -> Result<(), String> {
         if let Some((key, value)) = comment.split_once('=') {
             let (key, value) = (key.trim(), value.trim().trim_matches('"'));
-            if let Some(index) = KEYS.iter().position(|(known, _)| *known == key) {
-                let is_rigid = index == 0 && value == "rigid";
-                let number = if is_rigid {
+            if let Some(index) = KEYS.iter().position(|known| *known == key)
+                && let Some(Key { quantity, word, .. }) = Key::find(key)
+            {
+                let number = if *word == Some(value) {
                     f64::INFINITY
                 } else {
-                    KEYS[index].1.parse(value).map_err(|error| format!("{key}: {error}"))?
+                    quantity.parse(value).map_err(|error| format!("{key}: {error}"))?
                 };
                 if self.keys[index].replace(number).is_some() {
                     return Err(format!("{key} is given twice"));
@@ -64,8 +65,7 @@ impl Header {
             }
             let is_key = (key.starts_with("sphere.") || key.starts_with("half_space.")) && !key.contains(' ');
             if is_key {
-                let all = KEYS.map(|(known, _)| known);
-                let hint = did_you_mean(key, all, '`', &format!("keys are {}", all.join(", ")));
+                let hint = did_you_mean(key, KEYS, '`', &format!("keys are {}", KEYS.join(", ")));
                 return Err(format!("unknown key `{key}`{hint}"));
             }
         }
@@ -113,7 +113,7 @@ impl Header {
                 .zip(self.keys)
                 .take(NEEDED)
                 .filter(|(_, value)| value.is_none())
-                .map(|(key, _)| key.0)
+                .map(|(key, _)| *key)
                 .collect();
             return Err(refuse(format!(
                 "the comment lines do not say {}: write lines such as `# half_space.yield_strength = 345 MPa` above the columns",
