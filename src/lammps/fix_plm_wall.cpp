@@ -28,11 +28,12 @@ namespace {
 enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere: ENDED is plastic work of contacts that are over
 enum { WALL, MEMORY, SLOT = 4 };              // doubles of a slot: number of the wall (0: free), memory
 constexpr double STEPS_FOR_E = 70.0;          // steps a contact for e within 0.1 %: plots/bench/README.md, the worst problem
+constexpr double CURVED = 50.0;               // a region of fewer times a sphere's radius is no plane: the relative radius is off by 2 %
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr), energy{0.0, 0.0},
-    energy_step(-1), is_advised(false)
+    energy_step(-1), is_advised(false), is_curved(false)
 {
   const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ...";
   if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
@@ -196,6 +197,13 @@ void FixPLMWall::post_force(int /*vflag*/)
           if (slots[SLOT * k + WALL] == at.iwall + 1.0) slot = slots + SLOT * k;
         if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
         slot[WALL] = at.iwall + 1.0;
+        if (!is_curved && std::abs(at.radius) > 0.0 && std::abs(at.radius) < CURVED * radius[i]) {
+          is_curved = true;
+          error->warning(FLERR,
+                         "Fix plm/wall: region {} is curved, with a radius of {:.4g} where a sphere of radius {:.4g} touches it; "
+                         "the law takes it as flat",
+                         region_name, std::abs(at.radius), radius[i]);
+        }
         touch(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot);
       }
     } else

@@ -53,6 +53,7 @@ class FixPLMWall : public Fix {
   double energy[2];                           // stored and plastic, of all spheres
   bigint energy_step;
   bool is_advised;
+  bool is_curved;                             // and that was said
 };
 
 }    // namespace LAMMPS_NS

@@ -159,6 +159,15 @@ def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
     assert np.abs(of_region[:, 4:] / of_plane[:, 4:] - 1.0).max() < 1e-9
 
 
+@pytest.mark.parametrize(("radius", "count"), [(0.1, 1), (0.5, 0)])
+def test_a_curved_region_is_warned_of(plugin: Path, tmp_path: Path, radius: float, count: int) -> None:
+    region = f"region cup cylinder x 0.0 {radius} {radius} EDGE EDGE open 1 open 2\nfix wall all plm/wall region cup"
+    made = tmp_path / "curved.in"
+    made.write_text((INPUTS / "one.in").read_text().replace("fix wall all plm/wall plane 0", region))
+    output = lammps(plugin, str(made), dt="1e-7", n=100, scenario=STEEL)
+    assert output.count(f"region cup is curved, with a radius of {radius}") == count
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
