@@ -26,14 +26,15 @@ using namespace FixConst;
 
 namespace {
 enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere: ENDED is plastic work of contacts that are over
-enum { WALL, MEMORY, SLOT = 4 };              // doubles of a slot: number of the wall (0: free), memory
+// doubles of a slot: number of the wall (0: free), memory, plastic work, indentation; the last two for the contact of the scenario
+enum { WALL, MEMORY, TAKEN = 4, NOW, SLOT };
 constexpr double STEPS_FOR_E = 70.0;          // steps a contact for e within 0.1 %: plots/bench/README.md, the worst problem
 constexpr double CURVED = 50.0;               // a region of fewer times a sphere's radius is no plane: the relative radius is off by 2 %
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr), energy{0.0, 0.0},
-    energy_step(-1), is_advised(false), is_curved(false)
+    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr),
+    is_advised(false), is_curved(false)
 {
   const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ...";
   if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
@@ -80,6 +81,12 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
     plm_contact *contact = plm_contact_open(file, message, sizeof(message));
     if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
     contacts[type] = contact;
+  }
+
+  for (int type = 0; type <= atom->ntypes; type++) {
+    const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
+    const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
+    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0});
   }
 
   values = FIRST_SLOT + SLOT * walls;
@@ -130,24 +137,17 @@ void FixPLMWall::setup(int vflag)
   is_advised = true;
 }
 
-const plm_contact *FixPLMWall::contact_of(int type) const
-{
-  auto found = contacts.find(type);
-  if (found == contacts.end()) found = contacts.find(0);
-  return found == contacts.end() ? nullptr : found->second;
-}
-
 /* Says once which time step the fastest spheres need: by the same similarity their speed counts as v sqrt(density ratio). */
 void FixPLMWall::advise()
 {
   double shortest = HUGE_VAL;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const plm_contact *contact = contact_of(atom->type[i]);
+    const plm_contact *contact = laws[atom->type[i]].contact;
     if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
     const double *v = atom->v[i];
     double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * length_unit / time_unit;
-    const double scale = plm_contact_radius(contact) / (atom->radius[i] * length_unit);
+    const double scale = scale_of(i);
     const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
     if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
     const double time = plm_contact_time(contact, speed * denser, nullptr) * denser / scale / time_unit;
@@ -168,7 +168,6 @@ void FixPLMWall::post_force(int /*vflag*/)
 {
   double **x = atom->x;
   const double *radius = atom->radius;
-  energy[0] = energy[1] = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     double *slots = state[i] + FIRST_SLOT;
@@ -200,7 +199,7 @@ void FixPLMWall::post_force(int /*vflag*/)
         if (!is_curved && std::abs(at.radius) > 0.0 && std::abs(at.radius) < CURVED * radius[i]) {
           is_curved = true;
           error->warning(FLERR,
-                         "Fix plm/wall: region {} is curved, with a radius of {:.4g} where a sphere of radius {:.4g} touches it; "
+                         "Fix plm/wall: region {} is curved like a sphere of radius {:.4g} where a sphere of radius {:.4g} touches it; "
                          "the law takes it as flat",
                          region_name, std::abs(at.radius), radius[i]);
         }
@@ -208,19 +207,17 @@ void FixPLMWall::post_force(int /*vflag*/)
       }
     } else
       error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i], region_name);
-    energy[1] += state[i][PLASTIC];
   }
-  energy_step = update->ntimestep;
 }
 
 /* A contact: n is the normal of the wall, towards the sphere. */
 void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot)
 {
-  const plm_contact *contact = contact_of(atom->type[i]);
+  const plm_contact *contact = laws[atom->type[i]].contact;
   if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
-  const double r = atom->radius[i] * length_unit;
-  const double scale = plm_contact_radius(contact) / r;
+  const double scale = scale_of(i);
   const double indentation = (atom->radius[i] - distance) * length_unit * scale;
+  const double peak = slot[MEMORY];
   const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
   const double force = of_contact / (scale * scale) / force_unit;
   if (!std::isfinite(force)) error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
@@ -229,21 +226,23 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   f[1] += force * ny;
   f[2] += force * nz;
 
-  const double of_energy = 1.0 / (scale * scale * scale) / (force_unit * length_unit);
+  // a dent that does not grow takes nothing
+  if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
+  slot[NOW] = indentation;
   state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
-  double plastic;
-  energy[0] += plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, &plastic) * of_energy;
-  state[i][PLASTIC] += plastic * of_energy;
+  state[i][PLASTIC] += slot[TAKEN] / of_energy(scale);
 }
+
+/* Radius of the scenario's sphere over that of a sphere. */
+double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / atom->radius[i]; }
+
+/* What an energy of the contact of the scenario is divided by for a sphere of another radius, in units of LAMMPS. */
+double FixPLMWall::of_energy(double scale) const { return scale * scale * scale * force_unit * length_unit; }
 
 /* The sphere has left the surface: what the dent took stays, the next contact is a fresh one. */
 void FixPLMWall::leave(int i, double *slot)
 {
-  const plm_contact *contact = contact_of(atom->type[i]);
-  const double scale = plm_contact_radius(contact) / (atom->radius[i] * length_unit);
-  double taken;
-  plm_contact_energy(contact, 0.0, 0.0, slot + MEMORY, &taken);
-  taken /= scale * scale * scale * (force_unit * length_unit);
+  const double taken = slot[TAKEN] / of_energy(scale_of(i));
   state[i][ENDED] += taken;
   state[i][PLASTIC] += taken;
   std::fill_n(slot, (int) SLOT, 0.0);
@@ -254,8 +253,20 @@ double FixPLMWall::compute_scalar() { return compute_vector(0) + compute_vector(
 
 double FixPLMWall::compute_vector(int k)
 {
-  double all;
-  MPI_Allreduce(&energy[k], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  double energy = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (k == 1) energy += state[i][PLASTIC];
+    for (int w = 0; w < walls && k == 0; w++) {
+      const double *slot = state[i] + FIRST_SLOT + SLOT * w;
+      if (slot[WALL] == 0.0) continue;
+      const plm_contact *contact = laws[atom->type[i]].contact;
+      double memory[] = {slot[MEMORY], slot[MEMORY + 1], slot[MEMORY + 2]};
+      const double force = plm_contact_force(contact, slot[NOW], memory);
+      energy += plm_contact_energy(contact, slot[NOW], force, memory, nullptr) / of_energy(scale_of(i));
+    }
+  }
+  MPI_Allreduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include "plm_impact.h"
 
 #include <map>
+#include <vector>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,11 @@ class FixPLMWall : public Fix {
   int maxsize_restart() override;
 
  private:
-  const plm_contact *contact_of(int type) const;
   void touch(int i, double nx, double ny, double nz, double distance, double *slot);
   void leave(int i, double *slot);
   void advise();
+  double scale_of(int i) const;
+  double of_energy(double scale) const;
 
   double height;                              // of the plane
   char *region_name;                          // or the region whose surface is the wall
@@ -48,10 +50,13 @@ class FixPLMWall : public Fix {
   int walls;                                  // contacts that a sphere can have at once
   int values;                                 // doubles of a sphere: the columns below, and a slot for each of its contacts
   std::map<int, plm_contact *> contacts;      // by atom type; 0 stands for all others
+  struct Law {
+    const plm_contact *contact;
+    double radius;                            // of the sphere of its scenario
+  };
+  std::vector<Law> laws;                      // of every atom type
   double length_unit, force_unit, mass_unit, time_unit;    // of LAMMPS, in SI
   double **state;                             // dent depth, plastic work of ended contacts, then the slots
-  double energy[2];                           // stored and plastic, of all spheres
-  bigint energy_step;
   bool is_advised;
   bool is_curved;                             // and that was said
 };
