@@ -347,7 +347,7 @@ impl Calibration<'_> {
         };
         let p = p.filter(|p| *p < REJECTED)?;
         Some(format!(
-            "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --all-laws",
+            "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --law all",
             crate::units::four_digits(p)
         ))
     }

@@ -45,8 +45,8 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
     /// Fit every other law too, and rank them
-    #[arg(long)]
-    all_laws: bool,
+    #[arg(long, value_name = "all", value_parser = all)]
+    law: Option<()>,
     #[command(flatten)]
     output: Output,
 }
@@ -58,6 +58,10 @@ pub fn calibrate(arguments: &Arguments) -> anyhow::Result<()> {
         Run::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
         Run::Table => Ok(()),
     }
+}
+
+fn all(law: &str) -> Result<(), String> {
+    if law == "all" { Ok(()) } else { Err(format!("one law is chosen by --set law={law}")) }
 }
 
 impl Arguments {
@@ -77,7 +81,7 @@ impl Arguments {
             ("impact.speed", &self.speed),
         ];
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
-        if self.all_laws {
+        if self.law.is_some() {
             // under the law of Hertz nothing yields
             let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
             let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();

@@ -262,7 +262,7 @@ fn the_law_that_made_the_data_is_ranked_first() {
     let pairs = column(&table, "impact_speed_m_per_s").into_iter().zip(column(&table, "restitution"));
     let data = pairs.fold("speed_m_per_s,restitution\n".to_owned(), |data, (v, e)| data + &format!("{v},{e}\n"));
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}"));
-    let (desk, summary) = calibrated(&text, &data, &["--all-laws"], 3);
+    let (desk, summary) = calibrated(&text, &data, &["--law", "all"], 3);
     let laws = summary["laws"].as_array().unwrap();
     assert_eq!(laws[0]["law"], "thornton");
     near(&laws[0]["values"][0], 345e6, 1e-6);

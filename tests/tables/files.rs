@@ -344,7 +344,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
     // impacts of some milliseconds each
     let slow = ["--set", "solver.method=verlet", "--set", "solver.steps_per_contact=1000000", "--out", "out/deep"];
     let repeat = [&["run", "repeat.toml", "--set", "repeat.impacts=100000"][..], &slow].concat();
-    let calibrate = [&["calibrate", "calibrate.toml", "--all-laws"][..], &slow].concat();
+    let calibrate = [&["calibrate", "calibrate.toml", "--law", "all"][..], &slow].concat();
     let validate = vec!["validate", "--out", "out/deep"];
     for arguments in [repeat, calibrate, validate] {
         for (name, want) in [("-INT", 130), ("-TERM", 143)] {
