@@ -40,7 +40,7 @@ use terminal::ErrorFormat;
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// How errors and warnings are written to standard error
+    /// How errors and warnings are written to standard error: json is an object a line, with file, line, column, key, value
     #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value = "text")]
     error_format: ErrorFormat,
 }

@@ -14,9 +14,7 @@ use serde::Serialize;
 /// How errors, warnings and notes are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ErrorFormat {
-    /// As text
     Text,
-    /// As one JSON object a line, with level and message, and as far as they are known file, line, column, key, value, allowed
     Json,
 }
 

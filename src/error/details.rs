@@ -113,7 +113,7 @@ fn of_value(Refusal { place, key, message }: &Refusal) -> Details {
             Details { line: Some(*line as u64), column: Some(*column as u64), value: value(&marked), ..in_file(name) }
         }
         Place::Override { text } => {
-            Details { value: text.split_once('=').and_then(|(_, text)| value(text)), ..Details::default() }
+            Details { value: text.split_once('=').map(|(_, text)| text.to_owned()), ..Details::default() }
         }
     };
     let key = Some(key.clone()).filter(|key| !key.is_empty());

@@ -58,7 +58,8 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
     fs::write(desk.path("name.toml"), STEEL.replace("radius =", "radus =")).unwrap();
     fs::write(desk.path("good.toml"), STEEL).unwrap();
     fs::write(desk.path("data.csv"), "restitution\n0.5\nmuch\n").unwrap();
-    let cases: [(&[&str], Value); 7] = [
+    let cases: [(&[&str], Value); 8] = [
+        (&["run", "good.toml", "--set", "law=thorntn"], json!({"key": "law.thorntn", "value": "thorntn"})),
         (
             &["run", "s.toml"],
             json!({"file": "s.toml", "line": 2, "column": 10, "key": "sphere.radius", "value": "\"-5 mm\"",
