@@ -15,8 +15,8 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     stated.into_iter().chain(curve)
 }
 
-/// Validity of the model for this impact.
-fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<Warning> {
+/// Every doubt about an impact.
+pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
     let ratio = impact.peak_contact_radius / sphere.radius;
@@ -55,6 +55,7 @@ fn of_model(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Vec<W
     } else if !is_real && known.is_nan() && restitution > LARGEST_ROUGH {
         warnings.push(Warning::RoughRebound { restitution, drift: impact.energy.drift });
     }
+    warnings.extend(of_run(impact, solver));
     warnings
 }
 
@@ -70,13 +71,6 @@ fn is_by_weight(contact: &Contact, impact: &Impact) -> bool {
 fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
     let weight = contact.mass() * contact.forces().gravity.unwrap_or(0.0);
     impact.energy.drift * (1.0 + weight * impact.peak_indentation / impact.energy.kinetic_in)
-}
-
-/// Every doubt about an impact.
-pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
-    let mut warnings = of_model(contact, impact, law, peak);
-    warnings.extend(of_run(impact, solver));
-    warnings
 }
 
 /// A run that is further from the closed form than its tolerance allows; or, where there is no closed form, one that has lost

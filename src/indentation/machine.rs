@@ -3,7 +3,7 @@
 use crate::law::unloading::GRAZING;
 use crate::law::{Branch, Law, Peak, Unloading};
 
-/// Steps that move by less than this share of their indentation do not move: rounding of a target that is held.
+/// A step that moves by less than this share of its indentation does not move: its target differs by rounding only.
 const STILL: f64 = 1e-12;
 
 /// A state of the contact.

@@ -98,8 +98,8 @@ impl From<f64> for UnloadingExponent {
     }
 }
 
-/// Energy of a reload over what the branch can hold, less one, below which it turns at the old peak: some ten roundings.
-/// A sphere that comes back with the speed it left with has that energy but for rounding.
+/// A reload turns at the old peak where it brings more energy than the branch can hold by no more than this share: some ten
+/// roundings. A sphere that comes back with the speed it left with has that energy but for rounding.
 pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 
 /// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.

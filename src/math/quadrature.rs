@@ -14,7 +14,7 @@ const FARTHEST: f64 = 4.0;
 /// The coarsest step is 1/2, the finest 2^-LEVELS.
 const LEVELS: u32 = 9;
 
-/// What belongs to t and, with the ends changed about, to -t.
+/// A node at t; with its two ends exchanged it is the one at −t.
 struct Node {
     /// Share of the interval from the nearer end.
     near: f64,

@@ -183,8 +183,11 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
     // under strong damping the speed no longer tells the energy
     let at_end = if chi == 0.0 { speeds.energy(-rebound) } else { recovered };
-    let (contact_time, end_indentation, end_speed) =
-        if is_captured { back.to_rest(forces) } else { back.to_separation(rebound, at_end) };
+    let (contact_time, end_indentation, end_speed) = if is_captured {
+        back.to_rest(forces)
+    } else {
+        (back.at_peak + back.time(0.0, elastic_approach, at_end), residual, -rebound)
+    };
     let loss = if chi == 0.0 {
         0.0
     } else {
@@ -269,12 +272,6 @@ struct Back<'a> {
 }
 
 impl Back<'_> {
-    /// Time, x and u at separation, at the residual indentation.
-    fn to_separation(&self, rebound: f64, at_end: f64) -> (f64, f64, f64) {
-        let length = self.unloading.peak.elastic_approach;
-        (self.at_peak + self.time(0.0, length, at_end), self.residual, -rebound)
-    }
-
     /// Time, x and u at the static indentation on the way out, where a captured contact's run ends.
     fn to_rest(&self, forces: &ScaledForces) -> (f64, f64, f64) {
         let peak = &self.unloading.peak;

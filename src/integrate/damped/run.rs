@@ -134,7 +134,7 @@ pub(in crate::integrate) struct Run {
 }
 
 impl Run {
-    /// At the first node. Where it has turned there already, to the last bit, it has no way to go: `None`.
+    /// At the first node; `None` for an outward leg that begins without speed, as it has turned already.
     pub(in crate::integrate) fn begin<P: Dragged>(
         piece: P,
         path: &Path,
@@ -181,7 +181,7 @@ impl Run {
         }
     }
 
-    /// Takes steps that were accepted and passed nothing, without having been told of them.
+    /// Takes over where the lanes have come by so many steps, all of which were accepted and passed no event.
     #[inline(always)]
     pub(in crate::integrate) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
         (self.node, self.rates, self.length) = (node, rates, length);
@@ -287,13 +287,14 @@ impl Run {
         Progress::Moved { length: h }
     }
 
-    /// Whether a turn at y is none: at rest the piece would push the sphere on. A creep under strong drag is slower than the
-    /// error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong sign.
+    /// Whether a turning point found at y is false: a sphere at rest there would be pushed on. A creep under strong drag is
+    /// slower than the error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong
+    /// sign.
     fn is_false_turn<P: Dragged>(&self, piece: P, y: f64) -> bool {
         self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.is_next_to_rest(P::distance_at(y))
     }
 
-    /// Whether the tolerance does not tell a place from that of rest: a turn there is as good as rest.
+    /// Whether a place is that of rest within the tolerance: a turn there counts as rest.
     fn is_next_to_rest(&self, distance: f64) -> bool {
         self.path.rest.is_some_and(|rest| (distance - rest.distance).abs() <= self.tolerance * rest.distance)
     }

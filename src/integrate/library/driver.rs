@@ -1,7 +1,7 @@
 //! The crate itself: one integration from one value of the independent variable to another.
 
 use nalgebra::{DefaultAllocator, Dim, OVector, allocator::Allocator};
-use ode_solvers::dop_shared::OutputType;
+use ode_solvers::dop_shared::{IntegrationError as Failure, OutputType};
 use ode_solvers::{Dop853, Dopri5, System};
 
 use crate::integrate::{IntegrationError, MOST_STEPS, Work};
@@ -90,11 +90,8 @@ impl Driver {
             Scheme::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
         };
         let stats = result.map_err(|error| match error {
-            ode_solvers::dop_shared::IntegrationError::MaxNumStepReached { .. } => {
-                IntegrationError::TooManySteps { steps: MOST_STEPS }
-            }
-            ode_solvers::dop_shared::IntegrationError::StepSizeUnderflow { x }
-            | ode_solvers::dop_shared::IntegrationError::StiffnessDetected { x } => {
+            Failure::MaxNumStepReached { .. } => IntegrationError::TooManySteps { steps: MOST_STEPS },
+            Failure::StepSizeUnderflow { x } | Failure::StiffnessDetected { x } => {
                 IntegrationError::StepUnderflow { time: x, step: 0.0 }
             }
         })?;
