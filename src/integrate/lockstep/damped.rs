@@ -130,7 +130,11 @@ impl<const M: u8> Lanes for Damped<M> {
             LanePiece::Hertz(piece) => run.tell(*piece, &next, verdict),
         };
         let landed = match told {
-            Ok(Progress::Again | Progress::Moved { .. }) => {
+            Ok(Progress::Again) => {
+                rows.put_length(lane, run);
+                return None;
+            }
+            Ok(Progress::Moved { .. }) => {
                 rows.put(lane, run);
                 return None;
             }

@@ -45,6 +45,12 @@ impl Rows {
     pub(super) fn put(&mut self, lane: usize, run: &Run) {
         put(&mut self.node, lane, run.node);
         put(&mut self.rates, lane, run.rates);
+        self.put_length(lane, run);
+    }
+
+    /// The length alone: numbers written one by one are slow to be read as a row, so none is written that is there already.
+    #[inline(always)]
+    pub(super) fn put_length(&mut self, lane: usize, run: &Run) {
         self.h[lane] = run.length;
         self.marches[lane] = f64::from(u8::from(run.is_marching()));
         self.untold[lane] = 0.0;
