@@ -18,6 +18,7 @@ const LOOK: u64 = 1024;
 
 /// The state and the constants of every lane.
 #[derive(Debug, Clone, Default)]
+#[repr(align(64))] // no register is read across two lines of the cache
 struct Rows {
     /// y, u, g, t.
     node: [Row; 4],

@@ -13,6 +13,7 @@ use crate::integrate::piece::straight::DraggedStraight;
 
 /// Nodes, constants and steps of every lane.
 #[derive(Debug, Clone, Default)]
+#[repr(align(64))] // no register is read across two lines of the cache
 pub(super) struct Rows {
     pub(super) node: [Row; 4],
     pub(super) rates: [Row; 4],
