@@ -48,8 +48,8 @@ speed = "3 m/s"
             "A table of impacts: all combinations of the values of its axes.",
             r#"
 [sweep]
-"half_space.yield_strength" = ["200 MPa", "345 MPa", "550 MPa"]
 "impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = 61 }
+"half_space.yield_strength" = ["200 MPa", "345 MPa", "550 MPa"]
 
 #[output]
 #columns = ["contact_time_s", "peak_force_N"]
