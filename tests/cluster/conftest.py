@@ -29,8 +29,9 @@ def recipe(containing: str) -> str:
 
 class Desk:
     def __init__(self, folder: Path, points: int) -> None:
-        # as `cargo test` builds it, so that nothing is built twice
-        subprocess.run(["cargo", "test", "--quiet", "--no-run", "--test", "tables"], cwd=ROOT, check=True)
+        # as .ci/run builds it, so that nothing is built twice
+        build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
+        subprocess.run(build, cwd=ROOT, check=True)
         self.folder = folder
         self.environment = {**os.environ, "PATH": f"{ROOT / 'target' / 'debug'}{os.pathsep}{os.environ['PATH']}"}
         (folder / "big.toml").write_text(STEEL + SWEEP.replace("POINTS", str(points)))

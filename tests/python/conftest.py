@@ -12,8 +12,9 @@ STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
 @pytest.fixture(scope="session")
 def command() -> Path:
-    # as `cargo test` builds it, so that nothing is built twice
-    subprocess.run(["cargo", "test", "--quiet", "--no-run", "--test", "tables"], cwd=ROOT, check=True)
+    # as .ci/run builds it, so that nothing is built twice
+    build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
+    subprocess.run(build, cwd=ROOT, check=True)
     return ROOT / "target" / "debug" / "plm-impact"
 
 

@@ -18,16 +18,13 @@ def blocks(language: str) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def clone(tmp_path_factory: pytest.TempPathFactory, command: Path) -> Path:
     """A folder with the scenarios, and with what the command of the page writes; beside it the same table as CSV."""
-    # as .ci/run builds it, so that nothing is built twice
-    build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
-    subprocess.run(build, cwd=ROOT, check=True)
     folder = tmp_path_factory.mktemp("clone")
     shutil.copytree(ROOT / "scenarios", folder / "scenarios")
-    path = f"{ROOT / 'target' / 'debug'}{os.pathsep}{os.environ['PATH']}"
-    (command,) = blocks("sh")
-    for line in [command, command.replace("--partition-by law", "--out csv")]:
+    path = f"{command.parent}{os.pathsep}{os.environ['PATH']}"
+    (shown,) = blocks("sh")
+    for line in [shown, shown.replace("--partition-by law", "--out csv")]:
         subprocess.run(line, shell=True, cwd=folder, env={**os.environ, "PATH": path}, check=True, capture_output=True)
     return folder
 
