@@ -42,9 +42,10 @@ fn from_environment() -> Result<u16, Error> {
 fn start(wanted: usize) -> Result<ThreadPool, Error> {
     let mut threads = wanted;
     loop {
-        let builder = ThreadPoolBuilder::new().num_threads(threads);
-        let builder = if threads == 1 { builder.use_current_thread() } else { builder };
-        match builder.build() {
+        let builder = || ThreadPoolBuilder::new().num_threads(threads);
+        // a thread at hand that had worked so before stays with that pool
+        let one = || builder().use_current_thread().build().or_else(|_| builder().build());
+        match if threads == 1 { one() } else { builder().build() } {
             Ok(pool) => {
                 if threads < wanted {
                     super::terminal::warning(format_args!(
