@@ -135,7 +135,7 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let inputs = of_scene(&problem.scene).into_iter().filter(|entry| !varies(entry.key) && !entry.is_nan());
+    let inputs = of_scene(&problem.scene).into_iter().filter(|entry| !varies(&entry.key) && !entry.is_nan());
     super::summary::of(results, &Inputs(inputs.collect()), provenance)
 }
 

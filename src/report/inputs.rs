@@ -55,7 +55,7 @@ impl Inputs {
             "output.samples" => false,
             _ => true,
         };
-        entries.retain(|entry| !varies(entry.key) && is_shared(entry.key));
+        entries.retain(|entry| !varies(&entry.key) && is_shared(&entry.key));
         Self(entries)
     }
 }

@@ -24,7 +24,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 
 /// Keys and values.
 pub(super) fn rows(entries: &[Entry]) -> Vec<Row> {
-    entries.iter().map(|entry| [entry.key.to_owned(), entry.text.clone()]).collect()
+    entries.iter().map(|entry| [entry.key.to_string(), entry.text.clone()]).collect()
 }
 
 /// What follows from the pair alone.
@@ -50,7 +50,7 @@ fn given(scene: &Scene) -> Vec<Row> {
     let mut rows = Vec::new();
     for entry in resolved::of_scene(scene) {
         let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-        match entry.key {
+        match entry.key.as_ref() {
             // its own keys name it
             "law" if is_plm => {}
             "law" => {
@@ -61,7 +61,7 @@ fn given(scene: &Scene) -> Vec<Row> {
             }
             "half_space.hardness" => {
                 let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
-                row(entry.key, format!("{}, {} HV", entry.text, four_digits(vickers)));
+                row(&entry.key, format!("{}, {} HV", entry.text, four_digits(vickers)));
             }
             key => row(key, entry.text),
         }

@@ -1,5 +1,7 @@
 //! All that a scenario came to, its defaults included: what `check` prints and what a summary lists as `inputs`.
 
+use std::borrow::Cow;
+
 use serde_json::Value;
 
 use crate::impact::Method;
@@ -16,7 +18,7 @@ use crate::units::{Dimension, describe, human, number};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// As in the file, with dots.
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
     pub column: String,
     /// In SI, or a word.
@@ -35,9 +37,9 @@ impl Entry {
         Self { column: key.column(), ..entry }
     }
 
-    pub(super) fn word(key: &'static str, word: impl Into<String>) -> Self {
-        let text = word.into();
-        Self { key, column: key.replace('.', "_"), value: text.clone().into(), text }
+    pub(super) fn word(key: impl Into<Cow<'static, str>>, word: impl Into<String>) -> Self {
+        let (key, text) = (key.into(), word.into());
+        Self { column: key.replace('.', "_"), key, value: text.clone().into(), text }
     }
 
     pub(super) fn count(key: &'static str, count: usize) -> Self {

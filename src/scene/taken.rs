@@ -1,8 +1,6 @@
 //! What the bodies of a scene take from named materials.
 
 use crate::materials::{Entry, Known, Property};
-use crate::strength::flow::yield_strength_of_power;
-use crate::strength::hardness::{STRAIN, flow_stress};
 
 /// A body that may name its material.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,19 +58,6 @@ impl Body {
     }
 }
 
-/// The names under which a summary says what a material gave.
-const NOTES: [(&str, &str); 9] = [
-    ("sphere.density", "sphere.material_density"),
-    ("sphere.youngs_modulus", "sphere.material_youngs_modulus"),
-    ("sphere.poissons_ratio", "sphere.material_poissons_ratio"),
-    ("sphere.yield_strength", "sphere.material_hardness"),
-    ("half_space.density", "half_space.material_density"),
-    ("half_space.youngs_modulus", "half_space.material_youngs_modulus"),
-    ("half_space.poissons_ratio", "half_space.material_poissons_ratio"),
-    ("half_space.hardness", "half_space.material_hardness"),
-    ("half_space.flow_stress.power.exponent", "half_space.material_hardening_exponent"),
-];
-
 /// A body and the material that it takes numbers from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {
@@ -104,22 +89,18 @@ impl Taken {
     }
 
     /// What was taken in words, each under its name: the value as it is written, its range, and what kind of number it is.
-    pub fn notes(&self) -> impl Iterator<Item = (&'static str, String)> {
-        self.values().filter_map(|(path, Known { taken, range: [low, high], basis, .. })| {
-            let (_, name) = NOTES.iter().find(|(key, _)| *key == path)?;
-            Some((*name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text)))
+    pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
+        self.values().map(|(_, Known { property, taken, range: [low, high], basis, .. })| {
+            let name = format!("{}_{}", self.body.material(), property.name());
+            (name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text))
         })
     }
 
     /// What a property gives its key: the sphere takes a hardness as the strength that it first yields at.
     fn in_key(&self, property: Property, value: f64) -> f64 {
-        if (self.body, property) != (Body::Sphere, Property::Hardness) {
-            return value;
-        }
-        let of = |property| self.material.of(property).map(|known| known.taken.value);
-        match of(Property::HardeningExponent).zip(of(Property::YoungsModulus)) {
-            Some((exponent, modulus)) => yield_strength_of_power(flow_stress(value), STRAIN, exponent, modulus),
-            None => flow_stress(value),
+        match (self.body, property) {
+            (Body::Sphere, Property::Hardness) => self.material.strength(value),
+            _ => value,
         }
     }
 }
