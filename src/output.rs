@@ -12,6 +12,7 @@ mod lock;
 mod manifest;
 mod new_file;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -226,9 +227,10 @@ impl OutputDirectory {
         self.enter(&files, is_table)?;
         for file in &mut files {
             let place = file.place().to_owned();
-            file.rename().and_then(|()| sync_folder(folder(&place))).map_err(OutputError::at(&place))?;
+            file.rename().map_err(OutputError::at(&place))?;
         }
-        Ok(())
+        let folders: BTreeSet<&Path> = files.iter().map(|file| folder(file.place())).collect();
+        folders.into_iter().try_for_each(|folder| sync_folder(folder).map_err(OutputError::at(folder)))
     }
 
     /// Enters files into the list of the directory, before they take the place of others.
