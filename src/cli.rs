@@ -12,6 +12,7 @@ mod laws;
 mod man;
 mod materials;
 mod merge;
+mod names;
 mod output;
 mod pictures;
 mod reference;

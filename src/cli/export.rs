@@ -2,11 +2,11 @@
 
 use anyhow::Context as _;
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use plm_impact::error::Error;
 use plm_impact::export::{Equal, Request, Target, export as lines};
 use plm_impact::units::{Dimension, parse};
 
+use super::names::one_of;
 use super::scenario::ScenarioArguments;
 
 /// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)
@@ -18,8 +18,8 @@ pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// The code
-    #[arg(long, value_name = "CODE", value_parser = PossibleValuesParser::new(Target::ALL.map(|(name, _)| name)))]
-    to: String,
+    #[arg(long, value_name = "CODE", value_parser = one_of(Target::ALL, |(name, _)| name))]
+    to: (&'static str, Target),
     /// Impact speed [default: that of the scenario]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
@@ -33,7 +33,7 @@ pub struct Arguments {
 
 pub fn export(arguments: &Arguments) -> anyhow::Result<()> {
     let request = Request {
-        target: Target::ALL.iter().find(|(name, _)| *name == arguments.to).map_or(Target::Csv, |(_, target)| *target),
+        target: arguments.to.1,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
         speeds: arguments.speeds.as_deref().map(speeds).transpose()?,
         equal: if arguments.equal_peak_force { Equal::PeakForce } else { Equal::ContactTime },

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use plm_impact::error::Error;
 use plm_impact::scenario::{Kind, template};
 
+use super::names::one_of;
 use super::scenario::STANDARD_INPUT;
 
 /// Write a scenario to begin with, in which a comment explains every key
@@ -21,16 +21,15 @@ use super::scenario::STANDARD_INPUT;
   plm-impact init --out - | plm-impact run - --json")]
 pub struct Arguments {
     /// What is to be run
-    #[arg(default_value = "impact", value_parser = PossibleValuesParser::new(Kind::ALL.map(|(name, _)| name)))]
-    kind: String,
+    #[arg(default_value = "impact", value_parser = one_of(Kind::ALL, |(name, _)| name))]
+    kind: (&'static str, Kind),
     /// File to write; - is standard output [default: KIND.toml]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-pub fn init(Arguments { kind, out }: &Arguments) -> anyhow::Result<()> {
-    let found = Kind::ALL.into_iter().find(|(name, _)| name == kind).map_or(Kind::Impact, |(_, kind)| kind);
-    let text = template(found);
+pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> anyhow::Result<()> {
+    let text = template(*found);
     let out = out.clone().unwrap_or_else(|| format!("{kind}.toml").into());
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(&text);

@@ -3,7 +3,6 @@
 use clap::{Args, Command};
 use clap_mangen::Man;
 use plm_impact::error::Error;
-use plm_impact::units::nearest::did_you_mean;
 
 /// Print the manual page of the program, or of one command
 #[derive(Debug, Args)]
@@ -28,6 +27,5 @@ pub fn man(Arguments { command }: &Arguments, mut program: Command) -> anyhow::R
 
 fn unknown(name: &str, program: &Command) -> Error {
     let names: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
-    let known = format!("commands are {}", names.join(", "));
-    Error::Option(format!("unknown command \"{name}\"{}", did_you_mean(name, names, '"', &known)))
+    super::names::unknown("command", "commands", name, &names)
 }

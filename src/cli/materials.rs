@@ -4,7 +4,6 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::materials::{all, find};
 use plm_impact::report::materials::{list, one};
-use plm_impact::units::nearest::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
 #[derive(Debug, Args)]
@@ -26,6 +25,5 @@ pub fn materials(Arguments { name }: &Arguments) -> anyhow::Result<()> {
 
 fn unknown(name: &str) -> Error {
     let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
-    let known = format!("materials are {}", names.join(", "));
-    Error::Option(format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known)))
+    super::names::unknown("material", "materials", name, &names)
 }

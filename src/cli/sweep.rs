@@ -1,7 +1,6 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
 use plm_impact::plan::Plan;
@@ -13,6 +12,7 @@ use plm_impact::scenario::Scenario;
 use plm_impact::sweep::{self, Format, Job, Partition, Progress, Shard};
 
 use super::interrupt::Interrupt;
+use super::names::one_of;
 use super::output::Output;
 use super::watched::bar;
 
@@ -20,7 +20,7 @@ use super::watched::bar;
 #[derive(Debug, Args)]
 pub struct Options {
     /// Sweeps: what the table is written as [default: csv]
-    #[arg(long, value_parser = formats())]
+    #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
     format: Option<Format>,
     /// Sweeps: write a Parquet file for every value of this axis of words, such as law, into a folder `table-by-law`
     #[arg(long, value_name = "KEY", conflicts_with_all = ["shard", "shard_env"])]
@@ -73,11 +73,6 @@ impl Options {
             (None, None) => Ok(None),
         }
     }
-}
-
-fn formats() -> impl TypedValueParser<Value = Format> {
-    let names = Format::ALL.map(Format::name);
-    PossibleValuesParser::new(names).map(|name| Format::from_name(&name).unwrap_or(Format::Csv))
 }
 
 /// Writes the table; for an undivided one also summary and pictures.

@@ -33,12 +33,6 @@ impl Format {
             Self::Parquet => "parquet",
         }
     }
-
-    /// The format of that name.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.name() == name)
-    }
 }
 
 /// Writes rows as lines of text.
