@@ -10,7 +10,7 @@ use crate::fit::{CurveError, FitError};
 use crate::output::OutputError;
 use crate::scenario::{Place, Refusal, ScenarioError};
 use crate::scene::key::Form;
-use crate::scene::keys::forms;
+use crate::scene::keys::{forms, varied};
 use crate::scene::reference::written;
 use crate::sweep::SweepError;
 use crate::validation::ValidationError;
@@ -122,8 +122,7 @@ fn of_value(Refusal { place, key, message }: &Refusal) -> Details {
 
 /// What the registry says of a key; that of an axis, of a distribution or of a range is the key that varies.
 fn allowed(key: &str) -> Option<String> {
-    let key =
-        ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| key.strip_prefix(table)).unwrap_or(key);
+    let key = varied(key);
     // an item of a list has the keys of all its items
     let pattern: String =
         key.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join("[");

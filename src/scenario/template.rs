@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::Kind;
 use crate::scene::key::Form;
-use crate::scene::keys::KEYS;
+use crate::scene::keys::{KEYS, varied};
 use crate::scene::other_keys::{List, OTHER_KEYS};
 
 /// Characters of a line of comment.
@@ -152,9 +152,7 @@ pub fn template(kind: Kind) -> String {
 
 /// What the registry says of a key.
 fn told(path: &str, is_left_out: bool) -> Option<String> {
-    // what varies is another key
-    let path = ["sweep.", "monte_carlo."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path);
-    let path = if path.starts_with("calibrate.free.") { "calibrate.free" } else { path };
+    let path = if path.starts_with("calibrate.free.") { "calibrate.free" } else { varied(path) };
     let numeric = KEYS.iter().map(|key| (key.path, key.about, key.default, None));
     let others = OTHER_KEYS.iter().map(|key| (key.path, key.about, key.default, Some(key.form)));
     let Some((_, about, default, form)) = numeric.chain(others).find(|(known, ..)| *known == path) else {

@@ -209,6 +209,12 @@ impl Key {
     }
 }
 
+/// The key that varies, of the path of an axis, of a random key or of one that is wanted; any other path as it is.
+#[must_use]
+pub fn varied(path: &str) -> &str {
+    ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
+}
+
 /// Every key as the reader of a file sees it: its path and how its value is written.
 pub fn forms() -> impl Iterator<Item = (&'static str, Form)> {
     let numeric = KEYS.iter().map(|key| (key.path, Form::Number(key.quantity, key.word)));
