@@ -1,5 +1,7 @@
 //! A material and what is known of it.
 
+use crate::strength::flow::FlowCurve;
+use crate::strength::hardness::strength_of_hardness;
 use crate::units::Dimension;
 
 /// What is known of a material.
@@ -87,6 +89,27 @@ impl Entry {
     #[must_use]
     pub fn of(&self, property: Property) -> Option<&Known> {
         self.known.iter().find(|known| known.property == property)
+    }
+
+    /// Exponent and Young's modulus of its power law, where it has one.
+    fn power_law(&self) -> Option<(f64, f64)> {
+        let of = |property| self.of(property).map(|known| known.taken.value);
+        of(Property::HardeningExponent).zip(of(Property::YoungsModulus))
+    }
+
+    /// Whether it hardens by a power law.
+    #[must_use]
+    pub fn hardens(&self) -> bool {
+        self.power_law().is_some()
+    }
+
+    /// The stress \[Pa\] at which it first flows, by a hardness given as mean pressure \[Pa\].
+    #[must_use]
+    pub fn strength(&self, mean_pressure: f64) -> f64 {
+        let (flow, modulus) = self
+            .power_law()
+            .map_or((None, f64::NAN), |(exponent, modulus)| (Some(FlowCurve::Power { exponent }), modulus));
+        strength_of_hardness(mean_pressure, flow.as_ref(), modulus)
     }
 
     /// Whether it flows: glass, ceramics and polymers are computed as elastic.

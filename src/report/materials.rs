@@ -3,8 +3,6 @@
 use std::fmt::Write as _;
 
 use crate::materials::{Entry, Known, Property, all};
-use crate::scene::strength::strength_of_hardness;
-use crate::strength::flow::FlowCurve;
 use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
@@ -55,10 +53,8 @@ pub fn one(entry: &Entry) -> String {
 /// What the law makes of a hardness.
 fn strength(entry: &Entry, mean_pressure: f64) -> String {
     let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), "Pa"));
-    let of = |property| entry.of(property).map(|known| known.taken.value);
-    let (Some(exponent), Some(modulus)) = (of(Property::HardeningExponent), of(Property::YoungsModulus)) else {
+    if !entry.hardens() {
         return flow;
-    };
-    let start = strength_of_hardness(mean_pressure, Some(&FlowCurve::Power { exponent }), modulus);
-    format!("{flow}; the power law begins at {}", quantity(start, "Pa"))
+    }
+    format!("{flow}; the power law begins at {}", quantity(entry.strength(mean_pressure), "Pa"))
 }

@@ -3,8 +3,8 @@
 use super::document::{LARGEST_SCENARIO, read_text};
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
-use crate::scene::strength::strength_of_hardness;
 use crate::strength::flow::{FlowCurve, FlowPoint};
+use crate::strength::hardness::strength_of_hardness;
 
 /// The table of the flow curve.
 pub(super) const FLOW: &str = "half_space.flow_stress";

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use super::Scene;
 use crate::law::LawChoice;
-use crate::strength::flow::{FlowCurve, yield_strength_of_power};
-use crate::strength::hardness::{self, flow_stress};
+use crate::strength::flow::FlowCurve;
+use crate::strength::hardness::strength_of_hardness;
 
 impl Scene {
     /// Puts a radius \[m\] into the scene; a given mass then has another density.
@@ -74,17 +74,6 @@ impl Scene {
             let modulus = self.half_space.material.youngs_modulus;
             self.half_space.yield_strength = Some(strength_of_hardness(mean_pressure, self.law.flow(), modulus));
         }
-    }
-}
-
-/// The yield strength \[Pa\] that a hardness says, given as mean pressure \[Pa\]: of a power curve the one that has the flow
-/// stress of the hardness at the strain of a hardness test, else the flow stress itself.
-#[must_use]
-pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulus: f64) -> f64 {
-    let stress = flow_stress(mean_pressure);
-    match flow {
-        Some(FlowCurve::Power { exponent }) => yield_strength_of_power(stress, hardness::STRAIN, *exponent, modulus),
-        _ => stress,
     }
 }
 

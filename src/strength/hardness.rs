@@ -13,6 +13,7 @@
 
 use thiserror::Error;
 
+use super::flow::{FlowCurve, yield_strength_of_power};
 use crate::units::number;
 
 /// A scale of hardness.
@@ -164,6 +165,17 @@ pub fn written(text: &str) -> Option<(f64, Scale)> {
 #[must_use]
 pub fn flow_stress(mean_pressure: f64) -> f64 {
     mean_pressure / CONSTRAINT
+}
+
+/// The yield strength \[Pa\] that a hardness says, given as mean pressure \[Pa\]: of a power curve the one that has the flow
+/// stress of the hardness at the strain of a hardness test, else the flow stress itself.
+#[must_use]
+pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulus: f64) -> f64 {
+    let stress = flow_stress(mean_pressure);
+    match flow {
+        Some(FlowCurve::Power { exponent }) => yield_strength_of_power(stress, STRAIN, *exponent, modulus),
+        _ => stress,
+    }
 }
 
 /// HV of a mean pressure \[Pa\].
