@@ -10,7 +10,6 @@ use plotters::style::{FontDesc, FontFamily, FontStyle, RGBColor, register_font};
 
 use super::PlotError;
 use super::style::Stroke;
-
 use crate::math::functions::hypot;
 
 /// A place on the picture \[px\], from its upper left corner.
@@ -184,6 +183,18 @@ pub(super) fn text_width(text: &str, size: f64) -> Result<f64, PlotError> {
     let font = FontDesc::new(FontFamily::SansSerif, SCALE * size, FontStyle::Normal);
     let (width, _) = font.box_size(text).map_err(failed)?;
     Ok(f64::from(width) / SCALE)
+}
+
+/// A place in whole units of a back end, of which `units` are a pixel.
+#[allow(clippy::cast_possible_truncation)] // casts saturate, and what is outside the sheet is not seen
+fn whole((x, y): Point, units: f64) -> (i32, i32) {
+    ((x * units).round() as i32, (y * units).round() as i32)
+}
+
+/// A length in whole units of a back end.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // lengths of a few pixels
+fn whole_length(length: f64, units: f64) -> u32 {
+    (length * units).round() as u32
 }
 
 fn failed(error: impl Display) -> PlotError {

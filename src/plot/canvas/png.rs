@@ -4,7 +4,7 @@ use plotters::prelude::{BitMapBackend, DrawingBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, TextStyle};
 
-use super::{Canvas, Point, SCALE, Shape, Text, failed};
+use super::{Canvas, Point, SCALE, Shape, Text, failed, whole, whole_length};
 use crate::math::functions::hypot;
 use crate::plot::PlotError;
 use crate::plot::style::{PAPER, Stroke};
@@ -13,14 +13,8 @@ use crate::plot::style::{PAPER, Stroke};
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 const OVERSAMPLING: u32 = SCALE as u32;
 
-#[allow(clippy::cast_possible_truncation)] // casts saturate, and what is outside the sheet is not drawn
-fn device((x, y): Point) -> (i32, i32) {
-    ((x * SCALE).round() as i32, (y * SCALE).round() as i32)
-}
-
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // lengths of a few pixels
-fn device_length(length: f64) -> u32 {
-    (length * SCALE).round() as u32
+fn device(point: Point) -> (i32, i32) {
+    whole(point, SCALE)
 }
 
 impl Canvas {
@@ -110,5 +104,5 @@ fn polygon(backend: &mut BitMapBackend, corners: &[Point], color: RGBColor) -> R
 }
 
 fn disc(backend: &mut BitMapBackend, centre: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
-    backend.draw_circle(device(centre), device_length(radius), &color.filled(), true).map_err(failed)
+    backend.draw_circle(device(centre), whole_length(radius, SCALE), &color.filled(), true).map_err(failed)
 }

@@ -4,7 +4,7 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle};
 
-use super::{Anchor, Canvas, Point, Shape, Text, failed};
+use super::{Anchor, Canvas, Point, Shape, Text, failed, whole, whole_length};
 use crate::plot::PlotError;
 use crate::plot::style::PAPER;
 
@@ -21,14 +21,8 @@ const RISE: f64 = 0.76 / super::EM - 0.5;
 /// A rectangle is so much larger than it is, so that no light comes through between neighbours \[px\].
 const OVERLAP: f64 = 0.5;
 
-#[allow(clippy::cast_possible_truncation)] // casts saturate, and what is outside the sheet is not seen
-fn device((x, y): Point) -> (i32, i32) {
-    ((x * f64::from(UNITS)).round() as i32, (y * f64::from(UNITS)).round() as i32)
-}
-
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // lengths of a few pixels
-fn device_length(length: f64) -> u32 {
-    (length * f64::from(UNITS)).round() as u32
+fn device(point: Point) -> (i32, i32) {
+    whole(point, f64::from(UNITS))
 }
 
 impl Canvas {
@@ -56,15 +50,16 @@ fn draw(backend: &mut SVGBackend, shape: &Shape) -> Result<(), PlotError> {
     match shape {
         Shape::Line(points, _) if points.len() < 2 => Ok(()),
         Shape::Line(points, stroke) => {
-            let style = ShapeStyle { stroke_width: device_length(stroke.width), ..stroke.color.into() };
+            let style =
+                ShapeStyle { stroke_width: whole_length(stroke.width, f64::from(UNITS)), ..stroke.color.into() };
             backend.draw_path(points.iter().map(|point| device(*point)), &style).map_err(failed)
         }
         Shape::Polygon(corners, color) => {
             backend.fill_polygon(corners.iter().map(|corner| device(*corner)), &color.filled()).map_err(failed)
         }
-        Shape::Disc(centre, radius, color) => {
-            backend.draw_circle(device(*centre), device_length(*radius), &color.filled(), true).map_err(failed)
-        }
+        Shape::Disc(centre, radius, color) => backend
+            .draw_circle(device(*centre), whole_length(*radius, f64::from(UNITS)), &color.filled(), true)
+            .map_err(failed),
         Shape::Rectangle(from, to, color) => {
             let low = (from.0.min(to.0) - OVERLAP, from.1.min(to.1) - OVERLAP);
             let high = (from.0.max(to.0) + OVERLAP, from.1.max(to.1) + OVERLAP);
