@@ -353,7 +353,6 @@ impl Calibration<'_> {
     }
 
     /// Correlation of the two keys.
-    #[must_use]
     pub fn correlation(&self) -> Option<f64> {
         let covariance = self.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
         Some(covariance[0][1] / (covariance[0][0] * covariance[1][1]).sqrt())

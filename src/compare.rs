@@ -45,7 +45,6 @@ pub struct Compared {
 
 impl Comparison {
     /// The state of the PLM at x.
-    #[must_use]
     pub fn of_plm(bodies: Bodies, sphere_modulus: f64, plm: &Plm, x: f64, laws: Vec<LawChoice>) -> Self {
         let law = plm.of_bodies(&bodies);
         let loaded = law.loaded_to(x);
@@ -57,14 +56,12 @@ impl Comparison {
     }
 
     /// Every law's branch.
-    #[must_use]
     pub fn compared(&self) -> Vec<Compared> {
         let unload = |law: &LawChoice| self.peak.unload(&law.get().recovery(&self.bodies));
         self.laws.iter().map(|law| Compared { name: law.name(), unloading: unload(law) }).collect()
     }
 
     /// The finite-element unloading of the same materials whose peak is nearest to this one, within 1 % in indentation.
-    #[must_use]
     pub fn finite_elements(&self) -> Option<&'static Unloaded> {
         let x = self.peak.indentation;
         let off = |row: &Unloaded| (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs();
@@ -75,13 +72,11 @@ impl Comparison {
     }
 
     /// The finite-element curve there, if it is at hand.
-    #[must_use]
     pub fn curve(&self) -> Option<&'static UnloadingCurve> {
         quasi_static::unloading_curve(self.sphere_modulus, &self.bodies, self.peak.indentation)
     }
 
     /// Quasi-static e of a branch: √(recovered/spent).
-    #[must_use]
     pub fn restitution(&self, unloading: &Unloading) -> f64 {
         (unloading.stored(self.peak.indentation) / self.peak.spent).sqrt()
     }

@@ -122,7 +122,6 @@ impl From<ShardError> for Error {
 
 impl Error {
     /// No result for this scenario; where one key is the reason, it is shown where it stands.
-    #[must_use]
     pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
         if let ImpactError::Range(range) = &reason
             && let Some(refusal) = scenario.too_extreme(range)
@@ -143,7 +142,6 @@ impl Error {
     /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements
     /// contradict the law; 130 and 143 after a
     /// signal.
-    #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(SweepError::Interrupted { .. } | SweepError::Dropped) => 130,

@@ -199,13 +199,11 @@ impl StaticContact {
     }
 
     /// Effective modulus, shares of compliance, yield point.
-    #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
     }
 
     /// Whether a load that is large enough leaves a dent.
-    #[must_use]
     pub fn can_yield(&self) -> bool {
         self.law.elastic_until().is_finite()
     }

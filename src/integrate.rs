@@ -54,7 +54,6 @@ pub enum Restoring {
 impl Restoring {
     /// g(d), continued smoothly a little beyond both ends of the piece.
     #[inline]
-    #[must_use]
     pub fn at(&self, distance: f64) -> f64 {
         match *self {
             Self::Power { coefficient, exponent } => coefficient * crate::math::power::power(distance, exponent),
@@ -140,7 +139,6 @@ impl Drag {
     }
 
     /// η √g' d'.
-    #[must_use]
     pub const fn of_stiffness(eta: f64) -> Self {
         Self { eta, ..Self::NONE }
     }
@@ -157,7 +155,6 @@ impl Drag {
 
     /// Drag per speed where the force is `force`; its slope is asked for only if it counts.
     #[inline]
-    #[must_use]
     pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> f64 {
         self.per_speed(force, if self.eta == 0.0 { 0.0 } else { root_of(slope()) })
     }
@@ -178,7 +175,6 @@ impl<T> From<Drag<T>> for [T; 2] {
 impl<T: lanes::Lane> Drag<T> {
     /// χ g + η √g', the drag per speed.
     #[inline(always)]
-    #[must_use]
     pub fn per_speed(self, force: T, root_of_slope: T) -> T {
         force * self.chi + self.eta * root_of_slope
     }
@@ -220,13 +216,11 @@ pub struct Path {
 
 impl Path {
     /// A way that only the restoring force acts on.
-    #[must_use]
     pub const fn free(restoring: Restoring, leg: Leg, sizes: Sizes) -> Self {
         Self { restoring, leg, sizes, pull: 0.0, drag: Drag::NONE, rest: None }
     }
 
     /// g(d), and the drag at this speed.
-    #[must_use]
     pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64) {
         let force = self.restoring.at(distance);
         let root = if self.drag.eta == 0.0 { 0.0 } else { self.restoring.root_of_slope(distance) };
@@ -346,7 +340,6 @@ pub struct Sampler {
 
 impl Sampler {
     /// Samples at i × `interval`, i = 1 … `count`; the first touch at time 0 is not among them.
-    #[must_use]
     pub fn every(interval: f64, count: usize) -> Self {
         Self { interval, count, next: 1, states: Vec::new() }
     }

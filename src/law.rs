@@ -87,7 +87,6 @@ pub enum Branch {
 
 impl Branch {
     /// `elastic`, `plastic`, `reloading`, `unloading` or `separated`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Elastic => "elastic",
@@ -116,7 +115,6 @@ pub struct Law {
 
 impl Law {
     /// Hertz without end: loading and unloading on f = x^1.5.
-    #[must_use]
     pub fn hertz() -> Self {
         Self {
             loading: Curve::hertz(),
@@ -129,14 +127,12 @@ impl Law {
 
     /// Whether its elastic approach and its unloading are closed forms written here: no other published law, fresh surface.
     #[inline(always)]
-    #[must_use]
     pub fn is_plain(&self) -> bool {
         !matches!(self.elastic, ElasticApproach::Published(_) | ElasticApproach::Reloaded(_))
     }
 
     /// Elastic approach ε at a point (x, f) of the loading curve; 0 < ε ≤ x.
     #[inline(always)]
-    #[must_use]
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
             ElasticApproach::Published(law) => law.elastic_approach(x, force),
@@ -165,7 +161,6 @@ impl Law {
     }
 
     /// The state at x on the loading curve, as a peak that unloading may leave from.
-    #[must_use]
     pub fn loaded_to(&self, x: f64) -> Peak {
         let force = self.loading.force(x);
         Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
@@ -175,7 +170,6 @@ impl Law {
     /// gives back more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is
     /// that branch.
     #[inline(always)]
-    #[must_use]
     pub fn unloading(&self, peak: Peak) -> Unloading {
         match &self.elastic {
             ElasticApproach::Published(law) => law.unloading(peak),
@@ -215,7 +209,6 @@ impl Law {
 
     /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
     #[inline(always)]
-    #[must_use]
     pub fn elastic_until(&self) -> f64 {
         match &self.elastic {
             ElasticApproach::All => f64::INFINITY,
@@ -262,7 +255,6 @@ impl Law {
     ///
     /// Against finite elements that of the PLM is within 5 % up to a = 0.48 R. A mean pressure made of it is off by twice
     /// that, the other way.
-    #[must_use]
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
         let equivalent = peak.force / peak.elastic_approach;
         let geometry = self.radius_geometry.at(equivalent);
@@ -280,7 +272,6 @@ impl Law {
     /// Force at x for a contact whose largest state so far is `memory`, and the memory afterwards.
     ///
     /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
-    #[must_use]
     pub fn respond(&self, x: f64, memory: Option<Peak>) -> (f64, Option<Peak>) {
         match memory.or(self.branch().map(|branch| branch.peak)) {
             _ if x.is_nan() => (f64::NAN, memory),

@@ -16,7 +16,6 @@ pub struct Material {
 
 impl Material {
     /// Plane-strain modulus E/(1 − ν²) \[Pa\] (Xie et al. 2024, Eq. 6); infinite for a rigid body.
-    #[must_use]
     pub fn plane_strain_modulus(&self) -> f64 {
         self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio)
     }
@@ -37,7 +36,6 @@ pub struct Sphere {
 
 impl Sphere {
     /// Mass (4/3) π R³ ρ \[kg\].
-    #[must_use]
     pub fn mass(&self) -> f64 {
         4.0 / 3.0 * std::f64::consts::PI * self.radius * self.radius * self.radius * self.density
     }
@@ -141,14 +139,12 @@ impl Pair {
     }
 
     /// Hertz stiffness K = (4/3) E* √R \[N/m^1.5\], F = K δ^1.5.
-    #[must_use]
     pub fn hertz_stiffness(&self) -> f64 {
         4.0 / 3.0 * self.effective_modulus * self.radius.sqrt()
     }
 }
 
 /// C_ν = 1.30075 + 0.87825 ν + 0.54373 ν² \[1\] (Xie et al. 2024, Eq. 18), ν of the half-space; 1.61316 at ν = 0.3.
-#[must_use]
 pub fn yield_factor(poissons_ratio: f64) -> f64 {
     1.300_75 + poissons_ratio * (0.878_25 + 0.543_73 * poissons_ratio)
 }

@@ -10,7 +10,6 @@ pub use entry::{Entry, Known, Property, Written};
 pub use file::{MaterialsError, read};
 
 /// All materials, in the order of the file.
-#[must_use]
 pub fn all() -> &'static [Entry] {
     static ALL: LazyLock<Vec<Entry>> =
         LazyLock::new(|| read(include_str!("materials/materials.toml")).unwrap_or_default());
@@ -18,7 +17,6 @@ pub fn all() -> &'static [Entry] {
 }
 
 /// The material of that name.
-#[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().iter().find(|entry| entry.name == name)
 }

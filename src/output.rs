@@ -159,13 +159,11 @@ impl OutputDirectory {
     }
 
     /// Where it is.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
     /// Whether it holds results of a version that kept no list of them: those of the same names and kinds are replaced.
-    #[must_use]
     pub fn is_of_earlier_version(&self) -> bool {
         self.is_of_earlier_version
     }
@@ -180,7 +178,6 @@ impl OutputDirectory {
     }
 
     /// Whether the list of the directory has this file as it is there, written for the same scenario by the same version.
-    #[must_use]
     pub fn has_own(&self, name: &str) -> bool {
         let there = self.manifest().ok().flatten();
         self.own.as_ref().zip(there).is_some_and(|(own, there)| there.is_like(own) && there.knows(&self.path, name))
@@ -310,7 +307,6 @@ impl Scratch {
     }
 
     /// Where it is.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }

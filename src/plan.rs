@@ -49,7 +49,6 @@ const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
     /// How many cases; `None` if more than 2⁶³.
-    #[must_use]
     pub fn count(&self) -> Option<u64> {
         match &self.cases {
             Cases::Grid(axes) => axes
@@ -61,7 +60,6 @@ impl Plan {
     }
 
     /// The columns of the swept values, and of a yield strength that follows from them.
-    #[must_use]
     pub fn columns(&self) -> Vec<String> {
         let mut columns: Vec<String> = match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::column).collect(),
@@ -73,7 +71,6 @@ impl Plan {
 
     /// Whether the yield strength of the half-space follows from values that vary: from a hardness, its own or that of its
     /// material, and with it from the numbers of a flow curve.
-    #[must_use]
     pub fn derives_strength(&self) -> bool {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
@@ -84,7 +81,6 @@ impl Plan {
     }
 
     /// The results that the table has.
-    #[must_use]
     pub fn results(&self) -> Vec<Column> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = columns().into_iter();
@@ -92,14 +88,12 @@ impl Plan {
     }
 
     /// The names of all columns of the table.
-    #[must_use]
     pub fn column_names(&self) -> Vec<String> {
         let results = self.results().into_iter().map(|column| column.name.to_owned());
         std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
     }
 
     /// The keys that vary.
-    #[must_use]
     pub fn paths(&self) -> Vec<&'static str> {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
@@ -108,7 +102,6 @@ impl Plan {
     }
 
     /// A key that varies without any effect on the table, and why.
-    #[must_use]
     pub fn unused(&self) -> Option<(&'static str, String)> {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
@@ -148,7 +141,6 @@ impl Plan {
     }
 
     /// Whether the method `closed_form` is asked of a scene that has none.
-    #[must_use]
     pub fn lacks_closed_form(&self) -> bool {
         let mut scene = self.scene.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
@@ -159,7 +151,6 @@ impl Plan {
     }
 
     /// Whether the last digits of the table are those of the machine: the steps of some methods are not our own.
-    #[must_use]
     pub fn depends_on_machine(&self) -> bool {
         self.methods().iter().any(|method| matches!(method, Method::Dopri5 | Method::Dop853))
     }
@@ -203,19 +194,16 @@ impl Plan {
     }
 
     /// Whether the half-space can yield: without, nothing plastic is reported.
-    #[must_use]
     pub fn is_plastic(&self) -> bool {
         self.scene.half_space.yield_strength.is_some()
     }
 
     /// Whether the half-space's density is known: without, nothing is said of elastic waves.
-    #[must_use]
     pub fn has_waves(&self) -> bool {
         self.scene.half_space.density.is_some()
     }
 
     /// Whether values are random.
-    #[must_use]
     pub fn is_monte_carlo(&self) -> bool {
         matches!(self.cases, Cases::MonteCarlo { .. })
     }
@@ -226,7 +214,6 @@ fn is_of_damping(path: &str) -> bool {
 }
 
 /// Where on each axis a case lies.
-#[must_use]
 pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     let mut rest = case;
     let mut places: Vec<u64> = axes
@@ -243,7 +230,6 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
 }
 
 /// Text of a swept value for pictures and messages.
-#[must_use]
 pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => key.quantity.human(values.at(place)),

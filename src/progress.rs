@@ -23,7 +23,6 @@ impl Counter {
     }
 
     /// How many are done, and how many there are; 0 where that is not known.
-    #[must_use]
     pub fn read(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }

@@ -17,7 +17,6 @@ pub const FORMAT: u64 = 1;
 pub const NUMBERS: u64 = 4;
 
 /// [`FORMAT`] of files that do not name it: they are of the first.
-#[must_use]
 pub fn first_format() -> u64 {
     1
 }
@@ -69,7 +68,6 @@ pub struct LawOf {
 
 impl Provenance {
     /// That of results of this program, from the scenario with this hash.
-    #[must_use]
     pub fn new(scenario_sha256: String, command: &str) -> Self {
         Self {
             format_version: FORMAT,

@@ -60,7 +60,6 @@ impl Place {
     pub const ALL: [Self; 2] = [Self::Same, Self::Fresh];
 
     /// Its name in scenarios and reports.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Same => "same",
@@ -100,7 +99,6 @@ pub struct Repeat {
 
 impl Repeat {
     /// Whether the sphere bounces.
-    #[must_use]
     pub fn is_bouncing(&self) -> bool {
         matches!(self.drive, Drive::Bouncing { .. })
     }

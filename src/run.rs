@@ -38,7 +38,6 @@ pub enum Run {
 }
 
 /// How scenarios of this kind are done.
-#[must_use]
 pub fn way(kind: Kind) -> Way {
     let once = |check, what, run| Way { check, run: Run::Once { what, run } };
     match kind {

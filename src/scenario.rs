@@ -218,20 +218,17 @@ impl Scenario {
     }
 
     /// A numeric key that the scenario gives, in SI.
-    #[must_use]
     pub fn number_of(&self, path: &str) -> Option<f64> {
         self.entries.number(path)
     }
 
     /// The sphere's radius \[m\], by its radius or its diameter.
-    #[must_use]
     pub fn sphere_radius(&self) -> Option<f64> {
         let diameter = || Some(0.5 * self.entries.number("sphere.diameter")?);
         self.entries.number("sphere.radius").or_else(diameter)
     }
 
     /// Rows of a trace.
-    #[must_use]
     pub fn samples(&self) -> usize {
         let given = self.entries.count("output.samples").and_then(|samples| usize::try_from(samples).ok());
         given.unwrap_or(DEFAULT_SAMPLES)

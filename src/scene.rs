@@ -53,7 +53,6 @@ pub struct Scene {
 
 impl Scene {
     /// A scene under this law whose other numbers are still to come.
-    #[must_use]
     pub fn of_law(law: LawChoice) -> Self {
         let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
         Self {

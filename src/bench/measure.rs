@@ -31,7 +31,6 @@ impl Contender {
     ];
 
     /// Its name as in a scenario; the batch form is `rk8_batch`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Method(method) => method.name(),
@@ -91,7 +90,6 @@ pub struct Measurement {
 
 impl Measurement {
     /// Whether e is within the threshold, contact time and peak force within 30 times it.
-    #[must_use]
     pub fn reaches(&self, threshold: f64) -> bool {
         self.restitution_error <= threshold
             && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
@@ -184,7 +182,6 @@ fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 4
 
 /// Measures every method on a problem. A setting that fails, such as a Verlet step so coarse that the sphere never leaves,
 /// is left out. Each round times every other setting for about `burst`.
-#[must_use]
 pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
     let mut entries: Vec<(Runner, u32, Measurement)> = Vec::new();
     for contender in Contender::ALL {

@@ -52,7 +52,6 @@ const STEEL_DENSITY: f64 = 7850.0;
 /// δ_Y = R (π 1.6 σ_Y/2E*)²,  ½ m V² = (2/5) K δ_Y^2.5,  K = (4/3) E* √R,  m = (4/3) π R³ ρ
 /// V² = (4/5) E*/(π ρ) (δ_Y/R)^2.5
 /// ```
-#[must_use]
 pub fn steel_speed_ratio(speed: f64) -> f64 {
     let nu = STEEL.poissons_ratio;
     let e_star = STEEL.youngs_modulus / (2.0 * (1.0 - nu * nu));
@@ -61,7 +60,6 @@ pub fn steel_speed_ratio(speed: f64) -> f64 {
 }
 
 /// Hertz up to x = 1, then straight with Hertz's slope there, 3/2; unloading √2 times as stiff as the loading.
-#[must_use]
 pub fn kinked_law() -> Law {
     Law {
         loading: Curve::hertz().then_straight(1.0, 1.5),

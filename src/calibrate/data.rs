@@ -76,7 +76,6 @@ struct Column {
 
 impl Data {
     /// One impact with these measured values, by name.
-    #[must_use]
     pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
             Some(Value { row: 0, what: Measured::find(name)?, value: *value, deviation: None })
@@ -86,13 +85,11 @@ impl Data {
     }
 
     /// Whether they are points of an indentation curve, and not impacts.
-    #[must_use]
     pub fn is_curve(&self) -> bool {
         self.values.iter().any(|value| value.what == CURVE)
     }
 
     /// The quantities that were measured, in the order of [`MEASURED`].
-    #[must_use]
     pub fn measured(&self) -> Vec<usize> {
         (0..MEASURED.len()).filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
     }

@@ -73,13 +73,11 @@ impl<'a> Fit<'a> {
     }
 
     /// The best values of the keys, SI.
-    #[must_use]
     pub fn values(&self) -> Vec<f64> {
         self.problem.values(&self.minima[0].shares)
     }
 
     /// The profile of the sum, for intervals.
-    #[must_use]
     pub fn interval(&self, key: usize) -> [Ends; 2] {
         let covariance =
             self.problem.jacobian(&self.minima[0].shares).ok().and_then(|columns| covariance(&self.problem, &columns));

@@ -62,7 +62,6 @@ fn doubling(direction: &[f64]) -> f64 {
 }
 
 /// What the measurements tell of the keys at their best place.
-#[must_use]
 pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
     let columns = by_logarithms(problem, place)?;
     #[allow(clippy::cast_precision_loss)] // counts of measurements

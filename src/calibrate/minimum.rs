@@ -32,7 +32,6 @@ pub struct Grid {
 
 impl Grid {
     /// Evaluates it.
-    #[must_use]
     pub fn of(problem: &Problem) -> Self {
         let problem = problem.thinned(ENOUGH);
         let n_keys = problem.free.len();
@@ -77,7 +76,6 @@ impl Grid {
 }
 
 /// The bottoms of all basins, the lowest first; empty where the law has no answer anywhere.
-#[must_use]
 pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
     let starts = grid.basins();
     let mut places: Vec<Place> = starts.iter().map(|start| polished(problem, start, None)).collect();
@@ -104,7 +102,6 @@ fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
 }
 
 /// The bottom of the basin that `start` is in, with one key held if asked for.
-#[must_use]
 pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place {
     let moving: Vec<usize> = (0..start.len()).filter(|at| Some(*at) != held).collect();
     let first = Place { shares: start.to_vec(), sum: problem.sum(start) };

@@ -43,7 +43,6 @@ pub struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     /// All rows of the data.
-    #[must_use]
     pub fn new(scene: &Scene, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
         let mut ranges = vec![0..0; data.rows.len()];
         for (at, value) in data.values.iter().enumerate() {
@@ -92,7 +91,6 @@ impl<'a> Problem<'a> {
     }
 
     /// Values of the keys at these shares, SI.
-    #[must_use]
     pub fn values(&self, shares: &[f64]) -> Vec<f64> {
         self.free.iter().zip(shares).map(|(free, share)| free.at(*share)).collect()
     }
@@ -123,7 +121,6 @@ impl<'a> Problem<'a> {
     }
 
     /// The impact speed of every row \[m/s\]; not a number where there is none.
-    #[must_use]
     pub fn speeds(&self) -> Vec<f64> {
         let mut scene = self.scene.clone();
         let speed = |row| {
@@ -186,14 +183,12 @@ impl<'a> Problem<'a> {
     }
 
     /// What a residual adds to −2 ln of the likelihood.
-    #[must_use]
     pub fn loss(&self, residual: f64) -> f64 {
         let square = residual * residual;
         if self.is_robust { (TAILS + 1.0) * ln_1p(square / TAILS) } else { square }
     }
 
     /// −2 ln of the likelihood but for a constant; infinite where the law has no answer.
-    #[must_use]
     pub fn sum(&self, shares: &[f64]) -> f64 {
         let residuals = self.residuals(shares);
         let sum = residuals.map_or(f64::INFINITY, |all| all.into_iter().map(|residual| self.loss(residual)).sum());
@@ -201,7 +196,6 @@ impl<'a> Problem<'a> {
     }
 
     /// −2 ln of the likelihood at a known sum, with its constants: what laws are compared by.
-    #[must_use]
     pub fn full(&self, sum: f64) -> f64 {
         let tau = 2.0 * std::f64::consts::PI;
         let constant = if self.is_robust { 0.980_829_253_011_726_3 } else { 0.5 * ln(tau) };

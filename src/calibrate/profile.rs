@@ -73,7 +73,6 @@ impl Profile<'_, '_> {
     }
 
     /// The interval of a key at both levels.
-    #[must_use]
     pub fn intervals(&self, key: usize) -> [Ends; 2] {
         LEVELS.map(|level| self.ends(key, reach(level, self.freedom)))
     }
@@ -147,7 +146,6 @@ impl Profile<'_, '_> {
     }
 
     /// The posterior of the only key.
-    #[must_use]
     pub fn posterior(&self) -> Marginal {
         let shares = self.nodes(0, if self.problem.counted.len() > MANY { 60 } else { 400 });
         let density = shares.iter().map(|share| self.relative(self.problem.sum(&[*share]))).collect();
@@ -156,7 +154,6 @@ impl Profile<'_, '_> {
 
     /// The posterior of both keys, on the plane for every share of `key`, and of that key alone. Where a measurement tells
     /// a combination of the keys, the posterior is a thin ridge: the places across it follow its crest.
-    #[must_use]
     pub fn sheet(&self, key: usize) -> (Sheet, Marginal) {
         let other = 1 - key;
         let many = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
@@ -206,7 +203,6 @@ impl Marginal {
     }
 
     /// The share below which so much of the posterior lies.
-    #[must_use]
     pub fn quantile(&self, probability: f64) -> f64 {
         let mut below = 0.0;
         for (x, p) in self.shares.windows(2).zip(self.density.windows(2)) {

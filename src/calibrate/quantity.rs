@@ -54,7 +54,6 @@ fn restitution(row: &Essentials) -> f64 {
 
 impl Measured {
     /// The place of the quantity of that name.
-    #[must_use]
     pub fn find(name: &str) -> Option<usize> {
         MEASURED.iter().position(|measured| measured.name == name)
     }

@@ -15,7 +15,6 @@ fn settled(value: f64) -> f64 {
 
 /// How many standard deviations an interval of this level reaches, with so many degrees of freedom of an estimated noise;
 /// `None` for a noise that is known.
-#[must_use]
 pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
     let below = 0.5 + 0.5 * level;
     let student = freedom.and_then(|freedom| StudentsT::new(0.0, 1.0, freedom).ok());
@@ -24,7 +23,6 @@ pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
 }
 
 /// The chance of a chi-square that is no smaller; `None` without a degree of freedom.
-#[must_use]
 pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     ChiSquared::new(freedom as f64).ok().map(|distribution| settled(distribution.sf(chi_square)))
@@ -32,7 +30,6 @@ pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
 
 /// The chance of so few runs of equal signs, or fewer, in residuals of random order (Wald and Wolfowitz 1940, exact);
 /// `None` where all signs are equal and few.
-#[must_use]
 pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
     let signs: Vec<bool> =
         residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();

@@ -43,7 +43,6 @@ pub struct Details {
 
 impl Error {
     /// What a program is told of it.
-    #[must_use]
     pub fn details(&self) -> Details {
         match self {
             Self::Scenario(error)

@@ -27,7 +27,6 @@ pub struct Springs {
 
 impl Springs {
     /// The springs for an impact.
-    #[must_use]
     pub fn of(contact: &Contact, impact: &Impact, equal: Equal) -> Self {
         let (mass, e, time) = (contact.mass(), impact.restitution, impact.contact_time);
         let root = match equal {
@@ -43,7 +42,6 @@ impl Springs {
 
 /// Stiffness \[N/m\] and damping \[N s/m\] of a damped spring that never pulls, with this e and duration of the force;
 /// `None` for an e that no such spring has below critical damping.
-#[must_use]
 pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     let loss = -ln(e);
     let (angle, _) = halved(0.0, 0.5 * PI, |angle| sin(angle) / cos(angle) * (PI - 2.0 * angle) < loss);
@@ -52,7 +50,6 @@ pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
 }
 
 /// The speeds around `speed` at which e is within [`E_WITHIN`] of its value there; no end is searched beyond a factor 1000.
-#[must_use]
 pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> (f64, f64) {
     let is_near = |factor: f64| {
         let other = contact.closed_form(speed * factor).map_or(f64::NAN, |impact| impact.restitution);

@@ -140,7 +140,6 @@ impl LoadingCurve {
     }
 
     /// The weight of each point, so that weights are uniform in ln x: half the distance of its neighbours in ln x.
-    #[must_use]
     pub fn log_weights(&self) -> Vec<f64> {
         let at: Vec<f64> = self.points.iter().map(|point| ln(point.indentation)).collect();
         let end = at.len().saturating_sub(1);

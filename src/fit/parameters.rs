@@ -18,7 +18,6 @@ fn push_ends(into: &mut Vec<f64>, slope: f64, per_kappa_squared: f64) {
 }
 
 /// The varied numbers of a table; with `has_knots`, the knots of force and geometry too.
-#[must_use]
 pub fn encode(table: &PlmCoefficients, has_knots: bool) -> DVector<f64> {
     let (force, approach) = (&table.force, &table.elastic_approach);
     let mut numbers = Vec::new();
@@ -42,7 +41,6 @@ fn push_increments(into: &mut Vec<f64>, first: f64, knots: &[f64]) {
 }
 
 /// The table that the varied numbers stand for. What they do not hold is taken from `form`.
-#[must_use]
 pub fn decode(numbers: &DVector<f64>, form: &PlmCoefficients, has_knots: bool) -> PlmCoefficients {
     let mut table = form.clone();
     let mut values = numbers.iter().map(|number| functions::exp(*number));

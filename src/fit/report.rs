@@ -16,7 +16,6 @@ fn percent(share: f64) -> String {
 
 /// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest. Two more columns have the
 /// rms from a law that was fitted to the other curves, and from the built-in table (`built_in`).
-#[must_use]
 pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     let header = [
         "curve",
@@ -55,7 +54,6 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
 }
 
 /// The coefficients with their provenance; `name` is what results will call them.
-#[must_use]
 pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     let over = |value: fn(&CaseFit) -> f64| {
         let values = || fit.cases.iter().map(value);

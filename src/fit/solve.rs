@@ -150,7 +150,6 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
 }
 
 /// How well these coefficients meet a curve.
-#[must_use]
 pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit {
     let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
     let all: Vec<_> = deviations(curve, &law).collect();

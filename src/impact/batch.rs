@@ -20,7 +20,6 @@ pub type Problem<'a> = (&'a Law, f64, ScaledForces);
 
 /// Integrates every impact at this relative tolerance, as many at a time as there are lanes; a lane that has finished takes
 /// the next one.
-#[must_use]
 pub fn integrate(problems: &[Problem], tolerance: f64) -> Vec<Result<Outcome, IntegrationError>> {
     let mut outcomes = vec![Err(IntegrationError::NotFinite { time: 0.0 }); problems.len()];
     each(problems, tolerance, |index, outcome| outcomes[index] = outcome.copied().map_err(Clone::clone));

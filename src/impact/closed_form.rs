@@ -21,13 +21,11 @@ pub(crate) use with_forces::way_to_peak;
 
 /// The exact outcome of an impact at q = v/V, where there is one: without forces, under gravity without damping, or with
 /// the damping of Hunt and Crossley without gravity.
-#[must_use]
 pub fn solve_with(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
     if forces.is_none() { Some(solve(law, q)) } else { with_forces::solve(law, q, forces) }
 }
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
-#[must_use]
 pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
     let balance = if law.is_plain() { plain_balance(law, speed) } else { balance(law, speed) };
     (balance.unloading, balance.restitution)
@@ -76,7 +74,6 @@ impl Balance {
 }
 
 /// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
-#[must_use]
 pub fn solve(law: &Law, speed: f64) -> Outcome {
     if law.is_plain() { outcome(law, speed, plain_balance(law, speed)) } else { outcome_of_other(law, speed) }
 }

@@ -76,50 +76,42 @@ impl Contact {
     }
 
     /// The sphere.
-    #[must_use]
     pub fn sphere(&self) -> &Sphere {
         &self.sphere
     }
 
     /// The half-space.
-    #[must_use]
     pub fn half_space(&self) -> &HalfSpace {
         &self.half_space
     }
 
     /// Effective modulus, shares of compliance, yield point.
-    #[must_use]
     pub fn pair(&self) -> &Pair {
         &self.pair
     }
 
     /// Gravity and damping.
-    #[must_use]
     pub fn forces(&self) -> &Forces {
         &self.forces
     }
 
     /// How the half-space radiates elastic waves; `None` for one of unknown density.
-    #[must_use]
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref()
     }
 
     /// Mass of the sphere \[kg\].
-    #[must_use]
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, and for
     /// a law without an elastic regime.
-    #[must_use]
     pub fn yield_speed(&self) -> Option<f64> {
         (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
     }
 
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
-    #[must_use]
     pub fn yields_at(&self) -> Option<(f64, f64)> {
         let (scales, law) = self.yielding.as_ref()?;
         self.yield_speed()?;

@@ -64,7 +64,6 @@ pub fn integrate<I: Integrator>(
 
 impl<'a> Course<'a> {
     /// At first touch.
-    #[must_use]
     pub fn begin(law: &'a Law, q: f64, forces: &ScaledForces, recorder: Option<&mut Recorder>) -> Self {
         let distance = way_to_peak(law, 0.4 * q * q, forces);
         let pull = ACCELERATION * forces.weight;
@@ -91,7 +90,6 @@ impl<'a> Course<'a> {
     }
 
     /// The leg to be integrated.
-    #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }

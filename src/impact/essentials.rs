@@ -78,25 +78,21 @@ impl Essentials {
     }
 
     /// Whether the impact left a dent.
-    #[must_use]
     pub fn has_dent(&self) -> bool {
         self.residual_indentation > 0.0
     }
 
     /// Whether it came with a speed: let go at first touch there is no restitution, nor a share of its energy.
-    #[must_use]
     pub fn has_speed(&self) -> bool {
         self.kinetic_in > 0.0
     }
 
     /// (e v)²/v² \[1\]: share of the kinetic energy that comes back.
-    #[must_use]
     pub fn recovered_fraction(&self) -> f64 {
         self.restitution * self.restitution
     }
 
     /// e less what the waves take \[1\]; 0 where they would take more than comes back.
-    #[must_use]
     pub fn restitution_with_waves(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|loss| waves::restitution_with_waves(self.restitution, loss))
     }

@@ -53,7 +53,6 @@ impl Damping {
     }
 
     /// The resistance, as integrators know it.
-    #[must_use]
     pub(super) fn drag(self) -> Drag {
         match self {
             Self::HuntCrossley(chi) => Drag::of_force(chi),
@@ -63,7 +62,6 @@ impl Damping {
 
     /// Fraction of critical damping of small swings about a place where the contact carries this weight, and where they
     /// have the circular frequency `omega` without damping.
-    #[must_use]
     pub(super) fn fraction_of_critical(self, weight: f64, omega: f64) -> f64 {
         match self {
             Self::HuntCrossley(chi) => 0.5 * ACCELERATION * weight * chi / omega,
@@ -83,7 +81,6 @@ pub struct Forces {
 
 impl Forces {
     /// Whether there are none: the impact is that of the law alone.
-    #[must_use]
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none()
     }
@@ -97,7 +94,6 @@ impl Forces {
 }
 
 /// Speed of a body \[m/s\] that has fallen from rest through `height` \[m\] under `gravity` \[m/s²\]: √(2 g h).
-#[must_use]
 pub fn drop_speed(gravity: f64, height: f64) -> f64 {
     (2.0 * gravity * height).sqrt()
 }

@@ -100,7 +100,6 @@ impl Contact {
 
     /// As [`Contact::essentials_by`], of many impacts of these contacts at these speeds \[m/s\]: those that rk8 computes are
     /// integrated in lock step.
-    #[must_use]
     pub fn essentials_together(impacts: &[(&Self, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
         let is_stepped = |case: &Case| match solver.method {
             Method::Rk8 => true,

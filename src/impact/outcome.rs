@@ -13,7 +13,6 @@ pub enum Fate {
 
 impl Fate {
     /// `separated` or `captured`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Separated => "separated",

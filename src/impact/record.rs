@@ -104,7 +104,6 @@ pub struct Recorder {
 
 impl Recorder {
     /// A recorder of `samples` points evenly spaced over `duration`, both ends included (they are events).
-    #[must_use]
     pub fn new(samples: usize, duration: f64) -> Self {
         let inner = samples.saturating_sub(2);
         #[allow(clippy::cast_precision_loss)]

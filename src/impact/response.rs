@@ -20,7 +20,6 @@ pub struct Memory {
 
 impl Memory {
     /// Depth of the dent δ_r = δ_m − δ_e \[m\].
-    #[must_use]
     pub fn dent(&self) -> f64 {
         self.indentation - self.elastic_approach
     }
@@ -69,7 +68,6 @@ impl Contact {
     }
 
     /// Where the work of the contact is after [`Contact::force`] gave this `force` at this indentation and memory.
-    #[must_use]
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
         let Some((scales, law)) = &self.yielding else {
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
@@ -87,7 +85,6 @@ impl Contact {
 
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
     /// the loading curve beyond.
-    #[must_use]
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
         let Some((scales, law)) = &self.yielding else {
             return self.hertz(indentation, 0.5);

@@ -228,13 +228,11 @@ impl Impact {
     }
 
     /// What became of a sphere that stays, if it does.
-    #[must_use]
     pub fn captured(&self) -> Option<&UnderForces> {
         self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
     }
 
     /// How long the impact was followed \[s\]: the contact time, or to where the run of a captured sphere ends.
-    #[must_use]
     pub fn duration(&self) -> f64 {
         self.captured().map_or(self.contact_time, |under| under.end_time)
     }

@@ -21,7 +21,6 @@ impl ScaledForces {
 
     /// Whether the impact is that of the law alone.
     #[inline]
-    #[must_use]
     pub fn is_none(&self) -> bool {
         self.weight == 0.0 && self.damping.is_none()
     }
@@ -32,7 +31,6 @@ impl ScaledForces {
     }
 
     /// Without damping: whether a sphere that came at q = v/V stays in its dent.
-    #[must_use]
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
         let held = (unloading.exponent + 1.0) * self.weight;
         // an elastic contact gives back what it took, to rounding
@@ -52,7 +50,6 @@ impl ScaledForces {
 
     /// x at which the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has
     /// not yet come so far.
-    #[must_use]
     pub fn static_indentation(&self, law: &Law, unloading: &Unloading) -> f64 {
         if unloading.peak.force < self.weight {
             equilibrium(law, self.weight).0
@@ -62,7 +59,6 @@ impl ScaledForces {
     }
 
     /// The resistance, as integrators know it.
-    #[must_use]
     pub fn drag(&self) -> Drag {
         self.damping.map_or(Drag::NONE, Damping::drag)
     }

@@ -45,13 +45,11 @@ impl Scales {
     }
 
     /// L/V \[s\].
-    #[must_use]
     pub fn time(&self) -> f64 {
         self.length / self.speed
     }
 
     /// Φ L \[J\].
-    #[must_use]
     pub fn energy(&self) -> f64 {
         self.force * self.length
     }

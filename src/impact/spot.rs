@@ -16,21 +16,18 @@ pub struct Spot {
 
 impl Spot {
     /// A place that nothing has hit.
-    #[must_use]
     pub fn fresh() -> Self {
         Self::default()
     }
 
     /// A place of a contact that was loaded to `memory`, in units of the yield point. Fresh if that is elastic, or the
     /// half-space is.
-    #[must_use]
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
         let law = contact.yielding.as_ref().filter(|(_, law)| !law.is_elastic_to(memory.indentation));
         Self { law: law.map(|(_, law)| law.reloaded(memory)) }
     }
 
     /// The largest state so far, in units of the yield point; `None` if the place never yielded.
-    #[must_use]
     pub fn memory(&self) -> Option<Peak> {
         Some(self.law.as_ref()?.branch()?.peak)
     }
@@ -38,7 +35,6 @@ impl Spot {
 
 impl Contact {
     /// Depth of the dent on a spot \[m\]: where the sphere touches next.
-    #[must_use]
     pub fn dent_depth(&self, spot: &Spot) -> f64 {
         match (&self.yielding, spot.memory()) {
             (Some((scales, _)), Some(memory)) => memory.residual() * scales.length,
@@ -47,7 +43,6 @@ impl Contact {
     }
 
     /// Fastest impact on a spot \[m/s\] that leaves it as it is; `None` for a half-space that stays elastic.
-    #[must_use]
     pub fn elastic_speed(&self, spot: &Spot) -> Option<f64> {
         let (scales, _) = self.yielding.as_ref()?;
         let branch = spot.law.as_ref().and_then(Law::branch);

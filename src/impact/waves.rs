@@ -75,7 +75,6 @@ impl Waves {
 }
 
 /// e_waves = √(e² − loss), or 0 where the waves would take more than comes back.
-#[must_use]
 pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
     (restitution * restitution - loss_fraction).max(0.0).sqrt()
 }
@@ -167,7 +166,6 @@ fn integral_by_quadrature(piece: &Piece, end: f64, speed_at: impl Fn(f64) -> f64
 ///
 /// with wave numbers k in units of that of shear waves: the integral is the share of pressure (k < γ) and shear waves, the
 /// rest that of Rayleigh waves. The integration variable is a = √|k² − γ²|, in which neither part has a root at k = γ.
-#[must_use]
 pub fn radiation_factor(poissons_ratio: f64) -> f64 {
     const PART: f64 = FRAC_PI_2 / 4.0;
     let nu = poissons_ratio;

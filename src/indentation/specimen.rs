@@ -61,7 +61,6 @@ pub struct Spans {
 
 impl Specimen {
     /// The half-space at the ends of its intervals: two or four, or none where all is known.
-    #[must_use]
     pub fn corners(&self) -> Vec<HalfSpace> {
         if self.modulus_uncertainty.is_none() && self.strength_uncertainty.is_none() {
             return Vec::new();

@@ -28,7 +28,6 @@ pub struct Damped {
 
 impl Damped {
     /// A stepper with this relative tolerance.
-    #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, work: Work::default() }
     }

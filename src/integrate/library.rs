@@ -22,7 +22,6 @@ pub struct Library(Driver);
 
 impl Library {
     /// An integrator with this relative tolerance.
-    #[must_use]
     pub fn new(scheme: Scheme, tolerance: f64) -> Self {
         Self(Driver::new(scheme, tolerance))
     }

@@ -52,7 +52,6 @@ const FIRST_STEP: f64 = 4.0;
 
 impl Rk8 {
     /// A stepper with this relative tolerance.
-    #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self {
             tolerance,

@@ -34,13 +34,11 @@ macro_rules! laws {
 
         impl LawChoice {
             /// Every law but combinations, with its default parameters.
-            #[must_use]
             pub fn all() -> Vec<Self> {
                 vec![$(Self::$law($law::default())),*]
             }
 
             /// What it is.
-            #[must_use]
             pub fn get(&self) -> &dyn ContactLaw {
                 match self {
                     $(Self::$law(law) => law,)*
@@ -76,7 +74,6 @@ impl Default for LawChoice {
 impl LawChoice {
     /// The law of that name with its default parameters: "thornton", or "jackson_green + brake" for the loading of one with
     /// the unloading of the other.
-    #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         if let Some((loading, unloading)) = name.split_once('+') {
             let half = |name: &str| Self::from_name(name.trim()).map(Box::new);
@@ -87,13 +84,11 @@ impl LawChoice {
     }
 
     /// Names of all laws.
-    #[must_use]
     pub fn names() -> Vec<&'static str> {
         Self::all().iter().map(|law| law.about().name).collect()
     }
 
     /// How the half-space hardens, if it does.
-    #[must_use]
     pub fn flow(&self) -> Option<&FlowCurve> {
         match self {
             Self::Plm(plm) => plm.flow.as_ref(),
@@ -102,13 +97,11 @@ impl LawChoice {
     }
 
     /// Where it comes from.
-    #[must_use]
     pub fn about(&self) -> &'static About {
         self.get().about()
     }
 
     /// Whether it says how a contact loads. All laws unload, if need be by the paper's law.
-    #[must_use]
     pub fn has_loading(&self) -> bool {
         self.about().loading != "none"
     }
@@ -119,7 +112,6 @@ impl LawChoice {
     }
 
     /// Its name in tables: of a combination "loading + unloading".
-    #[must_use]
     pub fn name(&self) -> String {
         match self {
             Self::Combined(Combined { loading, unloading }) => format!("{} + {}", loading.name(), unloading.name()),
@@ -128,7 +120,6 @@ impl LawChoice {
     }
 
     /// Where it was published.
-    #[must_use]
     pub fn source(&self) -> String {
         match self {
             Self::Combined(Combined { loading, unloading }) => {

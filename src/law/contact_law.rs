@@ -40,7 +40,6 @@ pub struct Bodies {
 
 impl Bodies {
     /// `None` for a half-space without a yield strength: there is only Hertz.
-    #[must_use]
     pub fn new(pair: &Pair, half_space: &HalfSpace) -> Option<Self> {
         Some(Self {
             pair: *pair,
@@ -51,33 +50,28 @@ impl Bodies {
     }
 
     /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
-    #[must_use]
     pub fn yield_at(&self, factor: f64) -> f64 {
         let ratio = factor / self.yield_point.factor;
         ratio * ratio
     }
 
     /// σ_Y/E*.
-    #[must_use]
     pub fn yield_strain(&self) -> f64 {
         self.yield_strength / self.pair.effective_modulus
     }
 
     /// a_Y/R = √(δ_Y/R).
-    #[must_use]
     pub fn yield_radius_ratio(&self) -> f64 {
         self.yield_point.contact_radius / self.pair.radius
     }
 
     /// E of the half-space \[Pa\].
-    #[must_use]
     pub fn half_space_modulus(&self) -> f64 {
         let plane_strain = self.pair.effective_modulus / self.pair.half_space_compliance;
         plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
     }
 
     /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
-    #[must_use]
     pub fn slope_of_pressure(&self, area_factor: f64, pressure: f64) -> f64 {
         1.5 * area_factor * pressure / self.yield_point.factor
     }

@@ -41,7 +41,6 @@ pub enum Shape {
 impl Shape {
     /// l: how far the zero of a power law lies before the start of its piece.
     #[inline]
-    #[must_use]
     pub fn lead(&self) -> f64 {
         match *self {
             Self::LatePower { lead, .. } => lead,
@@ -66,7 +65,6 @@ pub struct Piece {
 impl Piece {
     /// Force at x.
     #[inline(always)]
-    #[must_use]
     pub fn force_at(&self, x: f64) -> f64 {
         let d = x - self.start;
         match self.shape {
@@ -78,7 +76,6 @@ impl Piece {
     }
 
     /// df/dx at x, the tangent stiffness.
-    #[must_use]
     pub fn slope_at(&self, x: f64) -> f64 {
         self.slope_beyond(x - self.start)
     }
@@ -97,7 +94,6 @@ impl Piece {
 
     /// Work from first touch to x.
     #[inline]
-    #[must_use]
     pub fn work_at(&self, x: f64) -> f64 {
         let d = x - self.start;
         match self.shape {
@@ -126,7 +122,6 @@ impl Piece {
 
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
     #[inline]
-    #[must_use]
     pub fn indentation_at_work(&self, work: f64) -> f64 {
         self.start + self.distance_at_work(work)
     }
@@ -160,13 +155,11 @@ pub struct Curve {
 
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
-    #[must_use]
     pub fn hertz() -> Self {
         Self { pieces: Vec::new() }.then(0.0, 0.0, Shape::Power { stiffness: 1.0, exponent: 1.5 })
     }
 
     /// f = s x without end.
-    #[must_use]
     pub fn straight(slope: f64) -> Self {
         Self { pieces: Vec::new() }.then_straight(0.0, slope)
     }
@@ -212,26 +205,22 @@ impl Curve {
     }
 
     /// The pieces in order; never empty.
-    #[must_use]
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
     /// Index of the piece that holds at x (at a knot: the one that begins there).
-    #[must_use]
     pub fn index_at(&self, x: f64) -> usize {
         self.pieces.partition_point(|piece| piece.start <= x).saturating_sub(1)
     }
 
     /// Index of the piece on which the work reaches `work`.
     #[inline(always)]
-    #[must_use]
     pub fn index_at_work(&self, work: f64) -> usize {
         self.pieces.partition_point(|piece| piece.work <= work).saturating_sub(1)
     }
 
     /// Force at x.
-    #[must_use]
     pub fn force(&self, x: f64) -> f64 {
         self.pieces[self.index_at(x)].force_at(x)
     }
@@ -245,7 +234,6 @@ impl Curve {
     }
 
     /// Work from first touch to x.
-    #[must_use]
     pub fn work(&self, x: f64) -> f64 {
         self.pieces[self.index_at(x)].work_at(x)
     }

@@ -32,7 +32,6 @@ pub struct Johnson {
 }
 
 /// Closed-form e.
-#[must_use]
 pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, radius: f64, speed: f64) -> f64 {
     let coefficient = 0.3 * pow(PI, 1.25) * pow(4f64, 0.75);
     let energy = mass * speed * speed / (2.0 * dynamic_pressure * powi(radius, 3));

@@ -54,13 +54,11 @@ impl Default for Plm {
 
 impl Plm {
     /// The PLM of these coefficients, with this exponent.
-    #[must_use]
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
         Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: None }
     }
 
     /// The law of these bodies.
-    #[must_use]
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         match &self.flow {

@@ -62,7 +62,6 @@ pub struct Recovered {
 
 impl Recovered {
     /// Hertz-type unloading, n = 3/2.
-    #[must_use]
     pub fn hertzian(elastic_approach: f64) -> Self {
         Self { elastic_approach, shape: UnloadingShape::Power(1.5) }
     }

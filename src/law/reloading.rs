@@ -121,7 +121,6 @@ impl Law {
     }
 
     /// The unloading branch that a reload runs back up; `None` on fresh surface.
-    #[must_use]
     pub fn branch(&self) -> Option<&Unloading> {
         self.memory_of().map(|reloaded| &reloaded.branch)
     }
@@ -132,13 +131,11 @@ impl Law {
     }
 
     /// x of first touch: x_r of the branch, 0 on fresh surface.
-    #[must_use]
     pub fn touch(&self) -> f64 {
         self.branch().map_or(0.0, |branch| branch.peak.residual())
     }
 
     /// The peak that shaped the dent of an impact that turned at `peak`: the memory, if it turned on the branch.
-    #[must_use]
     pub fn dent(&self, peak: &Peak) -> Peak {
         self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
@@ -187,14 +184,12 @@ impl Law {
     }
 
     /// [`Law::spent`] for a report: nothing where all comes back but for rounding.
-    #[must_use]
     pub fn plastic(&self, unloading: &Unloading) -> f64 {
         let spent = self.spent(unloading);
         if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
     }
 
     /// Work that an impact spent on the dent: w(x_m) − f_m ε_m/(n + 1), and nothing on the branch.
-    #[must_use]
     pub fn spent(&self, unloading: &Unloading) -> f64 {
         let peak = &unloading.peak;
         match self.branch_at(peak.indentation) {

@@ -35,7 +35,6 @@ pub struct Thornton {
 }
 
 /// Closed-form e at q = V_y/V ≤ 1.
-#[must_use]
 pub fn restitution(yield_speed_over_speed: f64) -> f64 {
     let q = yield_speed_over_speed;
     let square = q * q;
@@ -43,7 +42,6 @@ pub fn restitution(yield_speed_over_speed: f64) -> f64 {
 }
 
 /// V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2) \[m/s\].
-#[must_use]
 pub fn yield_speed(effective_modulus: f64, radius: f64, mass: f64, yield_pressure: f64) -> f64 {
     let per_modulus = PI / (2.0 * effective_modulus);
     per_modulus * per_modulus * (8.0 * PI * powi(radius, 3) / (15.0 * mass)).sqrt() * pow(yield_pressure, 2.5)

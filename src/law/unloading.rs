@@ -21,13 +21,11 @@ pub struct Peak {
 
 impl Peak {
     /// Residual indentation x_r = x_m − ε_m (Eq. 23).
-    #[must_use]
     pub fn residual(&self) -> f64 {
         self.indentation - self.elastic_approach
     }
 
     /// R_e/R = f_m²/ε_m³: unloading radius over sphere radius (Eq. 24). At least 1, and 1 without a dent.
-    #[must_use]
     pub fn unloading_radius_ratio(&self) -> f64 {
         let per_approach = self.force / self.elastic_approach;
         per_approach * per_approach / self.elastic_approach
@@ -143,7 +141,6 @@ pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
 
 /// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
 /// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
-#[must_use]
 pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
     const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
     1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
@@ -151,7 +148,6 @@ pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
 
 impl Unloading {
     /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.
-    #[must_use]
     pub fn new(peak: Peak, shape: UnloadingShape) -> Self {
         match shape {
             UnloadingShape::Power(exponent) => Self::power(peak, exponent),
@@ -171,7 +167,6 @@ impl Unloading {
 
     /// The power law f_m (d/ε_m)^n.
     #[inline(always)]
-    #[must_use]
     pub const fn power(peak: Peak, exponent: f64) -> Self {
         Self { peak, exponent, curve: None }
     }
@@ -201,7 +196,6 @@ impl Unloading {
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[inline]
-    #[must_use]
     pub fn force(&self, x: f64) -> f64 {
         self.force_of(x - self.peak.residual())
     }
@@ -242,7 +236,6 @@ impl Unloading {
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[inline]
-    #[must_use]
     pub fn stored(&self, x: f64) -> f64 {
         match self.curve {
             None => self.force(x) * (x - self.peak.residual()) * work_share(self.exponent),
@@ -254,7 +247,6 @@ impl Unloading {
     /// Elastic energy stored at the peak, f_m ε_m/(n + 1): what unloading from there gives back, and what a reload may bring
     /// without going beyond.
     #[inline(always)]
-    #[must_use]
     pub fn capacity(&self) -> f64 {
         self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
     }
@@ -294,13 +286,11 @@ impl Unloading {
 
     /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power
     /// law that gives back the same energy; [`Unloading::branch`] is the branch itself.
-    #[must_use]
     pub fn stiffness(&self) -> f64 {
         self.peak.force / power(self.peak.elastic_approach, self.exponent)
     }
 
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
-    #[must_use]
     pub fn branch(&self) -> Piece {
         let power = Shape::Power { stiffness: self.stiffness(), exponent: self.exponent };
         let shape = self.curve.map_or(power, Shape::Smooth);

@@ -25,7 +25,6 @@ impl Property {
         [Self::Density, Self::YoungsModulus, Self::PoissonsRatio, Self::Hardness, Self::HardeningExponent];
 
     /// Its name in the file.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Density => "density",
@@ -37,7 +36,6 @@ impl Property {
     }
 
     /// Its dimension.
-    #[must_use]
     pub fn dimension(self) -> Dimension {
         match self {
             Self::Density => Dimension::Density,
@@ -86,7 +84,6 @@ pub struct Entry {
 
 impl Entry {
     /// A property, if it is known.
-    #[must_use]
     pub fn of(&self, property: Property) -> Option<&Known> {
         self.known.iter().find(|known| known.property == property)
     }
@@ -98,13 +95,11 @@ impl Entry {
     }
 
     /// Whether it hardens by a power law.
-    #[must_use]
     pub fn hardens(&self) -> bool {
         self.power_law().is_some()
     }
 
     /// The stress \[Pa\] at which it first flows, by a hardness given as mean pressure \[Pa\].
-    #[must_use]
     pub fn strength(&self, mean_pressure: f64) -> f64 {
         let (flow, modulus) = self
             .power_law()
@@ -113,7 +108,6 @@ impl Entry {
     }
 
     /// Whether it flows: glass, ceramics and polymers are computed as elastic.
-    #[must_use]
     pub fn is_metal(&self) -> bool {
         self.of(Property::Hardness).is_some()
     }

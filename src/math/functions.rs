@@ -17,7 +17,6 @@ pub use pow::{exp, pow};
 
 /// x^n by repeated squaring, always in the same order.
 #[inline(always)]
-#[must_use]
 pub fn powi(x: f64, n: i32) -> f64 {
     let (mut left, mut square, mut total) = (n.unsigned_abs(), x, 1.0);
     loop {

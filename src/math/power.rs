@@ -5,7 +5,6 @@ use crate::math::root::{Bracket, fallen_from};
 
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
 #[inline]
-#[must_use]
 pub fn power(distance: f64, exponent: f64) -> f64 {
     let size = distance.abs();
     #[allow(clippy::float_cmp)] // 1.5 is exact, and the default
@@ -14,7 +13,6 @@ pub fn power(distance: f64, exponent: f64) -> f64 {
 
 /// The larger of two numbers; not a number if one of them is none, which `f64::max` would pass over.
 #[inline(always)]
-#[must_use]
 pub fn max_or_nan(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }
 }
@@ -116,7 +114,6 @@ pub(crate) fn arctangent(t: f64) -> f64 {
 /// ∫₀¹ dy/√(1 − y^(n+1)) = (1/(n+1)) B(1/(n+1), ½): time from the zero of a power law to the turning point, times
 /// speed over distance. 1.4716375921623523 for n = 3/2: half a Hertz impact.
 #[inline]
-#[must_use]
 pub fn quarter_period(exponent: f64) -> f64 {
     #[allow(clippy::float_cmp)] // the default, exactly
     if exponent == 1.5 { 1.471_637_592_162_352_3 } else { other_quarter_period(exponent) }

@@ -38,7 +38,6 @@ pub struct Formula {
 
 impl Formula {
     /// A function of x.
-    #[must_use]
     pub const fn new(
         value: fn(&Parameters, f64) -> f64,
         jet: fn(&Parameters, Jet) -> Jet,
@@ -68,20 +67,17 @@ impl PartialEq for Smooth {
 
 impl Smooth {
     /// A formula with its parameters.
-    #[must_use]
     pub const fn new(formula: &'static Formula, parameters: Parameters) -> Self {
         Self { formula, parameters }
     }
 
     /// What it is a function of.
-    #[must_use]
     pub fn variable(&self) -> Variable {
         self.formula.variable
     }
 
     /// f at a distance.
     #[cold]
-    #[must_use]
     pub fn value(&self, start: f64, distance: f64) -> f64 {
         match self.formula.variable {
             Variable::Indentation => (self.formula.value)(&self.parameters, start + distance),
@@ -93,7 +89,6 @@ impl Smooth {
     }
 
     /// df/dd at a distance.
-    #[must_use]
     pub fn slope(&self, start: f64, distance: f64) -> f64 {
         match self.formula.variable {
             Variable::Indentation => self.jet(start + distance).slope,
@@ -119,7 +114,6 @@ impl Smooth {
 
     /// ∫ f dd between two distances.
     #[cold] // beside pieces in closed form, which these calls must not slow
-    #[must_use]
     pub fn work(&self, start: f64, from: f64, to: f64) -> f64 {
         match (self.formula.variable, self.formula.integral) {
             (Variable::Indentation, Some(integral)) => {
@@ -217,7 +211,6 @@ impl Smooth {
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
     /// turning point). The same as that of the way back.
     #[cold]
-    #[must_use]
     pub fn time(&self, start: f64, from: f64, to: f64, exit: f64, c: f64) -> f64 {
         // the formula is smooth but for its zero: at d = 0 or, for a function of x, at x = 0
         let zero = match self.formula.variable {

@@ -52,13 +52,11 @@ impl NewFile {
     }
 
     /// Where it will be.
-    #[must_use]
     pub fn place(&self) -> &Path {
         &self.place
     }
 
     /// Where it is so far.
-    #[must_use]
     pub fn temporary(&self) -> &Path {
         &self.temporary
     }
@@ -142,13 +140,11 @@ pub fn sync_folder(path: &Path) -> io::Result<()> {
 }
 
 /// The folder that a path is in.
-#[must_use]
 pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A path with something behind its name.
-#[must_use]
 pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(suffix);

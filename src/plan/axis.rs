@@ -38,7 +38,6 @@ pub enum Values {
 
 impl Values {
     /// How many.
-    #[must_use]
     pub fn len(&self) -> u64 {
         match self {
             Self::List(values) => values.len() as u64,
@@ -47,19 +46,16 @@ impl Values {
     }
 
     /// Whether there are none.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// Evenly spaced in the logarithm; both ends are > 0.
-    #[must_use]
     pub fn logarithmic(from: f64, to: f64, points: u64) -> Self {
         Self::Logarithmic { from, to, decades: (log10(from), log10(to)), points }
     }
 
     /// Value `i`; the ends are exact.
-    #[must_use]
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
     pub fn at(&self, i: u64) -> f64 {
         let share = |points: u64| i as f64 / (points - 1) as f64;
@@ -107,32 +103,27 @@ pub struct Axis {
 
 impl Axis {
     /// An axis of a numeric key.
-    #[must_use]
     pub fn of_number(key: &'static Key, values: Values) -> Self {
         let is_logarithmic = matches!(values, Values::Logarithmic { .. });
         Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
     }
 
     /// An axis of `solver.method`.
-    #[must_use]
     pub fn of_methods(methods: Vec<Method>) -> Self {
         Self { setting: Setting::Method(methods), is_logarithmic: false }
     }
 
     /// An axis of `law`.
-    #[must_use]
     pub fn of_laws(laws: Vec<LawChoice>) -> Self {
         Self { setting: Setting::Law(laws), is_logarithmic: false }
     }
 
     /// An axis of the material of a body.
-    #[must_use]
     pub fn of_materials(body: Body, materials: Vec<Taken>) -> Self {
         Self { setting: Setting::Material(body, materials), is_logarithmic: false }
     }
 
     /// The key, as in the file.
-    #[must_use]
     pub fn path(&self) -> &'static str {
         match &self.setting {
             Setting::Number { key, .. } => key.path,
@@ -143,7 +134,6 @@ impl Axis {
     }
 
     /// Its column in the table, with its unit.
-    #[must_use]
     pub fn column(&self) -> String {
         match &self.setting {
             Setting::Number { key, .. } => key.column(),
@@ -154,7 +144,6 @@ impl Axis {
     }
 
     /// How many values.
-    #[must_use]
     pub fn len(&self) -> u64 {
         match &self.setting {
             Setting::Number { values, .. } => values.len(),
@@ -165,7 +154,6 @@ impl Axis {
     }
 
     /// The words it runs through; `None` for an axis of numbers.
-    #[must_use]
     pub fn words(&self) -> Option<Vec<String>> {
         match &self.setting {
             Setting::Number { .. } => None,
@@ -178,19 +166,16 @@ impl Axis {
     }
 
     /// Whether there are none.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// Whether the contact (bodies and law) stays the same along it.
-    #[must_use]
     pub fn keeps_contact(&self) -> bool {
         keeps_contact(self.path())
     }
 
     /// Whether it changes how an impact is computed.
-    #[must_use]
     pub fn is_of_solver(&self) -> bool {
         self.path().starts_with("solver.")
     }
@@ -207,7 +192,6 @@ impl Axis {
     }
 
     /// Value `i`; for a word its place in the list.
-    #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
@@ -218,7 +202,6 @@ impl Axis {
 }
 
 /// Whether a key leaves bodies and law alone.
-#[must_use]
 pub fn keeps_contact(path: &str) -> bool {
     path == "impact.speed" || path == "impact.drop_height" || path.starts_with("solver.")
 }

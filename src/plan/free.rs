@@ -18,7 +18,6 @@ pub struct Free {
 
 impl Free {
     /// The value at a share of the way from the lower end to the upper one; the ends are exact.
-    #[must_use]
     pub fn at(&self, share: f64) -> f64 {
         let Self { from, to, is_logarithmic, .. } = *self;
         if share <= 0.0 {
@@ -33,7 +32,6 @@ impl Free {
     }
 
     /// How fast the value rises with the share.
-    #[must_use]
     pub fn slope(&self, share: f64) -> f64 {
         if self.is_logarithmic { self.at(share) * ln(self.to / self.from) } else { self.to - self.from }
     }

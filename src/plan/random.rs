@@ -52,26 +52,22 @@ pub struct Variable {
 
 impl Variable {
     /// The variable, cut to `range` (the ends may be infinite).
-    #[must_use]
     pub fn new(key: &'static Key, distribution: Distribution, range: (f64, f64)) -> Self {
         let share = (distribution.below(range.0), distribution.below(range.1));
         Self { key, distribution, range, share }
     }
 
     /// How much of the distribution lies in the allowed range.
-    #[must_use]
     pub fn kept(&self) -> f64 {
         self.share.1 - self.share.0
     }
 
     /// The median.
-    #[must_use]
     pub fn middle(&self) -> f64 {
         self.value(0.5)
     }
 
     /// The value at the uniform number `u` in (0, 1).
-    #[must_use]
     pub fn value(&self, u: f64) -> f64 {
         let (low, high) = self.share;
         let value = self.distribution.quantile(low + u * (high - low));
@@ -128,7 +124,6 @@ pub struct Draws<'a> {
 
 impl<'a> Draws<'a> {
     /// From case `first` on; `stream` is the place of the variable in the file.
-    #[must_use]
     pub fn new(variable: &'a Variable, seed: u64, stream: u64, first: u64) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);
         generator.set_stream(stream);
@@ -138,7 +133,6 @@ impl<'a> Draws<'a> {
     }
 
     /// The key the values are of.
-    #[must_use]
     pub fn key(&self) -> &'static Key {
         self.variable.key
     }

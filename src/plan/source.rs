@@ -23,7 +23,6 @@ pub struct Source {
 
 impl Source {
     /// SHA-256 of these texts, in hexadecimal.
-    #[must_use]
     pub fn sha256(&self) -> String {
         let mut hasher = Sha256::new();
         hasher.update(&self.text);

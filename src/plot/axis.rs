@@ -33,20 +33,17 @@ pub struct Axis {
 
 impl Axis {
     /// A linear axis whose values are in `unit`.
-    #[must_use]
     pub fn linear(title: &str, unit: &str) -> Self {
         Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
     }
 
     /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small. A
     /// plain number has no unit that could take one, kilograms have theirs, and HV is no SI unit.
-    #[must_use]
     pub fn engineering(title: &str, unit: &str) -> Self {
         Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
 
     /// A logarithmic axis.
-    #[must_use]
     pub fn log(title: &str, unit: &str) -> Self {
         Self { scale: Scale::Log, ..Self::linear(title, unit) }
     }

@@ -56,31 +56,26 @@ pub enum Look {
 
 impl Series {
     /// A curve.
-    #[must_use]
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { name: name.into(), points, look: Look::Line, style: None }
     }
 
     /// A curve without markers, beside points of the same style.
-    #[must_use]
     pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Bare, ..Self::line(name, points) }
     }
 
     /// The inside of a closed line.
-    #[must_use]
     pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Band, ..Self::line(name, outline) }
     }
 
     /// A curve through few points, each with a marker.
-    #[must_use]
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::MarkedLine, ..Self::line(name, points) }
     }
 
     /// Points that no curve joins.
-    #[must_use]
     pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Points, ..Self::line(name, points) }
     }

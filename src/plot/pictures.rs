@@ -19,7 +19,6 @@ impl Pictures {
     pub const ALL: [Self; 3] = [Self::Png, Self::Svg, Self::None];
 
     /// Its name on the command line, which is the ending of the files.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Png => "png",

@@ -24,7 +24,6 @@ const MOST_POINTS: usize = 200_000;
 ///
 /// # Errors
 /// [`PlotError`].
-#[must_use]
 pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Canvas, PlotError>> {
     let last = sequence.hits.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };

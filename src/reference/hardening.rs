@@ -25,13 +25,11 @@ pub struct Materials {
 
 impl Materials {
     /// The sphere's material.
-    #[must_use]
     pub fn sphere(&self) -> Material {
         Material { youngs_modulus: self.sphere_modulus, poissons_ratio: self.sphere_poissons_ratio }
     }
 
     /// The half-space at its initial yield strength.
-    #[must_use]
     pub fn half_space(&self) -> HalfSpace {
         let material =
             Material { youngs_modulus: self.half_space_modulus, poissons_ratio: self.half_space_poissons_ratio };
@@ -49,7 +47,6 @@ impl Materials {
     }
 
     /// The flow curve; `None` for words that say none.
-    #[must_use]
     pub fn curve(&self) -> Option<FlowCurve> {
         let mut words = self.flow.split_whitespace();
         let form = words.next()?;
@@ -71,7 +68,6 @@ impl Materials {
     }
 
     /// The PLM with this flow curve.
-    #[must_use]
     pub fn law(&self, exponent: UnloadingExponent) -> Plm {
         Plm { exponent, flow: self.curve(), ..Plm::default() }
     }
@@ -100,7 +96,6 @@ pub struct ExactImpact {
 
 impl ExactImpact {
     /// n of the unloading branch.
-    #[must_use]
     pub fn exponent(&self) -> UnloadingExponent {
         self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::from)
     }

@@ -25,13 +25,11 @@ pub struct Device {
 
 impl Device {
     /// Material of the tip.
-    #[must_use]
     pub fn tip(&self) -> Material {
         Material { youngs_modulus: self.tip_modulus, poissons_ratio: self.tip_poissons_ratio }
     }
 
     /// Impact speed √(2 W/m) \[m/s\].
-    #[must_use]
     pub fn speed(&self) -> f64 {
         (2.0 * self.energy / self.mass).sqrt()
     }
@@ -60,7 +58,6 @@ pub struct Steel {
 
 impl Steel {
     /// Tensile strength \[MPa\] and HLD at both ends.
-    #[must_use]
     pub fn ends(&self) -> [(f64, f64); 2] {
         [(self.low_strength, self.low_hardness), (self.high_strength, self.high_hardness)]
     }

@@ -78,7 +78,6 @@ fn curves() -> Result<Vec<UnloadingCurve>, ReferenceError> {
 
 /// The unloadings of the case that has these materials, by rising depth; none for others. Quasi-static results in units of
 /// the yield point know no radius.
-#[must_use]
 pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
     let materials = [sphere_modulus, bodies.half_space_modulus(), bodies.yield_strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;

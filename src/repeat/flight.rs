@@ -20,7 +20,6 @@ pub struct Flight {
 
 impl Flight {
     /// The fall from rest at `height` to the surface.
-    #[must_use]
     pub fn fall(gravity: f64, height: f64) -> Self {
         let landing_speed = crate::impact::drop_speed(gravity, height);
         Self { begin: 0.0, duration: landing_speed / gravity, height, speed: 0.0, landing_speed, gravity }
@@ -32,7 +31,6 @@ impl Flight {
     /// ```text
     /// u² = v² − 2 g (from − to),   duration = (v + u)/g
     /// ```
-    #[must_use]
     pub fn between(gravity: f64, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
         let square = speed * speed - 2.0 * gravity * (from - to);
         let reaches = square > 0.0 || (from == to && speed > 0.0);
@@ -45,19 +43,16 @@ impl Flight {
     }
 
     /// Height over the original surface \[m\] at a time since the beginning \[s\].
-    #[must_use]
     pub fn height_at(&self, time: f64) -> f64 {
         self.height + time * (self.speed - 0.5 * self.gravity * time)
     }
 
     /// Speed downwards \[m/s\], as δ' is.
-    #[must_use]
     pub fn speed_at(&self, time: f64) -> f64 {
         self.gravity * time - self.speed
     }
 
     /// The highest point \[m\].
-    #[must_use]
     pub fn top(&self) -> f64 {
         self.height + 0.5 * self.speed * self.speed / self.gravity
     }

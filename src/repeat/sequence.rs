@@ -24,7 +24,6 @@ pub enum End {
 
 impl End {
     /// Its name in reports.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Shots => "shots",
@@ -94,25 +93,21 @@ impl Hit {
     }
 
     /// Something that only an impact under gravity or damping has.
-    #[must_use]
     pub fn forced(&self, value: fn(&UnderForces) -> Option<f64>) -> Option<f64> {
         self.under_forces.as_ref().and_then(value)
     }
 
     /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
-    #[must_use]
     pub fn is_captured(&self) -> bool {
         self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
     }
 
     /// δ at separation \[m\]: that of the dent, or more under viscous damping.
-    #[must_use]
     pub fn end_indentation(&self) -> f64 {
         self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
     }
 
     /// Time of separation \[s\]; `None` for shots and for a captured sphere.
-    #[must_use]
     pub fn separation_time(&self) -> Option<f64> {
         self.time.filter(|_| !self.is_captured()).map(|time| time + self.contact_time)
     }
@@ -120,13 +115,11 @@ impl Hit {
 
 impl Sequence {
     /// The deepest dent \[m\].
-    #[must_use]
     pub fn deepest_dent(&self) -> f64 {
         self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
     /// Largest drift of the ledgers of the impacts.
-    #[must_use]
     pub fn drift(&self) -> f64 {
         self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
     }

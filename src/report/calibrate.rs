@@ -222,7 +222,6 @@ fn ranked(of: &Calibration) -> Vec<Vec<String>> {
 }
 
 /// A few lines for the terminal.
-#[must_use]
 pub fn table(of: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

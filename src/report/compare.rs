@@ -32,7 +32,6 @@ struct Summary<'a> {
 }
 
 /// The peak in a few lines.
-#[must_use]
 pub fn state(comparison: &Comparison) -> String {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let origin = match comparison.origin {
@@ -51,7 +50,6 @@ pub fn state(comparison: &Comparison) -> String {
 }
 
 /// For the terminal.
-#[must_use]
 pub fn table(comparison: &Comparison) -> String {
     let percent = |share: f64| format!("{:+.1} %", 100.0 * share);
     let mut lines =
@@ -102,7 +100,6 @@ pub fn summary(
 }
 
 /// What a comparison came to, but for its peak and its laws.
-#[must_use]
 pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
     let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
     let mut entries = given(scenario, &[SPHERE, half_space].concat());
@@ -119,7 +116,6 @@ pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
 }
 
 /// What was understood of it.
-#[must_use]
 pub fn overview(scenario: &Scenario, comparison: &Comparison) -> String {
     let mut rows = overview::rows(&inputs(scenario, comparison));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();

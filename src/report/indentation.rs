@@ -59,7 +59,6 @@ pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, ReportError> {
 }
 
 /// The table a person reads: a line a step for every half-space.
-#[must_use]
 pub fn table(tested: &[Tested]) -> String {
     let mut text = String::new();
     for one in tested {
@@ -119,7 +118,6 @@ fn with_span(value: f64, span: Option<Span>, unit: &str) -> String {
 }
 
 /// What an indentation came to, but for its steps and half-spaces.
-#[must_use]
 pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
     let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
     entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
@@ -133,7 +131,6 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
 }
 
 /// What was understood of it, and the contact of every half-space.
-#[must_use]
 pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

@@ -19,7 +19,6 @@ impl Serialize for Inputs {
 
 impl Inputs {
     /// What all rows of a table share, and the parameters of every law that it goes through.
-    #[must_use]
     pub fn of_plan(plan: &Plan) -> Self {
         let mut entries = of_scene(&plan.scene);
         if let Cases::Grid(axes) = &plan.cases {

@@ -6,7 +6,6 @@ use crate::law::LawChoice;
 use crate::law::catalogue::NOT_PUBLIC;
 
 /// Every law in a paragraph of its own, then those that are missing, and why.
-#[must_use]
 pub fn list() -> String {
     let mut text =
         "Laws for [law.<name>], for the axis \"law\" of a sweep, and for the halves of [law.combined]:\n\n".to_owned();

@@ -8,7 +8,6 @@ use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
 /// All materials, one in a line.
-#[must_use]
 pub fn list() -> String {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
@@ -25,7 +24,6 @@ pub fn list() -> String {
 }
 
 /// All that is known of a material: values, ranges, what kind of number each is, and who says so.
-#[must_use]
 pub fn one(entry: &Entry) -> String {
     let mut text = format!("{}\n  {}\n", entry.name, entry.title);
     if let Some(note) = &entry.note {

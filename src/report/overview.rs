@@ -14,7 +14,6 @@ use crate::units::{Dimension, describe, four_digits, number};
 type Row = [String; 2];
 
 /// A few aligned lines.
-#[must_use]
 pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = given(scene);
     rows.push([String::new(), String::new()]);

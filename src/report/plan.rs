@@ -11,7 +11,6 @@ use crate::units::rounded::percent;
 const MOST_LISTED: u64 = 8;
 
 /// A few lines, the last of which leads over to the scene of the first case.
-#[must_use]
 pub fn plan_lines(plan: &Plan) -> String {
     let mut text = String::new();
     // a plan of more cases than can be counted is refused while the scenario is read

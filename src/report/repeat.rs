@@ -66,7 +66,6 @@ fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>)
 const SHOWN: (usize, usize) = (12, 5);
 
 /// A few lines about the series, and one for each impact.
-#[must_use]
 pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
@@ -147,7 +146,6 @@ fn rows(sequence: &Sequence) -> String {
 const MOST_LISTED: usize = 8;
 
 /// What `check` says of a series before anything is run; the last line leads over to the scene.
-#[must_use]
 pub fn repeat_lines(repeat: &Repeat) -> String {
     let place = match repeat.place {
         Place::Same => "all on the same spot",

@@ -47,14 +47,12 @@ impl Entry {
     }
 
     /// Whether it is a number that the scene does not have.
-    #[must_use]
     pub fn is_nan(&self) -> bool {
         self.value.is_null()
     }
 }
 
 /// What a scene of impacts came to: numbers in the order of the file, then law, solver and output.
-#[must_use]
 pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     let can_yield = scene.half_space.yield_strength.is_some();
     // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys

@@ -7,7 +7,6 @@ const DEEP: f64 = 0.01;
 
 /// A paragraph on the yield strength of a metal that is dented up to δ/R = `depth`; `None` for a shallow contact, for what is
 /// no metal, and where the flow stress is said more precisely (`is_precise`).
-#[must_use]
 pub fn which(half_space: &HalfSpace, is_precise: bool, depth: f64) -> Option<String> {
     let modulus = half_space.material.youngs_modulus;
     let is_metal = modulus >= 1e10 && half_space.yield_strength.is_some_and(|strength| modulus >= 50.0 * strength);

@@ -58,7 +58,6 @@ fn random_key(variable: &random::Variable) -> Drawn {
 }
 
 /// What a person wants to know of a finished table.
-#[must_use]
 pub fn lines(tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
     if tally.outside_law > 0 {

@@ -6,7 +6,6 @@ use crate::units::aligned::aligned;
 use crate::units::rounded::{number, percent, quantity};
 
 /// A few aligned lines: what came of the impact and how exact it is.
-#[must_use]
 pub fn table(contact: &Contact, impact: &Impact) -> String {
     let mut rows: Vec<[String; 3]> = Vec::new();
     let mut row = |name: &str, value: String, remark: String| rows.push([name.to_owned(), value, remark]);

@@ -37,7 +37,6 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 }
 
 /// What is doubtful in a table of this plan.
-#[must_use]
 pub fn warnings(plan: &Plan) -> Vec<String> {
     of_scene(plan).chain(at_corners(plan).0).collect()
 }

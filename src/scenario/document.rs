@@ -104,19 +104,16 @@ impl Document {
     }
 
     /// What the scenario is called in messages: its file.
-    #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
     /// The text of the file.
-    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
     /// `key=value` of the command line, as given.
-    #[must_use]
     pub fn overrides(&self) -> Vec<String> {
         self.overrides.iter().map(|given| given.text.clone()).collect()
     }
@@ -140,20 +137,17 @@ impl Document {
     }
 
     /// A refusal of the value at `key`, pointing at it.
-    #[must_use]
     pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
         let span = self.root().ok().and_then(|root| span_of(&root, key));
         self.refusal(span, key.to_owned(), message)
     }
 
     /// Whether the scenario, or the command line, gives the key itself.
-    #[must_use]
     pub fn has(&self, key: &str) -> bool {
         self.root().is_ok_and(|root| span_of(&root, key).is_some())
     }
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
-    #[must_use]
     pub fn missing(&self, table: &str, key: &str) -> ScenarioError {
         self.refuse(table, missing(key, table))
     }

@@ -12,7 +12,6 @@ const FAR: f64 = 20.0;
 
 impl Scenario {
     /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no single one stands out.
-    #[must_use]
     pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<ScenarioError> {
         let scene = self.resolve().ok()?;
         let given = KEYS.iter().filter(|key| self.document.has(key.path));

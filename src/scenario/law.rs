@@ -86,7 +86,6 @@ impl Scenario {
     }
 
     /// Whether the scenario names its method.
-    #[must_use]
     pub fn names_method(&self) -> bool {
         self.method().is_some()
     }

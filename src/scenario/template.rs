@@ -121,7 +121,6 @@ noise.restitution = 0.01
 }
 
 /// A scenario of this kind, with a comment for every key.
-#[must_use]
 pub fn template(kind: Kind) -> String {
     let [about, tables] = parts(kind);
     let name = Kind::ALL.iter().find(|(_, other)| *other == kind).map_or("", |(name, _)| name);

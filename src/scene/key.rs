@@ -65,7 +65,6 @@ pub enum Form {
 
 impl Key {
     /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
-    #[must_use]
     pub fn column(&self) -> String {
         format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
     }

@@ -203,14 +203,12 @@ pub const EITHER: [[&str; 2]; 6] = [
 
 impl Key {
     /// The key of that path.
-    #[must_use]
     pub fn find(path: &str) -> Option<&'static Self> {
         KEYS.iter().find(|key| key.path == path)
     }
 }
 
 /// The key that varies, of the path of an axis, of a random key or of one that is wanted; any other path as it is.
-#[must_use]
 pub fn varied(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }

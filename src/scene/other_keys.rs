@@ -173,7 +173,6 @@ pub const LISTS: [List; 2] = [
 
 impl List {
     /// The list of that path.
-    #[must_use]
     pub fn find(path: &str) -> Option<&'static Self> {
         LISTS.iter().find(|list| list.path == path)
     }

@@ -193,7 +193,6 @@ pub const POINTS: Quantity = Quantity {
 };
 
 /// Any positive number of this dimension.
-#[must_use]
 pub const fn positive_of(dimension: Dimension) -> Quantity {
     positive("a number", dimension, "")
 }
@@ -245,7 +244,6 @@ impl Quantity {
     }
 
     /// A value for a person: a hardness in HV, anything else with a unit that fits.
-    #[must_use]
     pub fn human(&self, value: f64) -> String {
         match self.notation {
             Notation::Units => units::human(value, self.dimension),
@@ -265,7 +263,6 @@ impl Quantity {
     }
 
     /// The ends of the allowed range.
-    #[must_use]
     pub fn range(&self) -> (f64, f64) {
         let (Bound::Open(low) | Bound::Closed(low)) = self.low;
         let (Bound::Open(high) | Bound::Closed(high)) = self.high;
@@ -273,7 +270,6 @@ impl Quantity {
     }
 
     /// The allowed range in words: "> 0 m and finite".
-    #[must_use]
     pub fn allowed(&self) -> String {
         let value = |value| units::si(value, self.dimension);
         let low = match self.low {

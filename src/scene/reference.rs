@@ -11,7 +11,6 @@ use crate::law::LawChoice;
 use crate::materials::Property;
 
 /// All keys as Markdown, a table for every table of a scenario.
-#[must_use]
 pub fn keys() -> String {
     let numeric = KEYS.iter().map(|key| Row {
         path: key.path,
@@ -82,7 +81,6 @@ fn heading(table: &str) -> String {
 const MOST_WORDS: usize = 20;
 
 /// What may be written as the value of a key, as Markdown.
-#[must_use]
 pub fn written(form: &Form) -> String {
     let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
     match form {
@@ -132,7 +130,6 @@ const PARTS: [Part; 3] = [
 ];
 
 /// Keys, results and materials as Markdown.
-#[must_use]
 pub fn page() -> String {
     PARTS.iter().map(|part| (part.text)()).collect()
 }
@@ -151,7 +148,6 @@ pub fn renewed(page: &str) -> Result<String, [&'static str; 2]> {
 }
 
 /// All results as Markdown, a table for every file, or part of one, that has them.
-#[must_use]
 pub fn results() -> String {
     files().iter().fold(String::new(), |mut text, (title, results)| {
         let _ = writeln!(text, "### {title}\n\n| name | meaning | when it is there |\n|---|---|---|");

@@ -16,13 +16,11 @@ pub mod table;
 pub use entry::{Column, Described, Fields, File, Needs, Reported, fields};
 
 /// The files, or parts of them, that hold results, in the order of the reference page.
-#[must_use]
 pub fn files() -> Vec<File> {
     [impact::files(), series::files(), indentation::files(), compare::files(), table::files()].concat()
 }
 
 /// The columns of results that a table may have, in their order: those of elastic waves come last.
-#[must_use]
 pub fn columns() -> Vec<Column> {
     let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
     columns.sort_by_key(|column| column.needs == Needs::Density);

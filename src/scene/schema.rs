@@ -12,7 +12,6 @@ use crate::law::LawChoice;
 
 /// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys
 /// go together, only the program itself checks.
-#[must_use]
 pub fn schema() -> Value {
     let mut root = table();
     for law in LawChoice::names() {

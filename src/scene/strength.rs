@@ -47,13 +47,11 @@ impl Scene {
     }
 
     /// Whether the scene says more of how the metal flows than a yield strength, or the law has no use for it.
-    #[must_use]
     pub fn has_flow(&self) -> bool {
         self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
     }
 
     /// A number of the flow curve, if the curve has it.
-    #[must_use]
     pub fn flow_number(&self, number: NumberOf) -> Option<f64> {
         number(&mut self.law.flow()?.clone()).copied()
     }

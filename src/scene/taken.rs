@@ -16,7 +16,6 @@ impl Body {
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
     /// Its table in a scenario.
-    #[must_use]
     pub fn table(self) -> &'static str {
         match self {
             Self::Sphere => "sphere",
@@ -25,7 +24,6 @@ impl Body {
     }
 
     /// The key that names its material.
-    #[must_use]
     pub fn material(self) -> &'static str {
         match self {
             Self::Sphere => "sphere.material",
@@ -34,13 +32,11 @@ impl Body {
     }
 
     /// The body whose material a key names.
-    #[must_use]
     pub fn of_key(path: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|body| body.material() == path)
     }
 
     /// The key that a property of the material is the value of, if the body has a use for it.
-    #[must_use]
     pub fn path(self, property: Property) -> Option<&'static str> {
         match (self, property) {
             (Self::Sphere, Property::Density) => Some("sphere.density"),
@@ -77,13 +73,11 @@ impl Taken {
     }
 
     /// The value of such a key, in SI.
-    #[must_use]
     pub fn value(&self, known: &Known) -> f64 {
         self.in_key(known.property, known.taken.value)
     }
 
     /// A value of the range, in SI.
-    #[must_use]
     pub fn range(&self, known: &Known) -> [f64; 2] {
         [&known.range[0], &known.range[1]].map(|end| self.in_key(known.property, end.value))
     }

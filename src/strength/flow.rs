@@ -139,7 +139,6 @@ impl FlowCurve {
     }
 
     /// The largest strain that the curve is known for; `None` for a formula.
-    #[must_use]
     pub fn last_strain(&self) -> Option<f64> {
         match self {
             Self::Points(points) => points.last().map(|point| point.strain),
@@ -148,7 +147,6 @@ impl FlowCurve {
     }
 
     /// The rise over this yield strength \[Pa\] of a metal of this Young's modulus \[Pa\].
-    #[must_use]
     pub fn rise(&self, yield_strength: f64, youngs_modulus: f64) -> Rise {
         match self {
             Self::Power { exponent } => Rise::Power { rate: youngs_modulus / yield_strength, exponent: *exponent },
@@ -195,7 +193,6 @@ pub enum Rise {
 
 impl Rise {
     /// σ/σ_Y at a plastic strain ≥ 0.
-    #[must_use]
     pub fn at(&self, strain: f64) -> f64 {
         match self {
             Self::Power { rate, exponent } => pow(1.0 + rate * strain, *exponent),
@@ -216,7 +213,6 @@ impl Rise {
 }
 
 /// σ_Y \[Pa\] of a power curve with exponent `exponent` that has this stress \[Pa\] at this plastic strain.
-#[must_use]
 pub fn yield_strength_of_power(stress: f64, strain: f64, exponent: f64, youngs_modulus: f64) -> f64 {
     let elastic = youngs_modulus * strain;
     // with y = ln σ_Y: y + N ln(1 + E ε/exp(y)) = ln σ. The left side is convex and rises, so that Newton's method from

@@ -111,7 +111,6 @@ impl Scale {
     pub const ALL: [Self; 3] = [Self::Vickers, Self::Brinell, Self::RockwellC];
 
     /// As it is written behind a number.
-    #[must_use]
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Vickers => "HV",
@@ -121,7 +120,6 @@ impl Scale {
     }
 
     /// The scale of this symbol; HBW is a newer name of HB.
-    #[must_use]
     pub fn from_symbol(symbol: &str) -> Option<Self> {
         let symbol = if symbol == "HBW" { "HB" } else { symbol };
         Self::ALL.into_iter().find(|scale| scale.symbol() == symbol)
@@ -153,7 +151,6 @@ impl Scale {
 }
 
 /// The number and the scale of a text such as "300 HV".
-#[must_use]
 pub fn written(text: &str) -> Option<(f64, Scale)> {
     let text = text.trim();
     let at = text.rfind(|c: char| !c.is_ascii_alphabetic())? + 1;
@@ -162,14 +159,12 @@ pub fn written(text: &str) -> Option<(f64, Scale)> {
 }
 
 /// Flow stress \[Pa\] at a plastic strain of [`STRAIN`] of a metal with this mean pressure \[Pa\].
-#[must_use]
 pub fn flow_stress(mean_pressure: f64) -> f64 {
     mean_pressure / CONSTRAINT
 }
 
 /// The yield strength \[Pa\] that a hardness says, given as mean pressure \[Pa\]: of a power curve the one that has the flow
 /// stress of the hardness at the strain of a hardness test, else the flow stress itself.
-#[must_use]
 pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulus: f64) -> f64 {
     let stress = flow_stress(mean_pressure);
     match flow {
@@ -179,7 +174,6 @@ pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulu
 }
 
 /// HV of a mean pressure \[Pa\].
-#[must_use]
 pub fn vickers(mean_pressure: f64) -> f64 {
     mean_pressure * VICKERS_AREA / (1e6 * KILOGRAM_FORCE)
 }

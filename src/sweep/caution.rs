@@ -22,7 +22,6 @@ struct Choice<'a> {
 
 /// What is doubtful in this table, the worst of each kind with the case that it was found in; and the largest peak
 /// indentation over the radius of the sphere.
-#[must_use]
 pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let choices: Vec<Vec<Choice>> = match &plan.cases {
         Cases::Grid(axes) => axes.iter().map(ends).collect(),

@@ -18,7 +18,6 @@ pub enum Count {
 
 impl Count {
     /// Of a row as it was computed.
-    #[must_use]
     pub fn of(result: &Result<Essentials, Failure>) -> Self {
         match result {
             Ok(row) if row.has_speed() => Self::Restitution(row.restitution),

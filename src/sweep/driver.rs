@@ -200,7 +200,6 @@ impl Job<'_> {
 }
 
 /// The rows of this range as numbers; where they are stopped, the first of them.
-#[must_use]
 pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>, pace: &Pace) -> Rows {
     let mut computed = Rows::with_capacity(rows.end - rows.start, evaluator.n_swept());
     pace.walk(rows, |piece| {

@@ -38,13 +38,11 @@ impl Failure {
     ];
 
     /// Of that name.
-    #[must_use]
     pub fn from_name(name: &[u8]) -> Option<Self> {
         Self::ALL.into_iter().find(|failure| failure.name().as_bytes() == name)
     }
 
     /// As in the column `status`.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::OutOfFloatRange => "out_of_float_range",
@@ -86,7 +84,6 @@ pub struct Rows {
 
 impl Rows {
     /// No rows yet, with room for `count` of `n_swept` swept values each.
-    #[must_use]
     pub fn with_capacity(count: u64, n_swept: usize) -> Self {
         let count = usize::try_from(count).unwrap_or(0);
         Self {
@@ -116,7 +113,6 @@ type Pending<'s> = Vec<(&'s Result<Contact, Failure>, f64)>;
 
 impl<'a> Evaluator<'a> {
     /// Pairs the bodies of every combination, if there are at most 10⁴ (about 1 kB each).
-    #[must_use]
     pub fn new(plan: &'a Plan) -> Self {
         const MOST_CONTACTS: u64 = 10_000;
         let (mut strides, mut combinations) = (Vec::new(), Some(1u64));
@@ -154,7 +150,6 @@ impl<'a> Evaluator<'a> {
     }
 
     /// How many swept values a row has.
-    #[must_use]
     pub fn n_swept(&self) -> usize {
         self.plan.paths().len() + usize::from(self.derives_strength)
     }

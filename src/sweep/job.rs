@@ -33,13 +33,11 @@ pub struct Job<'a> {
 
 impl Job<'_> {
     /// The name of the table in the directory: of a file, or of the folder that a divided table is.
-    #[must_use]
     pub fn name(&self) -> String {
         self.partition.as_ref().map_or_else(|| table_name(self.shard, self.format), Partition::folder)
     }
 
     /// The names of its files, as seen from the directory.
-    #[must_use]
     pub fn files(&self) -> Vec<String> {
         self.partition.as_ref().map_or_else(|| vec![self.name()], Partition::files)
     }

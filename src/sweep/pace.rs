@@ -24,13 +24,11 @@ pub struct Pace<'a> {
 
 impl<'a> Pace<'a> {
     /// Stops when `is_cancelled` is set; tells `report` how many rows are computed.
-    #[must_use]
     pub fn new(is_cancelled: &'a AtomicBool, report: &'a (dyn Fn(u64) + Sync)) -> Self {
         Self { is_cancelled, report, piece: AtomicU64::new(FIRST), done: AtomicU64::new(0) }
     }
 
     /// How many rows a thread computes next.
-    #[must_use]
     pub fn piece(&self) -> u64 {
         self.piece.load(Ordering::Relaxed)
     }

@@ -36,20 +36,17 @@ impl Partition {
     }
 
     /// The name of the folder that is the table.
-    #[must_use]
     pub fn folder(&self) -> String {
         format!("table-by-{}", self.column)
     }
 
     /// The files in it, in the order of the axis, as seen from beside that folder.
-    #[must_use]
     pub fn files(&self) -> Vec<String> {
         let (folder, column) = (self.folder(), &self.column);
         self.values.iter().map(|value| format!("{folder}/{column}={value}/part-0.parquet")).collect()
     }
 
     /// Which cases file `index` has, out of `total`: blocks of as many cases as the axis keeps its value.
-    #[must_use]
     pub fn layout(&self, total: u64, index: usize) -> Layout {
         let shard = Shard { index: index as u64, count: self.values.len() as u64 };
         Layout { total, block: self.stride, shard }

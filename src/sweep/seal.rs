@@ -30,7 +30,6 @@ impl Sum {
     }
 
     /// The seal of a file that ends here.
-    #[must_use]
     pub fn seal(&self) -> Seal {
         Seal { bytes: self.bytes, crc32: self.crc32.clone().finalize() }
     }
@@ -55,7 +54,6 @@ impl<T> Sealed<T> {
     }
 
     /// The seal of all that has passed.
-    #[must_use]
     pub fn seal(&self) -> Seal {
         self.sum.seal()
     }

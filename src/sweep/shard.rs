@@ -97,14 +97,12 @@ pub struct Layout {
 
 impl Layout {
     /// Blocks of at most 1024 cases, and at least 16 blocks a shard where there are cases enough.
-    #[must_use]
     pub fn new(total: u64, shard: Shard) -> Self {
         let block = (total / shard.count.saturating_mul(16)).clamp(1, 1024);
         Self { total, block, shard }
     }
 
     /// Rows of this shard.
-    #[must_use]
     pub fn rows(&self) -> u64 {
         let Shard { index, count } = self.shard;
         let (full, rest) = (self.total / self.block, self.total % self.block);
@@ -113,13 +111,11 @@ impl Layout {
     }
 
     /// The case of row `row` of this shard.
-    #[must_use]
     pub fn case(&self, row: u64) -> u64 {
         (row / self.block * self.shard.count + self.shard.index) * self.block + row % self.block
     }
 
     /// The cases of a range of rows, as few ranges as possible.
-    #[must_use]
     pub fn cases(&self, rows: Range<u64>) -> Vec<Range<u64>> {
         if self.shard.count == 1 {
             return vec![rows];

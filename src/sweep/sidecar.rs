@@ -79,7 +79,6 @@ struct Stamp {
 
 impl Sidecar {
     /// That of a table which is being written, of the plan of this scenario.
-    #[must_use]
     pub fn new(plan: &Plan, scenario: &Source, format: Format, shard: Shard) -> Self {
         Self {
             format_version: FORMAT,
@@ -96,7 +95,6 @@ impl Sidecar {
     }
 
     /// Whether both are of the same part of the same table.
-    #[must_use]
     pub fn is_of_same(&self, other: &Self) -> bool {
         Self { finished: other.finished, ..self.clone() } == *other
     }
@@ -147,19 +145,16 @@ impl Sidecar {
 }
 
 /// Where a table lies while it is unfinished.
-#[must_use]
 pub fn part_path(table: &Path) -> PathBuf {
     with_suffix(table, PART)
 }
 
 /// Where its sidecar lies.
-#[must_use]
 pub fn sidecar_path(table: &Path) -> PathBuf {
     with_suffix(table, ".sidecar.json")
 }
 
 /// The name of a shard's table, or of an undivided one.
-#[must_use]
 pub fn table_name(shard: Option<Shard>, format: Format) -> String {
     let extension = format.name();
     match shard {
@@ -185,7 +180,6 @@ pub struct Tally {
 
 impl Tally {
     /// No rows of this plan yet.
-    #[must_use]
     pub fn of(plan: &Plan) -> Self {
         Self { is_random: plan.is_monte_carlo(), ..Self::default() }
     }
@@ -215,7 +209,6 @@ pub struct Read {
 
 impl Read {
     /// No rows of this plan.
-    #[must_use]
     pub fn of(plan: &Plan) -> Self {
         Self { tally: Tally::of(plan), ..Self::default() }
     }

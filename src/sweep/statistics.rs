@@ -50,7 +50,6 @@ impl Statistics {
     }
 
     /// The summary; `None` without samples.
-    #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub fn distribution(&self) -> Option<Distribution> {
         let mut sorted = self.values.clone();
@@ -82,7 +81,6 @@ impl Statistics {
     }
 
     /// Counts of e in `n` even bins from the smallest to the largest value, with the edges of the first and last bin.
-    #[must_use]
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn histogram(&self, n: usize) -> Option<(f64, f64, Vec<u64>)> {
         let fine: Vec<(f64, u64)> = if self.bins.is_empty() {

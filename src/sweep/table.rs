@@ -25,7 +25,6 @@ impl Format {
     pub const ALL: [Self; 3] = [Self::Csv, Self::Json, Self::Parquet];
 
     /// File name extension, and the word on the command line.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
@@ -86,7 +85,6 @@ impl FieldValue {
 
 impl TextTable {
     /// The table of a plan; anything but [`Format::Json`] is CSV.
-    #[must_use]
     pub fn new(plan: &Plan, format: Format) -> Self {
         let is_json = format == Format::Json;
         let names = plan.column_names();
@@ -108,7 +106,6 @@ impl TextTable {
     }
 
     /// What the file begins with, ending in a line end.
-    #[must_use]
     pub fn header(&self) -> Vec<u8> {
         let mut header = if self.is_json { "[".to_owned() } else { self.names.join(",") };
         header.push('\n');
@@ -116,7 +113,6 @@ impl TextTable {
     }
 
     /// What the file ends with.
-    #[must_use]
     pub fn footer(&self) -> &'static [u8] {
         if self.is_json { b"]\n" } else { b"" }
     }
@@ -179,7 +175,6 @@ pub struct Line {
 impl TextTable {
     /// Reads a line (without its line end); `None` if it is no row of this table. `is_end`: it is the last row of the file.
     /// Checks what is cheap: that all fields are there and of plain characters, the case, e and the status.
-    #[must_use]
     pub fn read(&self, line: &[u8], is_end: bool) -> Option<Line> {
         let line = match (self.is_json, is_end) {
             (true, true) => line.strip_suffix(b"\"}")?,

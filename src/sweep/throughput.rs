@@ -44,7 +44,6 @@ pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Resu
 }
 
 /// Rows a second, computing alone.
-#[must_use]
 #[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count().unwrap_or(0);

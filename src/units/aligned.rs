@@ -2,7 +2,6 @@
 
 /// Lines of cells, each column as wide as its widest cell. A cell begins at the left of its column where `is_left` says so of
 /// the column's number; else it ends at the right.
-#[must_use]
 pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows {

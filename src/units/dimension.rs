@@ -46,25 +46,21 @@ impl Dimension {
     }
 
     /// Its name with the article, for messages.
-    #[must_use]
     pub fn name(self) -> &'static str {
         self.words()[0]
     }
 
     /// The SI unit, empty for a plain number.
-    #[must_use]
     pub fn si_unit(self) -> &'static str {
         self.words()[1]
     }
 
     /// The end of the name of a column or a result in this unit: `_m_per_s`; empty for a plain number.
-    #[must_use]
     pub fn suffix(self) -> &'static str {
         self.words()[2]
     }
 
     /// How such a quantity may be written.
-    #[must_use]
     pub fn example(self) -> &'static str {
         self.words()[3]
     }

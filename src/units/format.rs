@@ -6,7 +6,6 @@ use super::table::Scale;
 use crate::math::functions::powi;
 
 /// A number in its shortest exact form, with an exponent where zeros would hide the digits.
-#[must_use]
 pub fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-4..1e6).contains(&size) || !value.is_finite() {
@@ -17,19 +16,16 @@ pub fn number(value: f64) -> String {
 }
 
 /// To four significant digits, for messages.
-#[must_use]
 pub fn four_digits(value: f64) -> String {
     number(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
 /// In the SI unit, exact: "0.005 m".
-#[must_use]
 pub fn si(value: f64, dimension: Dimension) -> String {
     format!("{} {}", number(value), dimension.si_unit()).trim_end().to_owned()
 }
 
 /// In the unit that fits, to six digits: "5 mm".
-#[must_use]
 pub fn human(value: f64, dimension: Dimension) -> String {
     let shown = || {
         dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
@@ -53,7 +49,6 @@ pub fn human(value: f64, dimension: Dimension) -> String {
 }
 
 /// Both: "0.005 m (5 mm)"; one where they are the same.
-#[must_use]
 pub fn describe(value: f64, dimension: Dimension) -> String {
     let (exact, short) = (si(value, dimension), human(value, dimension));
     if exact == short { exact } else { format!("{exact} ({short})") }

@@ -14,7 +14,6 @@ const FIRST_EXPONENT: i32 = -15;
 
 impl Prefix {
     /// The prefix under which `value` is written with one to three digits before the point.
-    #[must_use]
     pub fn of(value: f64) -> Self {
         let exponent = if value.is_finite() && value != 0.0 { rounded(value.abs()).1.div_euclid(3) * 3 } else { 0 };
         // 1e-306 is the smallest multiple of three that is not subnormal
@@ -29,13 +28,11 @@ impl Prefix {
 }
 
 /// 10^k, correctly rounded (`powi` is not).
-#[must_use]
 pub fn ten_to(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
 /// "10⁻³".
-#[must_use]
 pub fn power_of_ten(exponent: i32) -> String {
     let superscript = |c: char| match c {
         '-' => '⁻',
@@ -55,7 +52,6 @@ fn rounded(value: f64) -> (f64, i32) {
 }
 
 /// Four significant digits without trailing zeros; below 0.001 and from 10⁶ on in scientific form.
-#[must_use]
 pub fn number(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
@@ -72,7 +68,6 @@ pub fn number(value: f64) -> String {
 }
 
 /// A value in an SI unit, with prefix: `quantity(3.6948e-5, "m")` is "36.95 µm".
-#[must_use]
 pub fn quantity(value: f64, unit: &str) -> String {
     let prefix = Prefix::of(value);
     let space = match (unit, prefix.symbol.as_str()) {
@@ -85,7 +80,6 @@ pub fn quantity(value: f64, unit: &str) -> String {
 }
 
 /// A share as a percentage, "37.74 %".
-#[must_use]
 pub fn percent(share: f64) -> String {
     format!("{} %", number(100.0 * share))
 }

@@ -47,13 +47,11 @@ pub struct Cycle {
 
 impl Cycle {
     /// Its name, such as "case3_small, x = 105.1".
-    #[must_use]
     pub fn name(&self) -> String {
         format!("{}, x = {}", self.run, crate::units::rounded::number(self.peak.indentation))
     }
 
     /// Whether the dent spans enough elements to have a shape.
-    #[must_use]
     pub fn is_resolved(&self) -> bool {
         self.elements >= RESOLVED
     }
@@ -61,13 +59,11 @@ impl Cycle {
 
 impl Case {
     /// The law of this pair.
-    #[must_use]
     pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }
 
     /// κ.
-    #[must_use]
     pub fn sphere_compliance(&self) -> f64 {
         self.loading.pair.sphere_compliance
     }
@@ -78,7 +74,6 @@ impl Case {
     }
 
     /// The unloadings, without those that another at nearly the same depth resolves better.
-    #[must_use]
     pub fn distinct_cycles(&self) -> Vec<&Cycle> {
         let is_near = |a: &Cycle, b: &Cycle| ln(a.peak.indentation / b.peak.indentation).abs() < 0.1;
         let has_better = |one: &&Cycle| {

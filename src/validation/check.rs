@@ -33,7 +33,6 @@ pub enum Verdict {
 
 impl Verdict {
     /// Its word in tables.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -68,7 +67,6 @@ pub struct Check {
 
 impl Check {
     /// A check of one number against another.
-    #[must_use]
     pub fn numbers(
         quantity: &str,
         case: String,
@@ -91,14 +89,12 @@ impl Check {
     }
 
     /// A check of a mean, or of a root mean square, of deviations.
-    #[must_use]
     pub fn mean(quantity: &str, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
         let quantity = quantity.to_owned();
         Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
     }
 
     /// Whether the deviation is within the tolerance, or else within what is on record.
-    #[must_use]
     pub fn verdict(&self) -> Verdict {
         let off = self.deviation.abs();
         if off <= self.tolerance.limit {
@@ -112,25 +108,21 @@ impl Check {
 }
 
 /// How many checks have this verdict.
-#[must_use]
 pub fn count(checks: &[Check], verdict: Verdict) -> usize {
     checks.iter().filter(|check| check.verdict() == verdict).count()
 }
 
 /// got/expected − 1; 0 where both are the same.
-#[must_use]
 pub fn deviation(expected: f64, got: f64) -> f64 {
     if got == expected { 0.0 } else { got / expected - 1.0 }
 }
 
 /// The deviation farthest from zero; NaN if any is NaN.
-#[must_use]
 pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
     deviations.fold(0.0, farther_or_nan)
 }
 
 /// Arithmetic mean.
-#[must_use]
 pub fn mean(values: &[f64]) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let n = values.len() as f64;
@@ -138,7 +130,6 @@ pub fn mean(values: &[f64]) -> f64 {
 }
 
 /// Root mean square.
-#[must_use]
 pub fn rms(values: &[f64]) -> f64 {
     mean(&values.iter().map(|value| value * value).collect::<Vec<_>>()).sqrt()
 }

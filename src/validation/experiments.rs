@@ -51,7 +51,6 @@ pub struct Measured {
 
 impl Measured {
     /// Law over measurement − 1.
-    #[must_use]
     pub fn deviation(&self) -> f64 {
         self.law / self.restitution - 1.0
     }
@@ -170,7 +169,6 @@ fn law(contact: &Contact, speed: f64) -> Result<f64, crate::impact::ImpactError>
 
 impl Experiment {
     /// e by the law at a speed \[m/s\]; not a number where it has none.
-    #[must_use]
     pub fn law_at(&self, speed: f64) -> f64 {
         law(&self.contact, speed).unwrap_or(f64::NAN)
     }

@@ -140,7 +140,6 @@ fn summary(checks: &[Check]) -> Vec<[String; 7]> {
 }
 
 /// The summary, misses and what is on record, for the terminal.
-#[must_use]
 pub fn table(checks: &[Check]) -> String {
     let mut text = aligned(&summary(checks), |column| column == 0 || column == 6);
     for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
@@ -158,7 +157,6 @@ pub fn table(checks: &[Check]) -> String {
 
 /// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in law
 /// it also says where the law is off, and shows some of the `pictures`.
-#[must_use]
 pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
     let mut rows = String::new();
     for row in summary(checks).iter().skip(1) {

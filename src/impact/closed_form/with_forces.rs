@@ -144,7 +144,6 @@ fn excess(v: f64) -> f64 {
 
 /// Whether all motion under gravity on this law closes: its force is made of powers and straight lines, in and out. Other
 /// curves are integrated.
-#[must_use]
 pub fn closes(law: &Law) -> bool {
     // the kind of the unloading branch is the same from every plastic peak
     let is_power = || {

@@ -42,7 +42,6 @@ pub struct ForceTable {
 
 impl ForceTable {
     /// The loading curve for this κ².
-    #[must_use]
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
         pieces.fold(Curve::hertz(), |curve, ((from, slope), per_kappa)| {
@@ -119,7 +118,6 @@ fn is_not_negative(values: &[f64]) -> bool {
 
 impl PlmCoefficients {
     /// The built-in table.
-    #[must_use]
     pub fn built_in() -> &'static Self {
         static TABLE: LazyLock<PlmCoefficients> = LazyLock::new(|| {
             PlmCoefficients::from_toml(include_str!("coefficients.toml"))
@@ -188,7 +186,6 @@ impl PlmCoefficients {
     }
 
     /// The law for a pair whose half-space yields at `a_Y` / R = `yield_radius_ratio`.
-    #[must_use]
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
         let loading = self.force.curve(kappa_squared);

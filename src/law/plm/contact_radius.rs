@@ -31,7 +31,6 @@ pub struct RadiusTable {
 
 impl RadiusTable {
     /// Λ and G for a sphere of this κ² on a half-space that yields at this a_Y/R.
-    #[must_use]
     pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> (RadiusRatio, RadiusGeometry) {
         let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
         let geometry =
@@ -40,7 +39,6 @@ impl RadiusTable {
     }
 
     /// Λ alone.
-    #[must_use]
     pub fn radius_ratio(&self) -> RadiusRatio {
         RadiusRatio { from: self.from.clone(), ratio: self.ratio.clone() }
     }
@@ -57,7 +55,6 @@ pub struct RadiusRatio {
 
 impl RadiusRatio {
     /// Λ at A.
-    #[must_use]
     pub fn at(&self, equivalent_radius: f64) -> f64 {
         let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
         match (above.checked_sub(1), self.from.get(above)) {
@@ -82,7 +79,6 @@ pub struct RadiusGeometry {
 
 impl RadiusGeometry {
     /// G at A.
-    #[must_use]
     pub fn at(&self, equivalent_radius: f64) -> f64 {
         1.0 + self.slope * (equivalent_radius - self.from).max(0.0)
     }

@@ -47,7 +47,6 @@ impl Hardening {
     }
 
     /// σ_rep/σ_Y at x; 1 below first yield.
-    #[must_use]
     pub fn strength(&self, x: f64) -> f64 {
         let s = self.yield_radius_ratio * (x.sqrt() - 1.0);
         if s <= 0.0 {

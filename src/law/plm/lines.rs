@@ -34,7 +34,6 @@ impl LineSlopes {
     }
 
     /// ε at force f ≥ 1 on the polyline of a half-space that yields at this a_Y/R, without making the polyline.
-    #[must_use]
     pub fn approach(&self, force: f64, yield_radius_ratio: f64) -> f64 {
         let mut pieces = self.pieces(yield_radius_ratio);
         let first = pieces.next();
@@ -72,14 +71,12 @@ impl LinePiece {
 
 impl ElasticLine {
     /// The polyline for a half-space that yields at this a_Y/R.
-    #[must_use]
     pub fn new(slopes: &LineSlopes, yield_radius_ratio: f64) -> Self {
         Self { pieces: slopes.pieces(yield_radius_ratio).collect() }
     }
 
     /// ε on the line at force f ≥ 1.
     #[inline]
-    #[must_use]
     pub fn at(&self, force: f64) -> f64 {
         // few pieces: a scan from the end beats a search
         let piece = self.pieces.iter().rev().find(|piece| piece.force <= force).or(self.pieces.first());

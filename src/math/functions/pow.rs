@@ -184,7 +184,6 @@ fn is_normal_and_positive(x: f64) -> bool {
 
 /// x^y.
 #[inline]
-#[must_use]
 pub fn pow(x: f64, y: f64) -> f64 {
     if is_normal_and_positive(x) {
         let (high, low) = logarithm(x);
@@ -207,7 +206,6 @@ fn at_the_ends(x: f64, y: f64) -> f64 {
 
 /// e^x.
 #[inline]
-#[must_use]
 pub fn exp(x: f64) -> f64 {
     if x.abs() < LARGEST_EXPONENT { exponential(x, 0.0) } else { libm::exp(x) }
 }

@@ -29,7 +29,6 @@ pub struct Branch {
 }
 
 /// The rows: the finite elements first, where there are some, then the laws.
-#[must_use]
 pub fn rows(comparison: &Comparison) -> Vec<Row> {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let reference = comparison.finite_elements();
@@ -62,7 +61,6 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
 }
 
 /// The results of one law, and the columns of `comparison.csv`.
-#[must_use]
 pub fn row() -> Vec<Reported<Row>> {
     results! { |row: Row|
         /// The law, or `finite_elements`.
@@ -87,7 +85,6 @@ pub fn row() -> Vec<Reported<Row>> {
 }
 
 /// The results of the peak, in the order of `summary.json`.
-#[must_use]
 pub fn peak() -> Vec<Reported<Comparison>> {
     results! { |of: Comparison|
         /// Where the peak comes from: `plm` or `given`.

@@ -70,7 +70,6 @@ pub struct Column {
 
 impl Column {
     /// Why impacts of this scene do not have it; `None` where they do.
-    #[must_use]
     pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
         match self.needs {
             Needs::Strength if scene.half_space.yield_strength.is_none() => {
@@ -110,7 +109,6 @@ impl Serialize for Fields {
 }
 
 /// The values of all results that are there, by name.
-#[must_use]
 pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
     Fields(results.iter().filter_map(|result| Some((result.name, (result.value)(of)?))).collect())
 }

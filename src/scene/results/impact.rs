@@ -30,7 +30,6 @@ impl Single<'_> {
 }
 
 /// The results of one impact, in the order of `summary.json`.
-#[must_use]
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is let go at first touch.
@@ -136,7 +135,6 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
 }
 
 /// The columns of `trace.csv`.
-#[must_use]
 pub fn trace() -> Vec<Reported<TraceRow>> {
     results! { |row: TraceRow|
         /// Time since first touch.
@@ -161,7 +159,6 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
 }
 
 /// The word for an event; empty for an ordinary row.
-#[must_use]
 pub fn event_name(event: Option<Event>) -> &'static str {
     match event {
         None => "",

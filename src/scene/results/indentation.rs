@@ -4,7 +4,6 @@ use super::entry::{Fields, File, Reported, fields, file, results};
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.
-#[must_use]
 pub fn half_space() -> Vec<Reported<Tested>> {
     results! { |of: Tested|
         /// Name of the half-space.
@@ -37,7 +36,6 @@ pub fn half_space() -> Vec<Reported<Tested>> {
 }
 
 /// The results of every step of one half-space.
-#[must_use]
 pub fn steps(of: &Tested) -> Vec<Fields> {
     let results = step();
     let spans = |i: usize| of.spans.as_ref().and_then(|spans| spans.get(i).copied());
@@ -66,7 +64,6 @@ impl Stepped<'_> {
 }
 
 /// The results of one step.
-#[must_use]
 pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
     results! { |of: Stepped<'a>|
         /// Number of the step, from 1.
@@ -128,7 +125,6 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
 pub type Traced<'a> = (Option<&'a str>, &'a crate::indentation::TraceRow);
 
 /// The columns of `trace.csv`.
-#[must_use]
 pub fn trace<'a>() -> Vec<Reported<Traced<'a>>> {
     results! { |row: Traced<'a>|
         /// Name of the half-space.

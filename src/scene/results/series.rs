@@ -62,7 +62,6 @@ const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last
                          falls); null if e is 1 or more, or the sphere stays in its dent";
 
 /// The results of a series, in the order of `summary.json`.
-#[must_use]
 pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
     results! { |of: Series<'a>|
         /// Number of impacts.
@@ -130,7 +129,6 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
 }
 
 /// Why the series ended, for a person.
-#[must_use]
 pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
     let until = match repeat.drive {
         Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
@@ -146,7 +144,6 @@ pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
 }
 
 /// The columns of `impacts.csv`, behind the number of the impact.
-#[must_use]
 pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
     results! { |row: (usize, Hit)|
         /// Number of the impact, from 1.
@@ -204,7 +201,6 @@ pub struct TraceRow {
 }
 
 /// The columns of the `trace.csv` of a series.
-#[must_use]
 pub fn trace() -> Vec<Reported<TraceRow>> {
     results! { |row: TraceRow|
         /// Number of the impact that the row is of or comes after; 0 during the fall before the first.

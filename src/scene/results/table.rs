@@ -50,7 +50,6 @@ pub struct Drawn {
 }
 
 /// The results of the rows, in the order of `summary.json`.
-#[must_use]
 pub fn totals() -> Vec<Reported<Totals>> {
     results! { |of: Totals|
         /// Rows of the table.
@@ -77,7 +76,6 @@ pub fn totals() -> Vec<Reported<Totals>> {
 }
 
 /// What is said of every random key.
-#[must_use]
 pub fn drawn() -> Vec<Reported<Drawn>> {
     results! { |of: Drawn|
         /// Path of the key.

@@ -47,13 +47,11 @@ fn summary(experiments: &[Experiment]) -> Vec<[String; 7]> {
 }
 
 /// The summary for the terminal.
-#[must_use]
 pub fn table(experiments: &[Experiment]) -> String {
     aligned(&summary(experiments), |column| column == 0 || column == 6)
 }
 
 /// The summary and the pictures for the page.
-#[must_use]
 pub fn section(experiments: &[Experiment]) -> String {
     let mut text =
         "\n## Measurements of your own\n\nLaw over measured restitution − 1; rows in `experiments.csv`.\n\n".to_owned();
