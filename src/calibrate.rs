@@ -1,18 +1,19 @@
-//! From measurements to the keys of a scenario: what a material must be so that the law gives what was measured, how sure
-//! that is, and whether the law fits at all.
+//! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
+//! and whether the law fits at all.
 //!
-//! The keys that are wanted (one or two) have ranges. A grid over the ranges finds every basin of −2 ln of the likelihood;
-//! Levenberg and Marquardt's method goes to the bottom of each. With noise of known standard deviations the likelihood is
-//! normal, so that its sum is chi-square; with `robust` it has the long tails of Student's distribution with 4 degrees of
-//! freedom. The law's own error is added to the noise in quadrature, as a share of each value, independent from value to
-//! value. A noise that is not known is the same share of every value, and is estimated from the scatter.
+//! One or two keys are wanted, and each has a range. A grid over the ranges finds every basin of −2 ln of the
+//! likelihood; the method of Levenberg and Marquardt finds the minimum of each basin. If the standard deviations of the
+//! noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
+//! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
+//! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
+//! share of every value and estimated from the scatter.
 //!
-//! Intervals are those of the profile likelihood: all values of a key for which the sum, with the other key at its best, is
-//! at most z² above the least (with an estimated noise, Student's t² in place of z²). The posterior has a flat prior on the
-//! range, in the logarithm for a logarithmic range.
+//! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
+//! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
+//! The posterior has a flat prior on the range of the key; for a logarithmic range it is flat in the logarithm.
 //!
-//! An interval is refused where the keys can be moved together without a change of the predictions beyond the error that
-//! laws have. So e(v) alone fixes only σ_Y⁵/(E*⁴ ρ v²): it does not give σ_Y and E together.
+//! No interval is given if the keys can be changed together while the predictions change by less than the error of the
+//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together.
 
 pub mod data;
 mod error;
@@ -41,86 +42,88 @@ use profile::{Ends, Marginal, Sheet};
 use quantity::{CURVE, MEASURED, Measured};
 use statistics::{chance, chance_of_runs};
 
-/// MiB of a file of measurements: a million lines.
+/// Largest file of measurements \[MiB\]: enough for a million lines.
 const LARGEST: u64 = 64;
-/// Residuals beyond so many standard deviations are outliers, where outliers are expected.
+/// With `robust`, residuals of more than this many standard deviations are outliers.
 const OUTLIER: f64 = 3.0;
-/// More outliers than this share of the values are no outliers.
+/// If more than this share of the values are outliers, the law is taken not to fit.
 const MOST_OUTLIERS: f64 = 0.2;
-/// The law is rejected where the chance of what was measured is smaller.
+/// The law is rejected if the measurements have a smaller probability than this.
 const REJECTED: f64 = 0.01;
 
-/// What is wanted, and the measurements.
+/// The keys that are wanted, and the measurements.
 #[derive(Debug, Clone)]
 pub struct Measurements {
-    /// What the scenario asks for.
+    /// The request of the scenario.
     pub wanted: Wanted,
-    /// What was measured.
+    /// The measurements.
     pub data: Data,
-    /// SHA-256 of the file; `None` for numbers of the scenario.
+    /// SHA-256 of the file; `None` if the measurements are in the scenario.
     pub sha256: Option<String>,
-    /// The largest value.
+    /// The largest measured value.
     largest: f64,
 }
 
-/// What is known of a key.
+/// The result for one key.
 #[derive(Debug, Clone)]
 pub struct Found {
     /// The key and its range.
     pub free: Free,
     /// Its best value, SI.
     pub estimate: f64,
-    /// Standard deviation, SI; `None` where the measurements do not tell.
+    /// Standard deviation, SI; `None` if the measurements do not determine the key.
     pub sd: Option<f64>,
-    /// The same if the error of the law is one and the same for all values of a quantity.
+    /// Standard deviation, SI, if the law has the same error for all values of a quantity.
     pub sd_of_common_error: Option<f64>,
-    /// Intervals of the profile likelihood at both levels, SI; an end is `None` where the range ends first.
+    /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
+    /// key.
     pub intervals: Option<[Ends; 2]>,
-    /// The posterior; `None` without an interval.
+    /// The posterior; `None` if there is no scatter to estimate the noise from.
     pub posterior: Option<Marginal>,
 }
 
-/// All that is known.
+/// The result of a calibration.
 #[derive(Debug)]
 pub struct Calibration<'a> {
     /// The best keys under the law of the scenario.
     pub fit: Fit<'a>,
-    /// Each key.
+    /// The result for each key.
     pub keys: Vec<Found>,
-    /// Covariance of the shares of the ranges.
+    /// Covariance of the keys, as shares of their ranges.
     pub covariance: Option<Vec<Vec<f64>>>,
-    /// What is predicted for every value.
+    /// The prediction for every value.
     pub predicted: Vec<f64>,
-    /// Measured less predicted, over the standard deviation.
+    /// Residual of every value: measured minus predicted, over the standard deviation.
     pub residuals: Vec<f64>,
-    /// By how much every key (in shares) would be shifted without a value, to first order.
+    /// For every value, the change of every key (in shares) if this value were left out, to first order.
     pub shifts: Option<Vec<Vec<f64>>>,
-    /// Sum of the squares of the residuals, without those of outliers.
+    /// Sum of the squares of the residuals, without outliers.
     pub chi_square: f64,
     /// Degrees of freedom of the residuals.
     pub freedom: usize,
-    /// Values that are taken for outliers.
+    /// Number of values that are taken as outliers.
     pub outliers: usize,
-    /// Root mean square of measured less predicted, as a share of the measured; the largest of all quantities.
+    /// Root mean square of measured minus predicted over root mean square of measured. It is computed for each
+    /// quantity, and this is the largest.
     pub misfit: f64,
-    /// The chance of this chi-square or a larger one; `None` where the noise is estimated.
+    /// Probability of this chi-square or a larger one; `None` if the noise is estimated.
     pub p: Option<f64>,
-    /// The chance of so few runs of equal signs in the residuals, in the order of the speeds.
+    /// Probability of as few runs of equal signs in the residuals, in the order of the speeds, or fewer.
     pub p_of_runs: Option<f64>,
-    /// What the measurements tell of the keys together.
+    /// How well the measurements determine the keys together.
     pub identifiability: Option<Identifiability>,
-    /// Why there is no interval.
+    /// Why there is no interval; `None` if there is one.
     pub refusal: Option<String>,
-    /// The posterior on the plane of two keys.
+    /// The posterior of two keys; `None` for one key.
     pub sheet: Option<Sheet>,
-    /// Every law that was asked for with its fit, the best first.
+    /// The fit of every law that was asked for, the best first.
     pub laws: Vec<(String, Result<Fit<'a>, NoAnswer>)>,
-    /// Why the law does not fit.
+    /// Why the law does not fit; `None` if it may.
     pub contradiction: Option<String>,
 }
 
 impl Measurements {
-    /// Reads what a scenario asks for.
+    /// Reads the request of a scenario and its measurements.
     ///
     /// # Errors
     /// [`CalibrateError`].
@@ -162,7 +165,7 @@ impl Measurements {
         Ok(())
     }
 
-    /// The standard deviation of every value, and whether these are only their ratios.
+    /// The standard deviation of every value, and whether only their ratios are known.
     fn deviations(&self) -> Result<(Vec<f64>, bool), CalibrateError> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
         let given = |what: usize| deviations.iter().find(|(name, _)| name == MEASURED[what].name).map(|(_, sd)| *sd);
@@ -188,7 +191,8 @@ impl Measurements {
         Ok((self.data.values.iter().map(deviation).collect::<Result<_, _>>()?, is_estimated))
     }
 
-    /// What shares of a value are of. A force may be zero: along a curve it is the largest one.
+    /// The number that relative errors of a value refer to: the value itself, or for a curve its largest force, because
+    /// a force may be zero.
     fn size(&self, value: &data::Value) -> f64 {
         if value.what == CURVE { self.largest } else { value.value }
     }
@@ -205,7 +209,7 @@ impl Measurements {
         Fit::of(problem, is_estimated).map_err(reason)
     }
 
-    /// All that the measurements tell. Counted are the laws that are fitted, and the keys whose intervals are found.
+    /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
     ///
     /// # Errors
     /// [`CalibrateError`].
@@ -295,7 +299,7 @@ impl Measurements {
         Ok(found)
     }
 
-    /// Standard deviation of a share where the error of the law is common to all values of a quantity.
+    /// Standard deviation of the share of a key, if the law has the same error for all values of a quantity.
     fn of_common_error(&self, problem: &Problem, covariance: &[Vec<f64>], columns: &[Vec<f64>], key: usize) -> f64 {
         let (mut own, mut common) = (0.0, [0.0; MEASURED.len()]);
         for (i, at) in problem.counted.iter().enumerate() {
@@ -310,7 +314,7 @@ impl Measurements {
 }
 
 impl Calibration<'_> {
-    /// Why the law does not fit; `None` where it may.
+    /// Why the law does not fit; `None` if it may.
     fn contradicts(&self) -> Option<String> {
         let values = self.residuals.len();
         let law = self.fit.problem.scene.law.name();
@@ -336,7 +340,7 @@ impl Calibration<'_> {
                     self.freedom
                 ),
             ),
-            // a law that is off by less than laws are is no contradiction
+            // a law that is off by less than the usual error of laws is not contradicted
             None => (
                 self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW),
                 format!(

@@ -1,5 +1,5 @@
-//! The lines with which another code gives the same rebound as the contact law here: a constant e at a speed, springs with
-//! that e and the contact time (or peak force) of the law, or a table e(v).
+//! Writes input lines for other codes, so that they give the same rebound as the contact law here. The lines hold a
+//! constant e at one speed, springs with this e and the contact time (or peak force) of the law, or a table e(v).
 //!
 //! | model | parameters from e, contact time t and peak force F of the impact at v |
 //! |---|---|
@@ -7,7 +7,7 @@
 //! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
 //! | two springs (Walton and Braun 1986, Luding 2008 without adhesion) | k₁ = m (π (1 + e)/(2 t))² or (F/v)²/m; k₂ = k₁/e² |
 //!
-//! The peak force of the damped spring follows, and is not that of the law.
+//! The peak force of the damped spring follows from these parameters. It differs from the peak force of the law.
 
 mod lines;
 mod request;
@@ -23,10 +23,10 @@ pub use springs::{E_WITHIN, STEPS_PER_CONTACT, Springs, range_of_constant, sprin
 /// Rows of a table e(v).
 const POINTS: u32 = 41;
 
-/// The lines for another code; `command` is the command line, for the provenance.
+/// The lines for another code. `command` is the command line, which the lines name as their origin.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, one with gravity or damping, one without a speed, a speed without a result.
+/// [`Error`] for a bad scenario, a scenario with gravity or damping, a missing speed, or a speed without a result.
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
     let (scene, contact) = contact_alone(scenario)?;
     let speed = request.speed.or(scene.speed.is_finite().then_some(scene.speed)).ok_or_else(|| {

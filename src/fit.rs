@@ -1,4 +1,4 @@
-//! Coefficients of the PLM from loading curves: reading the curves, the least-squares fit, and the report of it.
+//! Coefficients of the PLM from loading curves: reads the curves, fits by least squares, and reports the fit.
 
 pub mod curve;
 mod error;

@@ -1,5 +1,5 @@
-//! Materials by name: density, elastic constants and hardness, each with a range, what kind of number it is, and who says
-//! so. The file `materials/materials.toml` says which values were chosen, and why.
+//! Materials by name: density, elastic constants and hardness. Each value has a range, says what kind of number it is,
+//! and names its sources. The file `materials/materials.toml` says how the values were chosen.
 
 mod entry;
 mod file;
@@ -16,7 +16,7 @@ pub fn all() -> &'static [Entry] {
     &ALL
 }
 
-/// The material of that name.
+/// The material of this name.
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().iter().find(|entry| entry.name == name)
 }

@@ -1,9 +1,10 @@
-//! Pictures of results, drawn in memory with a font linked in: PNG or SVG, with the same bytes on every machine.
+//! Pictures of results as PNG or SVG, with the same bytes on every machine. They are drawn in memory with a built-in
+//! font.
 //!
-//! Nothing here computes physics. plotters draws the primitives (lines, polygons, text); axes, dashes and the key are
-//! laid out here, because its charts have neither dash patterns per series, nor a key outside the axes, nor engineering
-//! units on the ticks. Series differ by colour (the palette of Okabe and Ito, made for colour-blind readers), by dash
-//! pattern and by marker.
+//! Nothing here computes physics. The crate plotters draws lines, polygons and text. Axes, dashes and the key are laid
+//! out here, because the charts of plotters have no dash pattern for each series, no key outside the axes, and no
+//! engineering units on the ticks. Series differ by colour (the palette of Okabe and Ito, made for colour-blind
+//! readers), by dash pattern and by marker.
 
 pub mod axis;
 pub mod calibrate;
@@ -46,13 +47,13 @@ pub const SIZE: (u32, u32) = (1600, 1000);
 /// Why a picture could not be made.
 #[derive(Debug, Error)]
 pub enum PlotError {
-    /// The font that is linked in was refused.
+    /// The built-in font could not be loaded.
     #[error("the built-in font cannot be used")]
     Font,
-    /// The drawing library refused.
+    /// The drawing library reported an error.
     #[error("drawing: {0}")]
     Drawing(String),
-    /// The PNG encoder refused.
+    /// The PNG encoder reported an error.
     #[error("PNG: {0}")]
     Encoding(#[from] png::EncodingError),
     /// The data do not fit together.

@@ -1,4 +1,4 @@
-//! The strength of metals in the forms that people have it: flow curves and hardness.
+//! The strength of metals, given as a flow curve or as a hardness.
 
 pub mod flow;
 pub mod hardness;

@@ -1,8 +1,9 @@
-//! Sweeps: many cases of one scene to one table, on all cores, in shards, resumable.
+//! Sweeps: many cases of one scene are written to one table. A sweep uses all cores, can be divided into shards, and
+//! can be resumed.
 //!
-//! A case number alone says what a row holds ([`crate::plan`]), so threads, shards and interruptions change nothing.
-//! Pieces of rows are computed and encoded on all threads and put into the file in order (`ordered`), as text or as Parquet.
-//! Memory does not grow with the number of rows.
+//! A row depends on its case number alone ([`crate::plan`]), so threads, shards and interruptions do not change the
+//! table. Pieces of rows are computed and encoded on all threads and written to the file in order (`ordered`), as text
+//! or as Parquet. Memory does not grow with the number of rows.
 
 pub mod caution;
 mod column;
@@ -38,20 +39,20 @@ pub use table::Format;
 /// Why a sweep did not finish.
 #[derive(Debug, Error)]
 pub enum SweepError {
-    /// The file system says no; what is written so far stays, and can be resumed.
+    /// The file system reported an error. The rows written so far stay, and can be resumed.
     #[error("{}: {problem}", .path.display())]
     File {
         /// The file.
         path: PathBuf,
-        /// What was tried.
+        /// What failed, such as `cannot be written`.
         problem: &'static str,
-        /// Why not.
+        /// The error of the file system.
         source: io::Error,
     },
-    /// The table has no place, or another process is writing it.
+    /// The table cannot be written to its directory, or another process is writing it.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// A file that is not what it should be.
+    /// A file does not hold what the program wrote into it.
     #[error("{}: {problem}", .path.display())]
     Damaged {
         /// The file.
@@ -59,7 +60,7 @@ pub enum SweepError {
         /// What is wrong.
         problem: String,
     },
-    /// An unfinished table, or a shard, of something else.
+    /// The file holds unfinished rows or a shard of another sweep.
     #[error(
         "{}: holds {what} of {of} (sidecar {}); go on as it was begun, name another --out, or delete both files to start over",
         .table.display(), .sidecar.display()
@@ -71,10 +72,10 @@ pub enum SweepError {
         sidecar: PathBuf,
         /// `unfinished rows` or `a shard`.
         what: &'static str,
-        /// What else it belongs to.
+        /// The other sweep or machine that the rows belong to.
         of: &'static str,
     },
-    /// A table that another version wrote.
+    /// Another version of the program wrote the table.
     #[error(
         "{}: {versions}; go on with that version, name another --out, or delete this file and its table to start over",
         .sidecar.display()
@@ -82,55 +83,55 @@ pub enum SweepError {
     Version {
         /// The table's sidecar.
         sidecar: PathBuf,
-        /// Which version wrote it, and which this is.
+        /// The version that wrote the table, and the version of this program.
         versions: String,
     },
     /// Stopped on request.
     #[error("interrupted after {rows} of {total} rows; the same command goes on from there ({})", .part.display())]
     Interrupted {
-        /// Complete rows.
+        /// Rows that are complete.
         rows: u64,
-        /// All.
+        /// All rows of the table or shard.
         total: u64,
-        /// Where they are.
+        /// The unfinished table.
         part: PathBuf,
     },
-    /// Stopped on request, with nothing to go on from.
+    /// Stopped on request; the rows are lost, because a Parquet table cannot be resumed.
     #[error("interrupted; a Parquet table starts over, csv and json can be resumed")]
     Dropped,
     /// A request that the build or the format does not allow.
     #[error("{0}")]
     Unsupported(&'static str),
-    /// A key by which no table can be divided into files.
+    /// The table cannot be divided into files by this key.
     #[error("--partition-by {key}: {}", if .of_words.is_empty() {
         "no axis of this [sweep] has words for values, such as law = [\"plm\", \"thornton\"]".to_owned()
     } else {
         format!("a table is divided by an axis of words, here by {}", .of_words.join(" or "))
     })]
     PartitionBy {
-        /// As given.
+        /// The key as the user gave it.
         key: String,
-        /// The axes that would do.
+        /// The axes by which this table can be divided.
         of_words: Vec<&'static str>,
     },
-    /// A file that would be read as part of a data set.
+    /// Another file lies in the folder of a divided table, and would be read as part of the table.
     #[error("{}: is not of this table, and would be read as part of it; move or delete it, or name another --out", .0.display())]
     Stray(PathBuf),
-    /// No place for a merged table.
+    /// The merged table cannot be written to this path.
     #[error("--out {}: {problem}; name another file", .path.display())]
     Place {
-        /// Where it was to go.
+        /// The path that was asked for.
         path: PathBuf,
-        /// What is wrong with that.
+        /// Why the table cannot be written there.
         problem: &'static str,
     },
-    /// Shards that do not make a table.
+    /// The shards do not make one table; each text names one problem.
     #[error("these shards do not make a table:\n  {}", .0.join("\n  "))]
     Shards(Vec<String>),
 }
 
 impl SweepError {
-    /// A file error, for `map_err`.
+    /// Makes a [`SweepError::File`] from an error of the file system, for `map_err`.
     pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::File { path: path.clone(), problem, source }

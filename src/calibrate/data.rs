@@ -1,14 +1,15 @@
 //! Measurements: a CSV file, read and checked line by line.
 //!
-//! Every line is one impact, or one point of an indentation curve. The columns name what they hold, with the unit at the end:
-//! `speed_m_per_s`, `drop_height_mm`, `restitution`, `dent_diameter_um`. A column may be
+//! Every line is one impact, or one point of an indentation curve. The name of a column says its quantity and ends in
+//! its unit: `speed_m_per_s`, `drop_height_mm`, `restitution`, `dent_diameter_um`. A column may hold
 //!
-//! * a measured quantity (see [`MEASURED`]); an empty field is one that was not measured;
-//! * the standard deviation of one, in the same unit: its name with `_sd` at the end;
-//! * any numeric key of the scenario that changes from line to line, such as `sphere_radius_mm`; `speed` and `drop_height`
-//!   stand for those of `[impact]`;
-//! * `indentation` and `force`: an indentation curve, point after point. Loading and unloading follow from the order;
-//! * `note`, which is not read.
+//! * a measured quantity (see [`MEASURED`]); if a field is empty, the quantity was not measured;
+//! * the standard deviation of a measured quantity: the name of the quantity with `_sd` at the end;
+//! * any numeric key of the scenario that changes from line to line, such as `sphere_radius_mm`; `speed` and
+//!   `drop_height` are the keys of `[impact]`;
+//! * `indentation` or `force` of an indentation curve, point after point. The order of the points shows loading and
+//!   unloading;
+//! * `note`, which is ignored.
 //!
 //! Lines that begin with `#` are comments.
 
@@ -22,11 +23,11 @@ use crate::units::{Dimension, parse};
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Value {
-    /// The row that it stands in.
+    /// The row of the value.
     pub row: usize,
-    /// Its place in [`MEASURED`].
+    /// The place of the quantity in [`MEASURED`].
     pub what: usize,
-    /// SI.
+    /// The value in SI units.
     pub value: f64,
     /// Standard deviation, SI, if the data give it.
     pub deviation: Option<f64>,
@@ -35,24 +36,24 @@ pub struct Value {
 /// One line.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
-    /// In the file, from 1.
+    /// Number of the line in the file, counted from 1.
     pub line: u64,
     /// Values of the keys that are columns, SI.
     pub keys: Vec<f64>,
-    /// Of a point of an indentation curve \[m\].
+    /// Indentation of a point of an indentation curve \[m\].
     pub indentation: Option<f64>,
 }
 
 /// The measurements.
 #[derive(Debug, Clone, Default)]
 pub struct Data {
-    /// The file.
+    /// The name of the file.
     pub name: String,
     /// The keys that are columns.
     pub keys: Vec<&'static Key>,
-    /// In the order of the file.
+    /// The rows in the order of the file.
     pub rows: Vec<Row>,
-    /// Row after row.
+    /// The values, row after row.
     pub values: Vec<Value>,
 }
 
@@ -70,12 +71,12 @@ struct Column {
     name: String,
     role: Role,
     quantity: Quantity,
-    /// As `units` spells it; empty for SI.
+    /// The unit as `units` spells it; empty for SI units.
     unit: String,
 }
 
 impl Data {
-    /// One impact with these measured values, by name.
+    /// The data of one impact, from names and values of the measured quantities.
     pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
             Some(Value { row: 0, what: Measured::find(name)?, value: *value, deviation: None })
@@ -84,7 +85,7 @@ impl Data {
         Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
     }
 
-    /// Whether they are points of an indentation curve, and not impacts.
+    /// Whether the rows are points of an indentation curve, not impacts.
     pub fn is_curve(&self) -> bool {
         self.values.iter().any(|value| value.what == CURVE)
     }
@@ -94,7 +95,7 @@ impl Data {
         (0..MEASURED.len()).filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
     }
 
-    /// Reads a text; `name` stands for the file in messages.
+    /// Reads measurements from a text. Messages use `name` for the file.
     ///
     /// # Errors
     /// [`CalibrateError::Data`] with the line, what is wrong and what is allowed.
@@ -167,7 +168,7 @@ impl Data {
         let known = measured.chain([("indentation".to_owned(), Role::Indentation, &INDENTATION)]).chain(keys);
         let plain = base.replace('.', "_");
         let plain = plain.strip_prefix("impact_").unwrap_or(&plain);
-        // the longest name, as one may begin like another
+        // the longest name that fits, because one name may be the beginning of another
         let fitting = known.filter_map(|(known, role, quantity)| {
             let unit = plain.strip_prefix(known.as_str()).filter(|unit| unit.is_empty() || unit.starts_with('_'))?;
             Some((known.len(), role, quantity, unit.trim_start_matches('_').replace("_per_", "/")))
@@ -255,7 +256,7 @@ impl Column {
     }
 }
 
-/// What columns may be called.
+/// The names that columns may have, for messages.
 fn all() -> String {
     let names = MEASURED.iter().map(|one| format!("{}{}", one.name, one.quantity.dimension.suffix()));
     let names: Vec<String> = names.collect();

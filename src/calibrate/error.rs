@@ -1,4 +1,4 @@
-//! Why nothing was found.
+//! Errors of a calibration.
 
 use thiserror::Error;
 
@@ -6,7 +6,7 @@ use crate::impact::ImpactError;
 use crate::indentation::IndentationError;
 use crate::scenario::ScenarioError;
 
-/// Why nothing was found.
+/// Why a calibration has no result.
 #[derive(Debug, Error)]
 pub enum CalibrateError {
     /// The scenario is refused, or a file cannot be read.
@@ -15,21 +15,21 @@ pub enum CalibrateError {
     /// The measurements are refused.
     #[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
     Data {
-        /// The file.
+        /// The name of the file.
         name: String,
-        /// From 1.
+        /// The line, counted from 1.
         line: Option<u64>,
         /// What is wrong, what is allowed, what to do.
         message: String,
     },
-    /// The law has no answer anywhere in the ranges.
+    /// The law gives no result anywhere in the ranges of the keys.
     #[error(
         "{name}: the law has no answer for these measurements anywhere in the range of the keys: {reason}; choose another range"
     )]
     NoAnswer {
-        /// The measurements.
+        /// The name of the file of measurements.
         name: String,
-        /// Why, in the middle of the ranges.
+        /// Why there is no result in the middle of the ranges.
         reason: NoAnswer,
     },
 }
@@ -43,7 +43,7 @@ pub enum NoAnswer {
     /// An indentation has no result.
     #[error(transparent)]
     Indentation(#[from] IndentationError),
-    /// A sphere that stays in its dent has no time in contact.
+    /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
     #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
     Captured,
 }

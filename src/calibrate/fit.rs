@@ -1,4 +1,4 @@
-//! The best keys under one law, and what follows from the derivatives there.
+//! The best values of the keys under one law, and what follows from the derivatives there.
 
 use nalgebra::DMatrix;
 
@@ -7,27 +7,28 @@ use super::minimum::{Grid, Place, minima};
 use super::problem::{Problem, TAILS};
 use super::profile::{Ends, Profile};
 
-/// The best keys under one law.
+/// The best values of the keys under one law.
 #[derive(Debug, Clone)]
 pub struct Fit<'a> {
-    /// Keys, law and measurements; an estimated noise is in its standard deviations.
+    /// Keys, law and measurements. Its standard deviations include the estimated noise.
     pub problem: Problem<'a>,
-    /// The bottoms of all basins, the lowest first.
+    /// The minima of all basins, the lowest first.
     pub minima: Vec<Place>,
     grid: Grid,
-    /// Degrees of freedom of an estimated noise; `None` for a noise that is known.
+    /// Degrees of freedom of the estimated noise; `None` if the noise is known.
     pub freedom: Option<f64>,
-    /// Whether there is no noise to estimate an interval from: as many values as keys.
+    /// Whether the noise would have to be estimated, but there are only as many values as keys.
     pub has_no_noise: bool,
-    /// Akaike's criterion: less is better.
+    /// Akaike's information criterion: lower is better.
     pub aic: f64,
 }
 
 impl<'a> Fit<'a> {
-    /// The best keys; with `is_estimated` the standard deviations of the problem are only ratios.
+    /// Finds the best values of the keys. With `is_estimated` only the ratios of the standard deviations in the problem
+    /// are known.
     ///
     /// # Errors
-    /// [`NoAnswer`] where the law has none anywhere.
+    /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
     pub fn of(mut problem: Problem<'a>, is_estimated: bool) -> Result<Self, NoAnswer> {
         let (values, keys) = (problem.counted.len(), problem.free.len());
         #[allow(clippy::cast_precision_loss)] // counts of measurements
@@ -37,7 +38,7 @@ impl<'a> Fit<'a> {
         let mut grid = Grid::of(&problem);
         let mut found = minima(&problem, &grid);
         if is_estimated && values > keys {
-            // with long tails the scale is that of the middle of the residuals, and both are sought in turn
+            // with long tails the scale comes from the median of the residuals; scale and keys are found in turn
             for _ in 0..if is_robust { 8 } else { 1 } {
                 let Some(place) = found.first() else { break };
                 let residuals = problem.residuals(&place.shares)?;
@@ -48,7 +49,7 @@ impl<'a> Fit<'a> {
                 } else {
                     (residuals.iter().map(|residual| residual * residual).sum::<f64>() / freedom).sqrt()
                 };
-                // data without any scatter have no noise
+                // data without scatter would give a scale of 0
                 problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale.max(1e-12));
                 problem.is_robust = is_robust;
                 if is_robust {
@@ -77,7 +78,7 @@ impl<'a> Fit<'a> {
         self.problem.values(&self.minima[0].shares)
     }
 
-    /// The profile of the sum, for intervals.
+    /// The intervals of a key at both levels, SI.
     pub fn interval(&self, key: usize) -> [Ends; 2] {
         let covariance =
             self.problem.jacobian(&self.minima[0].shares).ok().and_then(|columns| covariance(&self.problem, &columns));
@@ -86,15 +87,15 @@ impl<'a> Fit<'a> {
             .map(|ends| ends.map(|end| end.map(|share| self.problem.free[key].at(share))))
     }
 
-    /// The sum about its least value; the covariance is that of the shares.
+    /// The profile of the sum around its minimum; `covariance` is that of the shares.
     pub(super) fn profile<'s>(&'s self, covariance: Option<&'s [Vec<f64>]>) -> Profile<'s, 'a> {
         Profile { problem: &self.problem, grid: &self.grid, minima: &self.minima, covariance, freedom: self.freedom }
     }
 }
 
-/// The inverse of the information of the derivatives; `None` where it has none.
+/// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
 pub(super) fn covariance(problem: &Problem, columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    // long tails tell less
+    // with long tails the same residuals hold less information
     let factor = if problem.is_robust { (TAILS + 1.0) / (TAILS + 3.0) } else { 1.0 };
     let product = |i: usize, j: usize| factor * columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum::<f64>();
     let inverse = DMatrix::from_fn(columns.len(), columns.len(), product).try_inverse()?;
@@ -102,7 +103,7 @@ pub(super) fn covariance(problem: &Problem, columns: &[Vec<f64>]) -> Option<Vec<
     (0..rows.len()).all(|i| rows[i][i].is_finite() && rows[i][i] > 0.0).then_some(rows)
 }
 
-/// By how much each value, if it were left out, would shift each key, in shares: the first step of Newton's method.
+/// For each value, the change of each key (in shares) if this value were left out: the first step of Newton's method.
 pub(super) fn shifts(
     problem: &Problem,
     covariance: &[Vec<f64>],
@@ -119,7 +120,7 @@ pub(super) fn shifts(
     (0..residuals.len()).map(of).collect()
 }
 
-/// Residuals of each quantity by rising speed, those of a curve in its own order.
+/// The residuals, quantity after quantity, in the order of rising speed. Points of a curve stay in their order.
 pub(super) fn in_order(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
     let speeds = problem.speeds();
     let mut order: Vec<usize> = (0..residuals.len()).collect();

@@ -1,7 +1,7 @@
-//! Whether measurements tell the keys that are wanted, and if not, which measurement would.
+//! Whether the measurements determine the keys that are wanted, and if not, which other measurement would.
 //!
-//! A law is itself off by one or two per cent. Where the keys can be moved together so that all predictions stay the same
-//! within that, the data do not tell them apart, however many they are and however small their noise is.
+//! A law has an error of one or two per cent. If the keys can be changed together while all predictions stay the same
+//! within this error, the measurements do not determine them, even if there are many of them with little noise.
 
 use nalgebra::DMatrix;
 
@@ -12,42 +12,45 @@ use super::quantity::{CURVE, MEASURED};
 use crate::math::functions::{exp, ln};
 use crate::units::rounded::{number, percent};
 
-/// What laws are off by, as a share of a prediction.
+/// Usual error of a law, as a share of a prediction.
 pub const LAW: f64 = 0.02;
-/// Impacts that are enough to say what would help.
+/// This number of impacts is enough to find which other measurement would help.
 const ENOUGH: usize = 100;
 
-/// What the measurements tell of the keys together.
+/// How well the measurements determine the keys together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identifiability {
-    /// Singular values of the derivatives of ln prediction by ln key, root mean square over the values; the largest first.
+    /// Singular values of the derivatives of ln prediction by ln key, root mean square over the values; the largest
+    /// first.
     pub singular_values: Vec<f64>,
-    /// By how much the predictions change along the direction they tell least of, where the key that moves most doubles.
+    /// Relative change of the predictions along the direction in which they change least, for a step that doubles the
+    /// key that changes most.
     pub change: f64,
-    /// Exponents of the combination of the keys that the measurements tell best; the first is 1.
+    /// Exponents of the combination of the keys that the measurements determine best; the first is 1.
     pub exponents: Vec<f64>,
-    /// Standard deviation of that combination, as a share of it.
+    /// Relative standard deviation of that combination.
     pub deviation: f64,
-    /// Why the keys get no interval, and what would help; `None` where they get one.
+    /// Why the keys get no interval, and what would help; `None` if they get one.
     pub refusal: Option<String>,
 }
 
-/// Derivatives of the predictions by the logarithms of the keys: a column for every key.
+/// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
+/// key.
 fn by_logarithms(problem: &Problem, place: &Place) -> Option<Vec<Vec<f64>>> {
     let columns = problem.jacobian(&place.shares).ok()?;
     let scaled = columns.into_iter().zip(problem.free).zip(&place.shares).map(|((column, free), share)| {
         let value = free.at(*share);
-        // a key at 0 has no logarithm: its whole range counts as a doubling
+        // a key at 0 has no logarithm: a step over its whole range counts as a doubling
         let scale = if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
         column.into_iter().map(|slope| slope * scale).collect()
     });
     Some(scaled.collect())
 }
 
-/// The right singular vectors with the singular values, the largest first.
+/// Singular values and right singular vectors, the largest value first.
 fn decomposed(columns: &[Vec<f64>]) -> Option<Vec<(f64, Vec<f64>)>> {
     let matrix = DMatrix::from_fn(columns[0].len(), columns.len(), |i, j| columns[j][i]);
-    // of the small product, as there may be many rows
+    // from the eigenvalues of the product, which is small even if there are many rows
     let eigen = (matrix.transpose() * matrix).symmetric_eigen();
     let vectors = eigen.eigenvectors.column_iter().map(|vector| vector.iter().copied().collect());
     let mut all: Vec<(f64, Vec<f64>)> =
@@ -56,12 +59,12 @@ fn decomposed(columns: &[Vec<f64>]) -> Option<Vec<(f64, Vec<f64>)>> {
     all.iter().all(|(value, _)| value.is_finite()).then_some(all)
 }
 
-/// By how much a unit step along a direction goes where the key that moves most doubles.
+/// Length of the step along a unit direction that doubles the key that changes most.
 fn doubling(direction: &[f64]) -> f64 {
     ln(2.0) / direction.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()))
 }
 
-/// What the measurements tell of the keys at their best place.
+/// How well the measurements determine the keys, at the best place.
 pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
     let columns = by_logarithms(problem, place)?;
     #[allow(clippy::cast_precision_loss)] // counts of measurements
@@ -138,7 +141,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &[f64], change: f64) -> 
     what + &way_out
 }
 
-/// Quantities that were not measured and that change along a direction, each with its change.
+/// Quantities that were not measured but change along a direction, each with its relative change.
 fn helpful(problem: &Problem, place: &Place, direction: &[f64]) -> Vec<(&'static str, f64)> {
     let measured = problem.data.measured();
     let has_restitution = measured.iter().any(|what| MEASURED[*what].is_of_restitution);

@@ -1,4 +1,4 @@
-//! The least sum: a grid over the ranges finds all basins, and Levenberg-Marquardt goes to the bottom of each.
+//! The minimum of the sum: a grid over the ranges finds all basins, and Levenberg-Marquardt finds the minimum of each.
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
@@ -6,14 +6,14 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use super::problem::{Problem, STEP};
 use crate::math::functions::{asin, sin};
 
-/// Impacts that are enough to find the basins.
+/// This number of impacts is enough to find the basins.
 const ENOUGH: usize = 1000;
-/// Basins whose bottom is looked for.
+/// Largest number of basins whose minimum is computed.
 const MOST_BASINS: usize = 8;
-/// Rise of the sum between two basins, over its mean for a value.
+/// Two minima are in different basins if the sum between them rises by this multiple of its mean per value.
 const RISE: f64 = 1.0;
 
-/// A place and the sum there.
+/// A place in the ranges of the keys, and the sum there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
     /// Shares of the ranges.
@@ -22,7 +22,7 @@ pub struct Place {
     pub sum: f64,
 }
 
-/// Sums on a grid over the ranges: of the thinned data, over so many places along every range.
+/// The sums of the thinned data on a grid over the ranges of the keys, with `side` places along each range.
 #[derive(Debug, Clone)]
 pub struct Grid {
     side: usize,
@@ -31,7 +31,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Evaluates it.
+    /// Computes the sums.
     pub fn of(problem: &Problem) -> Self {
         let problem = problem.thinned(ENOUGH);
         let n_keys = problem.free.len();
@@ -41,14 +41,14 @@ impl Grid {
         grid
     }
 
-    /// The middle of a cell.
+    /// The shares at the middle of a cell.
     #[allow(clippy::cast_precision_loss)] // a few cells
     fn shares(&self, at: usize) -> Vec<f64> {
         let share = |place: usize| (place as f64 + 0.5) / self.side as f64;
         if self.n_keys == 1 { vec![share(at)] } else { vec![share(at / self.side), share(at % self.side)] }
     }
 
-    /// Cells that are lower than all neighbours, the lowest first.
+    /// The middles of the cells that are not higher than any neighbour, the lowest first.
     fn basins(&self) -> Vec<Vec<f64>> {
         let side = self.side.cast_signed();
         let rows = if self.n_keys == 1 { 1 } else { side };
@@ -66,7 +66,7 @@ impl Grid {
         lowest.into_iter().map(|at| self.shares(at)).collect()
     }
 
-    /// The best cell with the key `held` nearest to `share`.
+    /// The cell with the lowest sum among those that contain this share of the key `held`.
     pub(super) fn best_beside(&self, held: usize, share: f64) -> Option<Vec<f64>> {
         #[allow(clippy::cast_precision_loss)] // a few cells
         let near = |at: &usize| (self.shares(*at)[held] - share).abs() <= 0.5 / self.side as f64 + 1e-12;
@@ -75,7 +75,7 @@ impl Grid {
     }
 }
 
-/// The bottoms of all basins, the lowest first; empty where the law has no answer anywhere.
+/// The minima of all basins, the lowest first; empty if the law gives no result anywhere.
 pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
     let starts = grid.basins();
     let mut places: Vec<Place> = starts.iter().map(|start| polished(problem, start, None)).collect();
@@ -90,7 +90,7 @@ pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
     found
 }
 
-/// Whether the sum rises between two places: else they are ends of one flat basin, or of a plateau.
+/// Whether the sum rises between two places. If it does not, both are in one flat basin or on one plateau.
 fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let least = RISE * upper.sum / problem.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
@@ -101,7 +101,7 @@ fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
     })
 }
 
-/// The bottom of the basin that `start` is in, with one key held if asked for.
+/// The minimum of the basin that `start` lies in. A key `held` keeps its share.
 pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place {
     let moving: Vec<usize> = (0..start.len()).filter(|at| Some(*at) != held).collect();
     let first = Place { shares: start.to_vec(), sum: problem.sum(start) };
@@ -110,7 +110,7 @@ pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place 
         Descent { problem, shares: start.to_vec(), angles: DVector::from_iterator(moving.len(), angles), moving };
     let (descent, _) = LevenbergMarquardt::new().with_patience(40).minimize(descent);
     let mut shares = descent.shares_at(&descent.angles);
-    // an end is come near to as a square root
+    // near an end of the range the share changes only with the square of the angle, so the end itself is never reached
     for share in &mut shares {
         if *share < 1e-9 || *share > 1.0 - 1e-9 {
             *share = share.round();
@@ -120,7 +120,7 @@ pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place 
     if sum <= first.sum { Place { shares, sum } } else { first }
 }
 
-/// The sum as a sum of squares. Shares are (1 + sin a)/2, so that every angle a is within the range.
+/// The sum as a sum of squares. A share is (1 + sin a)/2, so every angle a gives a value within the range.
 struct Descent<'a, 'p> {
     problem: &'a Problem<'p>,
     shares: Vec<f64>,
@@ -137,7 +137,7 @@ impl Descent<'_, '_> {
 
     fn at(&self, angles: &DVector<f64>) -> Option<DVector<f64>> {
         let residuals = self.problem.residuals(&self.shares_at(angles)).ok()?;
-        // each squared is what the residual adds to the sum
+        // the square of each is the part of the residual in the sum
         let root = |residual: &f64| self.problem.loss(*residual).sqrt().copysign(*residual);
         let roots: Vec<f64> = residuals.iter().map(root).collect();
         roots.iter().all(|root| root.is_finite()).then(|| DVector::from_vec(roots))

@@ -1,4 +1,4 @@
-//! What the law predicts for every measured value, and how far that is from the measurement.
+//! Predictions of the law for every measured value, and their differences from the measurements.
 
 use std::collections::HashMap;
 
@@ -16,11 +16,11 @@ use crate::scene::Scene;
 /// Degrees of freedom of the likelihood with long tails.
 pub const TAILS: f64 = 4.0;
 
-/// Rows that one thread takes at once.
+/// Number of rows that one thread computes at a time.
 const CHUNK: usize = 512;
 
-/// Keys that are wanted, a law, and measurements with their noise. A place in the ranges of the keys is given by shares:
-/// 0 is the lower end, 1 the upper one.
+/// Keys that are wanted, a law, and measurements with their noise. A place in the ranges of the keys is given by
+/// shares: 0 is the lower end of a range and 1 the upper end.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
     /// The scene, with its law.
@@ -33,16 +33,16 @@ pub struct Problem<'a> {
     pub deviations: Vec<f64>,
     /// Whether the likelihood has long tails.
     pub is_robust: bool,
-    /// Rows of the same contact, or points of one curve, in pieces.
+    /// Pieces of rows; all rows of a piece have the same contact, or are points of one curve.
     pieces: Vec<Vec<usize>>,
-    /// Values that count; all, but for a search.
+    /// The values that are used: all of them, or those of the thinned data.
     pub counted: Vec<usize>,
-    /// Of every row, its values.
+    /// For every row, the range of its values.
     ranges: Vec<std::ops::Range<usize>>,
 }
 
 impl<'a> Problem<'a> {
-    /// All rows of the data.
+    /// A problem with all rows of the data.
     pub fn new(scene: &Scene, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
         let mut ranges = vec![0..0; data.rows.len()];
         for (at, value) in data.values.iter().enumerate() {
@@ -63,7 +63,7 @@ impl<'a> Problem<'a> {
         problem.of_rows(rows)
     }
 
-    /// The same with at most so many impacts, evenly taken from all of them.
+    /// The same problem with at most `most` impacts, at even steps through the data. A curve keeps all points.
     #[must_use]
     pub fn thinned(&self, most: usize) -> Self {
         let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
@@ -95,10 +95,10 @@ impl<'a> Problem<'a> {
         self.free.iter().zip(shares).map(|(free, share)| free.at(*share)).collect()
     }
 
-    /// What is predicted for every value of the data; NaN for those that do not count.
+    /// The prediction for every value of the data; NaN for values that are not used.
     ///
     /// # Errors
-    /// [`NoAnswer`] of the first row that has none.
+    /// [`NoAnswer`] if a row has no result.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let mut scene = self.scene.clone();
         for (free, share) in self.free.iter().zip(shares) {
@@ -120,7 +120,7 @@ impl<'a> Problem<'a> {
         Ok(all)
     }
 
-    /// The impact speed of every row \[m/s\]; not a number where there is none.
+    /// The impact speed of every row \[m/s\]; NaN if there is none.
     pub fn speeds(&self) -> Vec<f64> {
         let mut scene = self.scene.clone();
         let speed = |row| {
@@ -153,7 +153,8 @@ impl<'a> Problem<'a> {
         Ok(predicted)
     }
 
-    /// A point where the sphere stays is no step of its own, and neither is the first touch.
+    /// The forces along an indentation curve. A point at the indentation of the point before adds no step; nor does a
+    /// first point at zero indentation.
     fn curve(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
         let mut scene = scene.clone();
         rows.iter().take(1).for_each(|row| self.with_row(&mut scene, *row));
@@ -172,40 +173,40 @@ impl<'a> Problem<'a> {
         Ok(steps.into_iter().map(|step| if step == 0 { 0.0 } else { indentation.steps[step - 1].force }).collect())
     }
 
-    /// Measured less predicted, over the standard deviation, of every value that counts.
+    /// The residual of every value that is used: measured minus predicted, over the standard deviation.
     ///
     /// # Errors
-    /// [`NoAnswer`].
+    /// [`NoAnswer`] if a row has no result.
     pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let predicted = self.predict(shares)?;
         let residual = |at: &usize| (self.data.values[*at].value - predicted[*at]) / self.deviations[*at];
         Ok(self.counted.iter().map(residual).collect())
     }
 
-    /// What a residual adds to −2 ln of the likelihood.
+    /// The part of a residual in −2 ln of the likelihood.
     pub fn loss(&self, residual: f64) -> f64 {
         let square = residual * residual;
         if self.is_robust { (TAILS + 1.0) * ln_1p(square / TAILS) } else { square }
     }
 
-    /// −2 ln of the likelihood but for a constant; infinite where the law has no answer.
+    /// −2 ln of the likelihood without its constants; infinite if the law gives no result.
     pub fn sum(&self, shares: &[f64]) -> f64 {
         let residuals = self.residuals(shares);
         let sum = residuals.map_or(f64::INFINITY, |all| all.into_iter().map(|residual| self.loss(residual)).sum());
         if f64::is_nan(sum) { f64::INFINITY } else { sum }
     }
 
-    /// −2 ln of the likelihood at a known sum, with its constants: what laws are compared by.
+    /// −2 ln of the likelihood with its constants, from [`Self::sum`]. It serves to compare laws.
     pub fn full(&self, sum: f64) -> f64 {
         let tau = 2.0 * std::f64::consts::PI;
         let constant = if self.is_robust { 0.980_829_253_011_726_3 } else { 0.5 * ln(tau) };
         self.counted.iter().map(|at| 2.0 * ln(self.deviations[*at]) + 2.0 * constant).sum::<f64>() + sum
     }
 
-    /// Derivatives of the predictions over the standard deviations by the shares: a column for every key.
+    /// Derivatives of the predictions, over the standard deviations, by the shares: one column for every key.
     ///
     /// # Errors
-    /// [`NoAnswer`].
+    /// [`NoAnswer`] if a row has no result.
     pub fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, NoAnswer> {
         let column = |i: usize| {
             let moved = |by: f64| {
@@ -220,5 +221,5 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Step of differences, as a share of the range of a key.
+/// Step of finite differences, as a share of the range of a key.
 pub const STEP: f64 = 1e-6;

@@ -7,34 +7,34 @@ use super::statistics::{LEVELS, reach};
 use crate::math::functions::{exp, ln_1p};
 use crate::math::root::bracketed;
 
-/// The sum about its least value.
+/// The sum around its minimum.
 #[derive(Debug)]
 pub struct Profile<'a, 'p> {
-    /// What is fitted; the noise is known, or scaled to what was estimated.
+    /// The problem that is fitted, with the known or the estimated noise.
     pub problem: &'a Problem<'p>,
-    /// Where basins were looked for.
+    /// The grid on which the basins were found.
     pub grid: &'a Grid,
-    /// The bottoms of all basins, the lowest first.
+    /// The minima of all basins, the lowest first.
     pub minima: &'a [Place],
-    /// Covariance of the shares; `None` where a key has no effect.
+    /// Covariance of the shares; `None` if a key has no effect.
     pub covariance: Option<&'a [Vec<f64>]>,
-    /// Degrees of freedom of an estimated noise.
+    /// Degrees of freedom of the estimated noise; `None` if the noise is known.
     pub freedom: Option<f64>,
 }
 
-/// Ends of an interval as shares; `None` for one that the range of the key cuts off.
+/// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];
 
-/// The posterior of one key: shares, and the density over the share.
+/// The posterior of one key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Marginal {
-    /// Rising.
+    /// Shares of the key, rising.
     pub shares: Vec<f64>,
-    /// Its integral over the shares is 1.
+    /// Probability density at each share; its integral over the shares is 1.
     pub density: Vec<f64>,
 }
 
-/// The posterior of two keys: for every share of the first, shares of the second and the density there.
+/// The posterior of two keys: each share of the first key, with shares of the second key and the density there.
 pub type Sheet = Vec<(f64, Vec<(f64, f64)>)>;
 
 impl Profile<'_, '_> {
@@ -46,7 +46,7 @@ impl Profile<'_, '_> {
         self.covariance.map_or(1.0, |covariance| covariance[key][key].sqrt()).min(1.0)
     }
 
-    /// The lowest place with this key at this share.
+    /// The place with the lowest sum that has this share of this key.
     fn lowest(&self, key: usize, share: f64) -> Place {
         let best = &self.best().shares;
         let mut start = best.clone();
@@ -77,12 +77,12 @@ impl Profile<'_, '_> {
         LEVELS.map(|level| self.ends(key, reach(level, self.freedom)))
     }
 
-    /// Where the sum has risen by the square of `reach`.
+    /// The shares on both sides at which the sum has risen by the square of `reach`.
     fn ends(&self, key: usize, reach: f64) -> Ends {
         let level = reach * reach;
         [-1.0, 1.0].map(|way| {
             let beyond = |share: &f64, than: f64| way * (share - than) > 0.0;
-            // the outermost place that is inside: a basin, or a cell of the grid
+            // the outermost place known to be inside of the interval: a minimum, or a cell of the grid
             let basins = self.minima.iter().filter(|place| place.sum - self.best().sum < level);
             let mut inside = basins.map(|place| place.shares[key]).fold(self.best().shares[key], |outermost, share| {
                 if beyond(&share, outermost) { share } else { outermost }
@@ -90,7 +90,7 @@ impl Profile<'_, '_> {
             let cells = (0..CELLS).map(|i| (f64::from(i) + 0.5) / f64::from(CELLS));
             let mut cells: Vec<f64> = cells.filter(|cell| beyond(cell, inside)).collect();
             cells.sort_by(|a, b| (way * b).total_cmp(&(way * a)));
-            // without several basins the step below finds them
+            // if there is only one basin, the steps in `end` find the end
             if self.minima.len() > 1 {
                 inside = cells.into_iter().find(|cell| self.excess(key, *cell) < level).unwrap_or(inside);
             }
@@ -112,7 +112,7 @@ impl Profile<'_, '_> {
             (inside, step) = (next, 2.0 * step);
         };
         let (at, width) = (|t: f64| inside + t * (outside - inside), outside - inside);
-        // the root of the rise is nearly straight
+        // the square root of the rise is nearly linear
         let rise = |t: f64| {
             let root = self.excess(key, at(t)).sqrt();
             let slope = root / (at(t) - self.best().shares[key]) * width;
@@ -122,7 +122,8 @@ impl Profile<'_, '_> {
         bracketed((0.0, 1.0), 0.9, is_near, rise).ok().map(at)
     }
 
-    /// The likelihood over that of the best place, with the noise integrated out where it is estimated.
+    /// The likelihood over that of the best place. If the noise is estimated, the likelihood is integrated over the
+    /// noise.
     fn relative(&self, sum: f64) -> f64 {
         let excess = (sum - self.best().sum).max(0.0);
         #[allow(clippy::cast_precision_loss)] // counts of measurements
@@ -130,7 +131,7 @@ impl Profile<'_, '_> {
         exp(self.freedom.map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
     }
 
-    /// The shares of a key that the posterior reaches.
+    /// Shares of a key at which the posterior is computed.
     fn nodes(&self, key: usize, count: u32) -> Vec<f64> {
         let [low, high] = self.ends(key, WIDE);
         let (low, high) = (low.unwrap_or(0.0), high.unwrap_or(1.0));
@@ -152,8 +153,9 @@ impl Profile<'_, '_> {
         Marginal { shares, density }.normalised()
     }
 
-    /// The posterior of both keys, on the plane for every share of `key`, and of that key alone. Where a measurement tells
-    /// a combination of the keys, the posterior is a thin ridge: the places across it follow its crest.
+    /// The posterior of both keys, for every share of `key`, and the posterior of `key` alone. If the measurements
+    /// determine a combination of the keys, the posterior is a narrow ridge. So for each share of `key` the other key
+    /// is sampled around the crest of the ridge.
     pub fn sheet(&self, key: usize) -> (Sheet, Marginal) {
         let other = 1 - key;
         let many = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
@@ -182,14 +184,14 @@ impl Profile<'_, '_> {
     }
 }
 
-/// So many values cost seconds at every place, and make the posterior smooth: fewer places show it.
+/// With more values than this each place takes seconds. The posterior is then smooth, so fewer places are enough.
 const MANY: usize = 3000;
-/// How far the posterior is followed, in standard deviations.
+/// Range of the posterior on each side, in standard deviations.
 const WIDE: f64 = 4.5;
-/// Places where a basin apart from the others is looked for.
+/// Number of places at which separate basins are searched.
 const CELLS: u32 = 32;
 
-/// The area under straight pieces.
+/// The area under the points, by the trapezoidal rule.
 fn trapezoids(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     let points: Vec<(f64, f64)> = points.collect();
     points.windows(2).map(|pair| 0.5 * (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1)).sum()
@@ -202,7 +204,7 @@ impl Marginal {
         self
     }
 
-    /// The share below which so much of the posterior lies.
+    /// The share below which the posterior has this probability.
     pub fn quantile(&self, probability: f64) -> f64 {
         let mut below = 0.0;
         for (x, p) in self.shares.windows(2).zip(self.density.windows(2)) {

@@ -1,4 +1,4 @@
-//! What can be measured of an impact, and what the law predicts for it.
+//! The quantities that can be measured, and how each follows from a computed impact.
 
 use crate::impact::Essentials;
 use crate::scene::Scene;
@@ -7,17 +7,17 @@ use crate::scene::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy)]
 pub struct Measured {
-    /// Its name, without the unit.
+    /// The name, without the unit.
     pub name: &'static str,
     /// Dimension and allowed range.
     pub quantity: &'static Quantity,
-    /// Its value in an impact of this scene; `None` where it has none.
+    /// The value in an impact of a scene; `None` if the impact has no such value.
     pub predict: fn(&Essentials, &Scene) -> Option<f64>,
-    /// Whether it tells of the restitution alone.
+    /// Whether the quantity depends only on the restitution and known keys.
     pub is_of_restitution: bool,
 }
 
-/// All of them; the last is that of indentation curves, which has no impact.
+/// All measured quantities. The last one, the force of an indentation curve, is not a quantity of an impact.
 pub const MEASURED: [Measured; 9] = [
     of("restitution", &RESTITUTION, true, |row, _| Some(restitution(row))),
     of("rebound_speed", &SPEED, true, |row, scene| Some(restitution(row) * scene.speed)),
@@ -35,7 +35,7 @@ pub const MEASURED: [Measured; 9] = [
     of("force", &FORCE, false, |_, _| None),
 ];
 
-/// The place of the force of an indentation curve.
+/// The place of the force of an indentation curve in [`MEASURED`].
 pub const CURVE: usize = 8;
 
 const fn of(
@@ -47,13 +47,13 @@ const fn of(
     Measured { name, quantity, predict, is_of_restitution }
 }
 
-/// What comes back is less by the elastic waves where the half-space has a density.
+/// The restitution that is measured: less by the energy of elastic waves, if the half-space has a density.
 fn restitution(row: &Essentials) -> f64 {
     row.restitution_with_waves().unwrap_or(row.restitution)
 }
 
 impl Measured {
-    /// The place of the quantity of that name.
+    /// The place in [`MEASURED`] of the quantity of this name.
     pub fn find(name: &str) -> Option<usize> {
         MEASURED.iter().position(|measured| measured.name == name)
     }

@@ -1,4 +1,4 @@
-//! The distributions and tests of a fit.
+//! Distributions and statistical tests of a fit.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 use statrs::function::factorial::ln_binomial;
@@ -8,13 +8,14 @@ use crate::math::functions::exp;
 /// The two levels of every interval.
 pub const LEVELS: [f64; 2] = [0.682_689_492_137_085_9, 0.95];
 
-/// To twelve digits: the crate takes its logarithms from the C library of the machine, where the last one differs.
+/// Rounds to twelve digits. The crate takes its logarithms from the C library of the machine, and their last digit
+/// differs from machine to machine.
 fn settled(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
-/// How many standard deviations an interval of this level reaches, with so many degrees of freedom of an estimated noise;
-/// `None` for a noise that is known.
+/// Half-width of an interval of this level, in standard deviations. `freedom` is the degrees of freedom of the
+/// estimated noise; `None` if the noise is known.
 pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
     let below = 0.5 + 0.5 * level;
     let student = freedom.and_then(|freedom| StudentsT::new(0.0, 1.0, freedom).ok());
@@ -22,21 +23,21 @@ pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
         .map_or_else(|| crate::math::functions::normal_quantile(below), |student| settled(student.inverse_cdf(below)))
 }
 
-/// The chance of a chi-square that is no smaller; `None` without a degree of freedom.
+/// Probability of this chi-square or a larger one; `None` without a degree of freedom.
 pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     ChiSquared::new(freedom as f64).ok().map(|distribution| settled(distribution.sf(chi_square)))
 }
 
-/// The chance of so few runs of equal signs, or fewer, in residuals of random order (Wald and Wolfowitz 1940, exact);
-/// `None` where all signs are equal and few.
+/// Probability of as few runs of equal signs, or fewer, in residuals of random order (Wald and Wolfowitz 1940, exact).
+/// `None` with fewer than two residuals that are not zero.
 pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
     let signs: Vec<bool> =
         residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
     let above = signs.iter().filter(|sign| **sign).count() as u64;
     let below = signs.len() as u64 - above;
     if above == 0 || below == 0 {
-        // all on one side: as likely as so many equal throws of a coin
+        // all on one side: the probability that a coin falls on the same side every time
         let halvings = i32::try_from(signs.len().saturating_sub(1)).unwrap_or(i32::MAX);
         return (signs.len() > 1).then(|| crate::math::functions::powi(0.5, halvings));
     }
@@ -66,7 +67,7 @@ mod tests {
 
     #[test]
     fn runs_are_counted_as_all_orders_say() {
-        // of the 20 orders of three + and three -, 2 have two runs, 4 have three, 8 have four
+        // of the 20 orders of three + and three -, 2 have two runs, 4 have three runs and 8 have four runs
         let order = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
         approx::assert_relative_eq!(chance_of_runs(&order("+++---")).unwrap(), 0.1, max_relative = 1e-11);
         approx::assert_relative_eq!(chance_of_runs(&order("++---+")).unwrap(), 0.3, max_relative = 1e-11);

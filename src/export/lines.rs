@@ -1,4 +1,4 @@
-//! The texts, one for each code.
+//! The input lines, in the form of each code.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use crate::math::functions::pow;
 use crate::provenance::PROGRAM;
 use crate::scenario::Scenario;
 
-/// What all texts are made of.
+/// The data that the lines of all codes are made from.
 pub(super) struct Head<'a> {
     pub scenario: &'a Scenario,
     pub contact: &'a Contact,
@@ -21,7 +21,7 @@ pub(super) struct Head<'a> {
 }
 
 impl Head<'_> {
-    /// All lines of the text for a code; `table` has the impacts of a table e(v).
+    /// All lines for a code; `table` holds the impacts of a table e(v).
     pub fn lines(&self, request: &Request, table: &[Impact]) -> Result<String, Error> {
         let comment = match request.target {
             Target::Mercury => "//",
@@ -46,7 +46,7 @@ impl Head<'_> {
         Ok(text)
     }
 
-    /// Where the numbers come from, and how far they hold.
+    /// Where the numbers come from, and in which range they hold.
     fn about(&self, request: &Request) -> Result<Vec<String>, Error> {
         let speed = self.impact.speed;
         let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
@@ -93,8 +93,8 @@ impl Head<'_> {
         )
     }
 
-    /// LIGGGHTS makes k of its hooke model from a modulus Y: k = (16/15) √R Y* (15 m V²/(16 √R Y*))^(1/5), with
-    /// Y* = Y/(2 (1 − ν²)) for equal bodies and V its characteristic velocity.
+    /// LIGGGHTS computes the stiffness k of its hooke model from a modulus Y: k = (16/15) √R Y* (15 m V²/(16 √R
+    /// Y*))^(1/5), with Y* = Y/(2 (1 − ν²)) for equal bodies and the characteristic velocity V.
     fn liggghts(&self) -> String {
         const POISSONS_RATIO: f64 = 0.3;
         let (mass, speed) = (self.contact.mass(), self.impact.speed);
@@ -114,7 +114,7 @@ impl Head<'_> {
         )
     }
 
-    /// Yade puts two materials of a contact in series, and its damped springs never pull.
+    /// Yade puts the springs of the two materials in series, and its damped springs never pull.
     fn yade(&self) -> Result<String, Error> {
         let Essentials { restitution, contact_time, .. } = self.impact.essentials;
         let (stiffness, damping) =
@@ -134,7 +134,7 @@ impl Head<'_> {
         ))
     }
 
-    /// Fluent takes its coefficients as functions of the angle of impact, not of the speed.
+    /// In Fluent the coefficients are functions of the angle of impact, not of the speed.
     fn fluent(&self) -> String {
         format!(
             "; wall, DPM, boundary condition type: reflect\n; normal coefficient: polynomial of one coefficient\n{:.9}\n",
@@ -157,7 +157,8 @@ impl Head<'_> {
     }
 }
 
-/// A table e(v) between two texts, each row with its end.
+/// A table e(v), with the text `before` it and the text `after` it. `between` separates speed and e, `end` ends each
+/// row.
 fn pairs(before: &str, table: &[Impact], between: &str, end: &str, after: &str) -> String {
     let mut text = before.to_owned();
     for impact in table {

@@ -1,4 +1,4 @@
-//! What is asked for.
+//! The request: for which code, and at which speeds.
 
 /// Which code the lines are for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,13 +31,13 @@ impl Target {
         ("csv", Self::Csv),
     ];
 
-    /// Whether the code takes a table e(v).
+    /// Whether the code reads a table e(v).
     pub(super) fn takes_table(self) -> bool {
         matches!(self, Self::Acusolve | Self::Csv)
     }
 }
 
-/// What the two springs have in common with the law, beside e.
+/// Which quantity of the law, besides e, the two springs reproduce.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Equal {
     /// The contact time.
@@ -47,15 +47,15 @@ pub enum Equal {
     PeakForce,
 }
 
-/// What is asked for.
+/// The request of a user.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// For which code.
+    /// The code that the lines are for.
     pub target: Target,
-    /// Impact speed \[m/s\]; `None`: that of the scenario.
+    /// Impact speed \[m/s\]; `None` for the speed of the scenario.
     pub speed: Option<f64>,
-    /// First and last speed of a table \[m/s\]; `None`: from a tenth to ten times the impact speed.
+    /// First and last speed of a table \[m/s\]; `None` for a tenth to ten times the impact speed.
     pub speeds: Option<(f64, f64)>,
-    /// What the springs keep.
+    /// Which quantity of the law, besides e, the two springs reproduce.
     pub equal: Equal,
 }

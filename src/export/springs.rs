@@ -1,4 +1,4 @@
-//! Springs that stand for the law at one speed, and how far from it.
+//! Springs that replace the law at one speed, and the range of speeds in which they may.
 
 use std::f64::consts::PI;
 
@@ -7,21 +7,21 @@ use crate::impact::{Contact, Impact};
 use crate::math::functions::{cos, exp, ln, sin};
 use crate::math::root::halved;
 
-/// What a constant e may be off before its range of speeds ends.
+/// Largest relative error of a constant e within its range of speeds.
 pub const E_WITHIN: f64 = 0.02;
 
-/// Steps of velocity Verlet per contact that keep e of a damped spring within 0.5 %: its damping is that of half a step
-/// before, an error of first order in the step.
+/// With this many steps of velocity Verlet per contact, e of a damped spring is accurate to 0.5 %. The damping uses the
+/// speed of half a step before, which is an error of first order in the step.
 pub const STEPS_PER_CONTACT: f64 = 200.0;
 
-/// Springs that stand for the law at one speed.
+/// Stiffnesses of the springs that replace the law at one speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Springs {
-    /// Of the damped linear spring \[N/m\].
+    /// Stiffness of the damped linear spring \[N/m\].
     pub damped: f64,
-    /// k₁ of the two springs, loading \[N/m\].
+    /// Stiffness k₁ of the two springs, for loading \[N/m\].
     pub loading: f64,
-    /// k₂ of the two springs, unloading \[N/m\].
+    /// Stiffness k₂ of the two springs, for unloading \[N/m\].
     pub unloading: f64,
 }
 
@@ -40,8 +40,8 @@ impl Springs {
     }
 }
 
-/// Stiffness \[N/m\] and damping \[N s/m\] of a damped spring that never pulls, with this e and duration of the force;
-/// `None` for an e that no such spring has below critical damping.
+/// Stiffness \[N/m\] and damping \[N s/m\] of a damped spring that never pulls and has this e and this duration of the
+/// force. `None` if no such spring below critical damping has this e.
 pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     let loss = -ln(e);
     let (angle, _) = halved(0.0, 0.5 * PI, |angle| sin(angle) / cos(angle) * (PI - 2.0 * angle) < loss);
@@ -49,7 +49,8 @@ pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     (loss < 2.0).then(|| (mass * frequency * frequency, 2.0 * mass * frequency * sin(angle)))
 }
 
-/// The speeds around `speed` at which e is within [`E_WITHIN`] of its value there; no end is searched beyond a factor 1000.
+/// The range of speeds around `speed` in which e differs from its value at `speed` by at most [`E_WITHIN`]. Each end is
+/// searched up to a factor of 1000.
 pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> (f64, f64) {
     let is_near = |factor: f64| {
         let other = contact.closed_form(speed * factor).map_or(f64::NAN, |impact| impact.restitution);

@@ -1,4 +1,4 @@
-//! A loading curve with the pair it belongs to: a CSV file whose comment lines name the two bodies.
+//! A loading curve and its two bodies: a CSV file whose comment lines give the properties of the bodies.
 //!
 //! ```text
 //! # sphere.youngs_modulus = 208 GPa            ("rigid" is allowed)
@@ -6,11 +6,11 @@
 //! # half_space.youngs_modulus = 210 GPa
 //! # half_space.poissons_ratio = 0.3
 //! # half_space.yield_strength = 345 MPa
-//! # sphere.radius = 35 mm                      (needed for columns in SI units only)
+//! # sphere.radius = 35 mm                      (only needed for columns in SI units)
 //! indentation_m,force_N,sphere_indentation_m,contact_radius_m
 //! ```
 //!
-//! Other comment lines are free. One column of each kind, the last is optional:
+//! Other comment lines are ignored. The file has one column of each kind; the contact radius is optional:
 //!
 //! | kind | SI | dimensionless |
 //! |---|---|---|
@@ -19,8 +19,8 @@
 //! | elastic approach | `sphere_indentation_m` or `elastic_approach_m` | `delta_s_over_delta` |
 //! | contact radius | `contact_radius_m` | `a_over_R` |
 //!
-//! Further columns are ignored. Instead of the keys, one comment line may give `E'=… E'_s=… E'_h=… a_Y/R=…` (moduli in any
-//! common unit); then the columns are dimensionless.
+//! Further columns are ignored. Instead of the keys, one comment line may give `E'=… E'_s=… E'_h=… a_Y/R=…` (moduli in
+//! any common unit); then the columns are dimensionless.
 
 use std::path::Path;
 
@@ -30,10 +30,10 @@ use crate::material::Pair;
 use crate::math::functions::ln;
 use crate::scenario::read_text;
 
-/// Fewest points beyond first yield that a curve must have.
+/// Smallest number of points beyond first yield that a curve must have.
 pub const FEWEST_POINTS: usize = 8;
 
-/// One point, in units of the yield point.
+/// One point, in units of first yield.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadingPoint {
     /// x = δ/δ_Y.
@@ -49,13 +49,13 @@ pub struct LoadingPoint {
 /// A loading curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadingCurve {
-    /// The file.
+    /// The name of the file.
     pub name: String,
-    /// The bodies; dimensionless (radius 1, no yield point) where the file gives only ratios.
+    /// The bodies; dimensionless (radius 1, no yield point) if the file gives only ratios.
     pub pair: Pair,
-    /// a_Y/R.
+    /// Contact radius at first yield over radius of the sphere, a_Y/R.
     pub yield_radius_ratio: f64,
-    /// The points; x and f rise.
+    /// The points; x and f rise from point to point.
     pub points: Vec<LoadingPoint>,
 }
 
@@ -81,18 +81,18 @@ impl LoadingCurve {
     /// Reads a file.
     ///
     /// # Errors
-    /// [`FitError`] naming file, line, what is wrong and what is needed.
+    /// [`FitError`] with the file, the line, what is wrong and what is needed.
     pub fn load(path: &Path) -> Result<Self, FitError> {
-        /// MiB: a million rows of finite elements.
+        /// Largest file \[MiB\]: enough for a million rows.
         const LARGEST: u64 = 64;
         let text = read_text(path, LARGEST)?;
         Ok(Self::parse(&path.display().to_string(), &text)?)
     }
 
-    /// Reads a text; `name` stands for the file in messages.
+    /// Reads a curve from a text. Messages use `name` for the file.
     ///
     /// # Errors
-    /// [`CurveError`] naming line, what is wrong and what is needed.
+    /// [`CurveError`] with the line, what is wrong and what is needed.
     pub fn parse(name: &str, text: &str) -> Result<Self, CurveError> {
         // spreadsheets put a byte order mark first
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -139,7 +139,8 @@ impl LoadingCurve {
         Ok(Self { name: name.to_owned(), pair: bodies.pair, yield_radius_ratio: bodies.yield_radius_ratio, points })
     }
 
-    /// The weight of each point, so that weights are uniform in ln x: half the distance of its neighbours in ln x.
+    /// The weight of each point: half the distance between its neighbours in ln x. Then equal ranges of ln x have equal
+    /// weight.
     pub fn log_weights(&self) -> Vec<f64> {
         let at: Vec<f64> = self.points.iter().map(|point| ln(point.indentation)).collect();
         let end = at.len().saturating_sub(1);
@@ -208,7 +209,7 @@ impl Columns {
         let indentation = number(self.indentation)?;
         let approach = number(self.approach)?;
         let elastic_approach = if self.is_share { approach * indentation } else { approach };
-        // elastic loading recovers all; a few per cent above that are scatter
+        // after elastic loading the whole indentation is recovered; up to 10 % more is taken as scatter
         if elastic_approach > 1.1 * indentation {
             return Err(format!(
                 "{} makes the elastic approach {:.3} times the indentation (sphere compliance E*/E_s* = {:.4}); it cannot exceed 1: check moduli and columns",

@@ -1,10 +1,10 @@
-//! Why there are no coefficients.
+//! Errors of a fit.
 
 use thiserror::Error;
 
 use crate::scenario::ScenarioError;
 
-/// Why there are no coefficients.
+/// Why a fit gave no coefficients.
 #[derive(Debug, Error)]
 pub enum FitError {
     /// A file cannot be read.
@@ -13,10 +13,10 @@ pub enum FitError {
     /// A curve is refused.
     #[error(transparent)]
     Curve(#[from] CurveError),
-    /// A request that cannot be met; the text says what and why.
+    /// The request cannot be met; the text says why.
     #[error("{0}")]
     Request(String),
-    /// The minimiser gave up.
+    /// The least-squares fit did not converge.
     #[error("the least-squares fit did not converge ({0}); take other knots, or curves with less scatter")]
     NotConverged(String),
     /// The table could not be written as TOML.
@@ -28,7 +28,7 @@ pub enum FitError {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
 pub struct CurveError {
-    /// The file.
+    /// The name of the file.
     pub name: String,
     /// The line, counted from 1.
     pub line: Option<u64>,

@@ -1,13 +1,13 @@
-//! The comment lines of a loading curve that name its bodies.
+//! The comment lines of a loading curve that give the properties of its bodies.
 
 use crate::material::{HalfSpace, Material, Pair};
 use crate::scene::Key;
 use crate::units::nearest::did_you_mean;
 
-/// What is wrong, and in which line.
+/// The line, and what is wrong in it.
 type Refusal = (Option<u64>, String);
 
-/// Keys of a scenario.
+/// Keys of a scenario that a comment line may give.
 const KEYS: [&str; 6] = [
     "sphere.youngs_modulus",
     "sphere.poissons_ratio",
@@ -16,12 +16,12 @@ const KEYS: [&str; 6] = [
     "half_space.yield_strength",
     "sphere.radius",
 ];
-/// Keys that columns without a dimension need.
+/// Number of keys, from the first on, that dimensionless columns need.
 const NEEDED: usize = 5;
-/// Tokens of the line with ratios.
+/// Tokens of the comment line with ratios.
 const RATIOS: [&str; 4] = ["E'=", "E'_s=", "E'_h=", "a_Y/R="];
 
-/// What the comment lines say.
+/// The values in the comment lines.
 #[derive(Debug, Default)]
 pub(super) struct Header {
     keys: [Option<f64>; KEYS.len()],
@@ -32,9 +32,9 @@ pub(super) struct Header {
 #[derive(Debug)]
 pub(super) struct Bodies {
     pub pair: Pair,
-    /// a_Y/R.
+    /// Contact radius at first yield over radius of the sphere, a_Y/R.
     pub yield_radius_ratio: f64,
-    /// δ_Y \[m\], F_Y \[N\], a_Y \[m\], if the radius is known.
+    /// δ_Y \[m\], F_Y \[N\] and a_Y \[m\], if the radius is known.
     pub scales: Option<[f64; 3]>,
 }
 
@@ -79,7 +79,7 @@ impl Header {
                     .ok_or_else(|| format!("{token}{text} is not allowed: it must be a finite number above 0"))?;
             }
             let [e_star, of_sphere, of_half_space, _] = ratios;
-            // each is printed with six digits
+            // the moduli in the file are rounded to six digits
             let sum = e_star / of_sphere + e_star / of_half_space;
             if (sum - 1.0).abs() > 1e-4 {
                 return Err(format!("the moduli contradict each other: E'/E'_s + E'/E'_h = {sum:.5}, which must be 1"));
@@ -89,7 +89,7 @@ impl Header {
         Ok(())
     }
 
-    /// The pair; keys win over ratios.
+    /// The two bodies. Keys are used before ratios.
     pub(super) fn bodies(&self) -> Result<Bodies, Refusal> {
         let refuse = |message: String| (None, message);
         if let [Some(of_sphere), Some(nu_sphere), Some(of_half_space), Some(nu_half_space), Some(strength), radius] =

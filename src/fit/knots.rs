@@ -1,13 +1,13 @@
-//! A table of coefficients with other knots of the force.
+//! Changes the knots of the force in a table of coefficients.
 
 use super::FitError;
 use crate::law::PlmCoefficients;
 use crate::law::curve::Curve;
 
-/// A table with the force's knots at `knots`; its slopes are the mean slopes of `table` between them.
+/// A table with the knots of the force at `knots`. Its slopes are the mean slopes of `table` between these knots.
 ///
 /// # Errors
-/// [`FitError::Request`] unless there are knots, rising, the first at 1 or above.
+/// [`FitError::Request`] if there are no knots, if they do not rise, or if the first is below 1.
 pub fn with_knots(table: &PlmCoefficients, knots: &[f64]) -> Result<PlmCoefficients, FitError> {
     let is_rising = knots.windows(2).all(|pair| pair[0] < pair[1]) && knots.iter().all(|knot| knot.is_finite());
     if !is_rising || knots.first().is_none_or(|first| *first < 1.0) {

@@ -1,23 +1,24 @@
-//! Coefficients as the numbers that the fit varies: logarithms of what must stay positive, so that every step gives a law.
+//! Converts coefficients to the numbers that the fit varies, and back. The numbers are logarithms of quantities that
+//! must stay positive, so every step of the fit gives a valid law.
 
 use nalgebra::DVector;
 
 use crate::law::PlmCoefficients;
 use crate::math::functions;
 
-/// A coefficient, or a distance of two knots, that is smaller has this logarithm.
+/// Smallest coefficient, and smallest distance between two knots. Smaller ones are raised to it before the logarithm.
 const LEAST: f64 = 1e-9;
 
 fn ln(value: f64) -> f64 {
     functions::ln(value.max(LEAST))
 }
 
-/// Slopes at κ = 0 and at κ = 1. In between a slope is linear in κ².
+/// Appends a slope as two numbers: its value at κ = 0 and at κ = 1. Between them the slope is linear in κ².
 fn push_ends(into: &mut Vec<f64>, slope: f64, per_kappa_squared: f64) {
     into.extend([ln(slope), ln(slope + per_kappa_squared)]);
 }
 
-/// The varied numbers of a table; with `has_knots`, the knots of force and geometry too.
+/// The numbers that the fit varies. With `has_knots` they include the knots of force and geometry.
 pub fn encode(table: &PlmCoefficients, has_knots: bool) -> DVector<f64> {
     let (force, approach) = (&table.force, &table.elastic_approach);
     let mut numbers = Vec::new();
@@ -40,7 +41,7 @@ fn push_increments(into: &mut Vec<f64>, first: f64, knots: &[f64]) {
     into.extend(knots.iter().zip(before).map(|(knot, before)| ln(knot - before)));
 }
 
-/// The table that the varied numbers stand for. What they do not hold is taken from `form`.
+/// The table of coefficients with these numbers. All else in it is copied from `form`.
 pub fn decode(numbers: &DVector<f64>, form: &PlmCoefficients, has_knots: bool) -> PlmCoefficients {
     let mut table = form.clone();
     let mut values = numbers.iter().map(|number| functions::exp(*number));

@@ -1,4 +1,4 @@
-//! The outcome of a fit: a table for the terminal and the file of coefficients.
+//! The results of a fit: a table for the terminal and the file of coefficients.
 
 use std::fmt::Write as _;
 
@@ -14,8 +14,9 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// Deviations of each curve \[%\] in force, elastic approach and contact radius: rms and largest. Two more columns have the
-/// rms from a law that was fitted to the other curves, and from the built-in table (`built_in`).
+/// A table with the deviations \[%\] of each curve in force, elastic approach and contact radius: rms and largest. For
+/// force and approach it also has the rms from a law fitted to the other curves, and from the built-in table
+/// (`built_in`).
 pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     let header = [
         "curve",
@@ -53,7 +54,7 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     text
 }
 
-/// The coefficients with their provenance; `name` is what results will call them.
+/// The coefficients with their provenance. `name` is the name of the table in results.
 pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     let over = |value: fn(&CaseFit) -> f64| {
         let values = || fit.cases.iter().map(value);
@@ -95,7 +96,7 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     }
 }
 
-/// The file: TOML as `[law.plm] coefficients` takes it, numbers to ten digits.
+/// The text of the file that `[law.plm] coefficients` reads: TOML, with numbers of ten digits.
 ///
 /// # Errors
 /// [`FitError::Form`].
@@ -108,7 +109,7 @@ pub fn toml(coefficients: &PlmCoefficients) -> Result<String, FitError> {
     ))
 }
 
-/// Rounds all numbers within to ten digits.
+/// Rounds all numbers in `value` to ten digits.
 fn round(value: &mut toml::Value) {
     match value {
         toml::Value::Float(number) => *number = format!("{number:.9e}").parse().unwrap_or(*number),

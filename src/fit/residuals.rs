@@ -1,4 +1,5 @@
-//! What the fit makes small: deviations of ln F and ln ε, with weights uniform in ln x, and any rise of e with x.
+//! The residuals that the fit minimises: deviations of ln F and ln ε, with weights uniform in ln x, and any rise of e
+//! with x.
 
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
@@ -9,12 +10,13 @@ use crate::math::functions::{exp, ln, tanh};
 
 /// Points along each curve where e is computed.
 const RESTITUTION_POINTS: u32 = 150;
-/// Rise of ln e that is not penalised: behind a knot the straight pieces of the law let e rise by about so much.
+/// Rise of ln e that is not penalised. The law has straight pieces, and after a knot they let e rise by about this
+/// much.
 const ALLOWED_RISE: f64 = 3e-4;
-/// Weight of a larger rise, compared with a deviation of the curve by the same share.
+/// Weight of a larger rise, relative to a deviation of the curve of the same size.
 const RISE_WEIGHT: f64 = 1.0;
-/// Weight of a change of ln coefficient. It is so small that it matters only for coefficients that no curve decides: they
-/// stay as they were.
+/// Weight of a change of ln coefficient. It is so small that it acts only on coefficients that no curve determines.
+/// These keep their start values.
 const STAY_WEIGHT: f64 = 1e-5;
 /// Largest change of ln coefficient: a factor of 20.
 const REACH: f64 = 3.0;
@@ -40,8 +42,8 @@ impl<'a> Residuals<'a> {
         self.table_at(&self.numbers)
     }
 
-    /// The fit varies numbers without bounds. tanh maps them to coefficients within a factor of 20 of the start, so that
-    /// every step gives a law that can be evaluated.
+    /// The fit varies numbers without bounds. tanh maps them to coefficients within a factor of 20 of the start, so
+    /// that every step gives a law that can be evaluated.
     fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
         let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * tanh((number - start) / REACH));
         decode(&bounded, self.form, self.has_knots)
@@ -95,20 +97,20 @@ impl levenberg_marquardt::LeastSquaresProblem<f64, Dyn, Dyn> for Residuals<'_> {
     }
 }
 
-/// How far the law is from one point.
+/// Deviation of the law from one point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deviation {
-    /// Share of the curve's range in ln x. The weights of a curve sum to 1.
+    /// Share of the range of ln x that the point has. The weights of a curve sum to 1.
     pub weight: f64,
     /// ln f of the law − ln f of the point.
     pub force: f64,
     /// ln ε of the law − ln ε of the point.
     pub approach: f64,
-    /// ln a of the law − ln a of the point, where the curve has the contact radius.
+    /// ln a of the law − ln a of the point, if the curve has the contact radius.
     pub radius: Option<f64>,
 }
 
-/// Deviations at all points from first yield on. Before it the law is Hertz's, and has no coefficients.
+/// Deviations at all points from first yield on. Before first yield the law is that of Hertz and has no coefficients.
 pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item = Deviation> {
     let plastic = || curve.points.iter().zip(curve.log_weights()).filter(|(point, _)| point.indentation >= 1.0);
     let total: f64 = plastic().map(|(_, weight)| weight).sum();
@@ -123,7 +125,8 @@ pub(super) fn deviations(curve: &LoadingCurve, law: &Law) -> impl Iterator<Item 
     })
 }
 
-/// By how much ln e is above its least value so far, up to 1.5 times the last indentation of the curve.
+/// By how much ln e is above its smallest value at lower indentations. It is evaluated up to 1.5 times the last
+/// indentation of the curve.
 pub(super) fn rises(law: &Law, curve: &LoadingCurve) -> impl Iterator<Item = f64> {
     let last = curve.points.last().map_or(1.0, |point| point.indentation);
     let range = ln(1.5 * last);

@@ -10,67 +10,69 @@ use crate::law::plm::contact_radius::{RadiusRatio, RadiusTable};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::power::{farther_or_nan, max_or_nan};
 
-/// Most evaluations for each varied number.
+/// Largest number of evaluations for each varied number.
 const PATIENCE: usize = 20;
 
-/// Relative precision of the sum of squares and of the numbers. The knots of the law make kinks in the sum of squares, and
-/// a stricter fit creeps along them without gain.
+/// Relative precision of the sum of squares and of the numbers. The knots of the law make kinks in the sum of squares.
+/// With a stricter precision the fit moves along the kinks in tiny steps without getting better.
 const PRECISION: f64 = 1e-8;
 
-/// What to fit.
+/// Where the fit starts, and whether it moves the knots.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The knots, and the coefficients that the fit starts from. What the curves do not decide stays as it is here.
+    /// The knots, and the coefficients from which the fit starts. Coefficients that the curves do not determine keep
+    /// these values.
     pub start: PlmCoefficients,
     /// Whether knots are fitted too.
     pub has_knots: bool,
 }
 
-/// How large relative deviations are.
+/// Size of the relative deviations of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// Root mean square, with weights uniform in ln x.
     pub rms: f64,
-    /// The largest, with its sign.
+    /// The deviation that is largest in magnitude, with its sign.
     pub largest: f64,
 }
 
-/// How well a law meets one curve.
+/// How well a law fits one curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseFit {
-    /// The file.
+    /// The name of the file.
     pub name: String,
-    /// κ.
+    /// Sphere compliance κ.
     pub sphere_compliance: f64,
-    /// Smallest and largest x.
+    /// Smallest and largest x of the curve.
     pub range: (f64, f64),
-    /// Largest a/R, where the curve has it.
+    /// Largest a/R, if the curve has the contact radius.
     pub largest_radius_ratio: Option<f64>,
     /// Deviations of the force.
     pub force: Spread,
     /// Deviations of the elastic approach.
     pub approach: Spread,
-    /// Deviations of the contact radius, where the curve has it.
+    /// Deviations of the contact radius, if the curve has it.
     pub radius: Option<Spread>,
-    /// Deviations of force and elastic approach from a law fitted to the other curves; `None` with fewer than three curves.
+    /// Deviations of force and elastic approach from a law fitted to the other curves; `None` with fewer than three
+    /// curves.
     pub left_out: Option<(Spread, Spread)>,
-    /// Largest rise of ln e above its least value before.
+    /// Largest rise of ln e above its smallest value at lower indentations.
     pub restitution_rise: f64,
 }
 
-/// The outcome of a fit.
+/// The result of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// The coefficients; their provenance is that of the start.
     pub coefficients: PlmCoefficients,
-    /// How well each curve is met.
+    /// How well the law fits each curve.
     pub cases: Vec<CaseFit>,
 }
 
-/// Fits the coefficients to curves, then to all curves but one in turn.
+/// Fits the coefficients to all curves. Then leaves out each curve in turn and fits to the others.
 ///
 /// # Errors
-/// [`FitError::Request`] without curves, [`FitError::NotConverged`].
+/// [`FitError::Request`] without curves, [`FitError::NotConverged`] if the fit does not converge.
 pub fn fit(curves: &[LoadingCurve], plan: &Plan) -> Result<Fit, FitError> {
     let all: Vec<&LoadingCurve> = curves.iter().collect();
     let coefficients = coefficients(&all, plan)?;
@@ -101,7 +103,7 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         TerminationReason::Converged { .. }
         | TerminationReason::Orthogonal
         | TerminationReason::ResidualsZero
-        // as close as rounding lets it come
+        // as close as rounding errors allow
         | TerminationReason::NoImprovementPossible(_) => {}
         TerminationReason::LostPatience => {
             return Err(FitError::NotConverged(format!("no minimum after {PATIENCE} evaluations for each coefficient")));
@@ -114,7 +116,8 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
     Ok(table)
 }
 
-/// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. At the first knot it stays as it is, and so does G.
+/// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. Λ at the first knot and the geometry factor G
+/// keep the values of `start`.
 fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
     let mut rows: Vec<(Vec<f64>, f64)> = Vec::new();
     let free = start.from.len().saturating_sub(1);
@@ -126,7 +129,8 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
             let equivalent = point.force / point.elastic_approach;
             let wanted = equivalent / (radius * geometry.at(equivalent));
             let scale = weight.sqrt() / wanted;
-            // the polyline is linear in its values: each knot's share is the polyline with 1 there and 0 elsewhere
+            // the polyline is linear in its values: the share of a knot is the polyline with 1 at this knot and 0 at
+            // the others
             let share = |knot: usize| {
                 let ratio = (0..=free).map(|i| if i == knot { 1.0 } else { 0.0 }).collect();
                 RadiusRatio { from: start.from.clone(), ratio }.at(equivalent)
@@ -140,7 +144,7 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
     }
     let shares = DMatrix::from_fn(rows.len(), free, |i, j| rows[i].0[j]);
     let missing = DVector::from_fn(rows.len(), |i, _| rows[i].1);
-    // what no point decides is not changed: the solution of least norm
+    // the solution of least norm: knots that no point determines keep their values
     let Ok(change) = shares.svd(true, true).solve(&missing, 1e-9) else { return start.clone() };
     let mut fitted = start.clone();
     for (ratio, change) in fitted.ratio.iter_mut().skip(1).zip(change.iter()) {
@@ -149,7 +153,7 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
     fitted
 }
 
-/// How well these coefficients meet a curve.
+/// How well these coefficients fit a curve.
 pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit {
     let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
     let all: Vec<_> = deviations(curve, &law).collect();

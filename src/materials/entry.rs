@@ -1,26 +1,26 @@
-//! A material and what is known of it.
+//! A material and its properties.
 
 use crate::strength::flow::FlowCurve;
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::Dimension;
 
-/// What is known of a material.
+/// A property that a material may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Property {
-    /// ρ.
+    /// Density ρ.
     Density,
-    /// E.
+    /// Young's modulus E.
     YoungsModulus,
-    /// ν.
+    /// Poisson's ratio ν.
     PoissonsRatio,
-    /// As the mean pressure of a hardness test.
+    /// Hardness, as the mean pressure of a hardness test.
     Hardness,
-    /// N of a power law of hardening.
+    /// Exponent N of a power law of hardening.
     HardeningExponent,
 }
 
 impl Property {
-    /// All of them, in the order of the file.
+    /// All properties, in the order of the file.
     pub const ALL: [Self; 5] =
         [Self::Density, Self::YoungsModulus, Self::PoissonsRatio, Self::Hardness, Self::HardeningExponent];
 
@@ -45,61 +45,61 @@ impl Property {
     }
 }
 
-/// A number as it is written, and in SI.
+/// A number as it is written in the file, and its value in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Written {
-    /// "63 HRC".
+    /// The number as text, such as "63 HRC".
     pub text: String,
-    /// In SI.
+    /// The value in SI units.
     pub value: f64,
 }
 
-/// A property of a material.
+/// A property of a material, with its value and its sources.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Known {
-    /// Which.
+    /// The property.
     pub property: Property,
-    /// The value that is taken.
+    /// The value that is used.
     pub taken: Written,
-    /// Its range: what the sources say.
+    /// The smallest and the largest value that the sources give or a standard allows.
     pub range: [Written; 2],
-    /// What kind of number it is.
+    /// What kind of number it is, such as a hardness of a named condition.
     pub basis: String,
-    /// Every source and what it says.
+    /// Every source and the value it gives.
     pub sources: Vec<[String; 2]>,
 }
 
 /// A material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// As scenarios name it.
+    /// The name in scenarios.
     pub name: String,
-    /// What it is, and in which condition.
+    /// The material and its condition, in words.
     pub title: String,
-    /// What to know besides.
+    /// A remark for the user.
     pub note: Option<String>,
-    /// What is known of it, in the order of [`Property::ALL`].
+    /// The known properties, in the order of [`Property::ALL`].
     pub known: Vec<Known>,
 }
 
 impl Entry {
-    /// A property, if it is known.
+    /// The property, if it is known.
     pub fn of(&self, property: Property) -> Option<&Known> {
         self.known.iter().find(|known| known.property == property)
     }
 
-    /// Exponent and Young's modulus of its power law, where it has one.
+    /// Exponent and Young's modulus of the power law, if the material has one.
     fn power_law(&self) -> Option<(f64, f64)> {
         let of = |property| self.of(property).map(|known| known.taken.value);
         of(Property::HardeningExponent).zip(of(Property::YoungsModulus))
     }
 
-    /// Whether it hardens by a power law.
+    /// Whether the material hardens by a power law.
     pub fn hardens(&self) -> bool {
         self.power_law().is_some()
     }
 
-    /// The stress \[Pa\] at which it first flows, by a hardness given as mean pressure \[Pa\].
+    /// The yield strength \[Pa\] of the material with a hardness given as mean pressure \[Pa\].
     pub fn strength(&self, mean_pressure: f64) -> f64 {
         let (flow, modulus) = self
             .power_law()
@@ -107,7 +107,7 @@ impl Entry {
         strength_of_hardness(mean_pressure, flow.as_ref(), modulus)
     }
 
-    /// Whether it flows: glass, ceramics and polymers are computed as elastic.
+    /// Whether the material yields. Glass, ceramics and polymers are computed as elastic.
     pub fn is_metal(&self) -> bool {
         self.of(Property::Hardness).is_some()
     }

@@ -1,4 +1,4 @@
-//! The file of materials.
+//! Reads the file of materials.
 
 use std::collections::BTreeMap;
 
@@ -12,27 +12,27 @@ use crate::units;
 /// Why a file of materials is refused.
 #[derive(Debug, Error)]
 pub enum MaterialsError {
-    /// It is no such file.
+    /// The text is not a file of materials.
     #[error(transparent)]
     Form(#[from] toml::de::Error),
-    /// A number is none.
+    /// A value is not a number that is allowed.
     #[error("{material}.{property}: {message}")]
     Number {
-        /// Of this material.
+        /// The material.
         material: String,
-        /// And this property.
+        /// The property.
         property: &'static str,
-        /// Why.
+        /// What is wrong with the value.
         message: String,
     },
-    /// A source without an entry in `[sources]`.
+    /// A source has no entry in `[sources]`.
     #[error("{material}.{property}: no source is called \"{source_name}\"")]
     Source {
-        /// Of this material.
+        /// The material.
         material: String,
-        /// And this property.
+        /// The property.
         property: &'static str,
-        /// Its name.
+        /// The name of the source.
         source_name: String,
     },
 }
@@ -71,7 +71,7 @@ struct RawKnown {
 /// Reads a file of materials.
 ///
 /// # Errors
-/// [`MaterialsError`] for what is no such file, a number that is none, and a source that is not named.
+/// [`MaterialsError`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<Entry>, MaterialsError> {
     let File { basis, sources, material } = toml::from_str(text)?;
     let entry = |raw: Raw| {
@@ -117,7 +117,7 @@ impl RawKnown {
     }
 }
 
-/// A number with a unit, or on a scale of hardness, in SI.
+/// The value in SI units of a number with a unit, or of a number on a scale of hardness.
 fn number(text: &str, property: Property) -> Result<f64, String> {
     match hardness::written(text).filter(|_| property == Property::Hardness) {
         Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string()),

@@ -1,33 +1,33 @@
-//! Axes: range, ticks and their labels, linear in engineering units or logarithmic.
+//! Axes, linear or logarithmic: range, ticks and labels.
 
 use crate::math::functions::{exp, ln, log10};
 use crate::units::rounded::{Prefix, power_of_ten, ten_to};
 
-/// Values beyond this are not drawn, nor those below its inverse on a logarithmic axis, so that neither the ends of an
-/// axis nor its length overflow.
+/// Values larger than this are not drawn; on a logarithmic axis, nor are values smaller than its inverse. So the ends
+/// and the length of an axis do not overflow.
 const LARGEST: f64 = 1e200;
 
 /// Linear or logarithmic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Even steps.
+    /// Equal steps have equal lengths.
     Linear,
-    /// Even ratios; values ≤ 0 are not drawn.
+    /// Equal ratios have equal lengths; values ≤ 0 are not drawn.
     Log,
 }
 
-/// What a caller says about an axis.
+/// The description of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Without the unit: "Impact speed".
+    /// The title without the unit, such as "Impact speed".
     pub title: String,
-    /// "m/s"; empty for a plain number.
+    /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// Whether values are shown with an SI prefix chosen to fit (only on linear axes with a unit in base SI).
+    /// Whether values are shown with a fitting SI prefix (only on linear axes whose unit has no prefix).
     pub is_engineering: bool,
-    /// From where to where, in the unit of the values; fitted to the data if left out.
+    /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
 }
 
@@ -37,8 +37,8 @@ impl Axis {
         Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
     }
 
-    /// A linear axis for values in an SI unit without prefix, labelled with one: metres as µm where they are so small. A
-    /// plain number has no unit that could take one, kilograms have theirs, and HV is no SI unit.
+    /// A linear axis for values in an SI unit without prefix. Its labels have a fitting prefix, such as µm for small
+    /// lengths. Plain numbers, kilograms and HV get no prefix.
     pub fn engineering(title: &str, unit: &str) -> Self {
         Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
@@ -48,14 +48,14 @@ impl Axis {
         Self { scale: Scale::Log, ..Self::linear(title, unit) }
     }
 
-    /// The same from `low` to `high`.
+    /// The same axis from `low` to `high`.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));
         self
     }
 
-    /// Fixes range and prefix for these values.
+    /// The axis with range and prefix fitted to these values.
     pub(super) fn fitted(&self, values: impl Iterator<Item = f64>) -> FittedAxis {
         let is_log = self.scale == Scale::Log;
         let drawable = |v: &f64| v.abs() < LARGEST && (!is_log || *v > 1.0 / LARGEST);
@@ -86,12 +86,12 @@ impl Axis {
     }
 }
 
-/// Whether a range is too short to be told from one value (or empty).
+/// Whether a range is empty or too short to differ from one value.
 fn is_one_value(low: f64, high: f64) -> bool {
     high - low <= 1e-9 * high.abs().max(low.abs())
 }
 
-/// A little room beyond the data; zero is included where it is near.
+/// The range of an axis: a little more than the range of the data, and with zero if the data are near to it.
 fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
     if low > high {
         return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
@@ -108,14 +108,14 @@ fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
     if low >= 0.0 && low < 0.5 * high { (0.0, high + room) } else { (low - room, high + room) }
 }
 
-/// A tick and, if it is a major one, its label.
+/// A tick; a major tick has a label.
 pub(super) struct Tick {
-    /// Along the axis, 0 … 1.
+    /// Place along the axis, 0 … 1.
     pub at: f64,
     pub label: Option<String>,
 }
 
-/// An axis with its range fixed.
+/// An axis with a fixed range.
 pub(super) struct FittedAxis {
     pub title: String,
     scale: Scale,
@@ -125,12 +125,12 @@ pub(super) struct FittedAxis {
 }
 
 impl FittedAxis {
-    /// Where a value lies along the axis; 0 … 1 within its range.
+    /// The place of a value along the axis; 0 … 1 within its range.
     pub(super) fn at(&self, value: f64) -> f64 {
         self.share(value / self.factor)
     }
 
-    /// The value at a share of the axis: the inverse of [`FittedAxis::at`].
+    /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
     pub(super) fn value_at(&self, share: f64) -> f64 {
         self.factor
             * match self.scale {
@@ -150,12 +150,12 @@ impl FittedAxis {
     pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
         let tick = |(value, label): (f64, Option<String>)| {
             let at = self.share(value);
-            // rounding must not lose a tick at the very end
+            // a tick at the end of the axis must not be lost by rounding
             (-1e-9..=1.0 + 1e-9).contains(&at).then(|| Tick { at: at.clamp(0.0, 1.0), label })
         };
         let values = match self.scale {
             Scale::Linear => linear_ticks(self.low, self.high, wanted),
-            // too little of a decade for ticks at powers of ten
+            // the range is too short for ticks at powers of ten
             Scale::Log if self.high / self.low < 3.0 => linear_ticks(self.low, self.high, wanted),
             Scale::Log => log_ticks(self.low, self.high, wanted),
         };
@@ -174,7 +174,7 @@ fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> 
         _ => (1, exponent + 1),
     };
     let step = f64::from(digit) * ten_to(exponent);
-    // a small part of numbers that are not small themselves has more decimals
+    // a narrow range of numbers that are not small needs more decimals
     let largest = low.abs().max(high.abs());
     let is_plain = (-4..=5).contains(&exponent) && largest < 1e6 || (-9..-4).contains(&exponent) && largest > 0.1;
     let decimals = usize::try_from(-exponent).unwrap_or(0);

@@ -1,4 +1,4 @@
-//! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and the laws beside each other.
+//! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and a comparison of laws.
 
 use super::of_key::{axis_of, title_of};
 use super::{Axis, Canvas, Guide, Lines, PlotError, Series, posterior};
@@ -11,14 +11,14 @@ use crate::plan::free::Free;
 use crate::scene::Key;
 use crate::units::human;
 
-/// Points of a picture: more are not told apart.
+/// Largest number of points in a picture: the eye cannot separate more.
 const MOST_POINTS: usize = 2000;
-/// Places along a fitted line.
+/// Number of pieces of a fitted line.
 const PLACES: u32 = 120;
-/// Values over a wider range than this have a logarithmic axis.
+/// If the largest value is more than this multiple of the smallest, the axis is logarithmic.
 const WIDE: f64 = 5.0;
 
-/// The pictures, by name.
+/// The pictures with their names.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -47,7 +47,7 @@ fn is_wide(values: impl Iterator<Item = f64> + Clone) -> bool {
     low > 0.0 && values.fold(0.0, f64::max) > WIDE * low
 }
 
-/// What measurements are drawn over: the only key that changes, the indentation of a curve, or what is predicted.
+/// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
 enum Over {
     Key(&'static Key),
     Indentation,
@@ -87,7 +87,7 @@ fn of_quantity(what: usize, how: &str) -> Axis {
     Axis::engineering(title.trim_end(), MEASURED[what].quantity.dimension.si_unit())
 }
 
-/// The values of a quantity, at most as many as a picture shows.
+/// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
 fn shown(of: &Calibration, what: usize) -> Vec<usize> {
     let values = &of.fit.problem.data.values;
     let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].what == what).collect();
@@ -137,7 +137,7 @@ fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
 /// Points of a line.
 type Points = Vec<(f64, f64)>;
 
-/// The fitted line over a key, and the outline of its 95 % band: to first order in the keys.
+/// The fitted line over a key, and the outline of its 95 % band, which is linear in the keys.
 fn along(of: &Calibration, key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Points, Points) {
     let problem = &of.fit.problem;
     let (data, at) = line_data(key, what, points);
@@ -158,7 +158,7 @@ fn along(of: &Calibration, key: &'static Key, what: usize, points: &[(f64, f64)]
     (points, band)
 }
 
-/// Impacts along a key, from the least to the largest measured one, and the values of that key.
+/// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
 fn line_data(key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Data, Vec<f64>) {
     let ends = || points.iter().map(|point| point.0);
     let (from, to) = (ends().fold(f64::INFINITY, f64::min), ends().fold(0.0, f64::max));
@@ -173,7 +173,7 @@ fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
     let data = of.fit.problem.data;
     let measured = data.measured();
     let over = match Over::of(data) {
-        // quantities of several units have no common axis of predictions
+        // predictions of several quantities have no common axis
         Over::Prediction if measured.len() > 1 => None,
         over => Some(over),
     };
@@ -224,7 +224,7 @@ fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
     Lines { title, x: axis_of(found.free.key, is_wide), y, series, guides, notes }.draw()
 }
 
-/// Every law with its best keys, beside the first quantity that was measured.
+/// The predictions of every law with its best keys, with the measurements of the first quantity.
 fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let what = data.values[0].what;
@@ -253,12 +253,12 @@ fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: Vec::new() }.draw()
 }
 
-/// A full line in the second colour.
+/// Style of the fitted law: a solid line in the second colour.
 const LAW: usize = 15;
-/// A black circle among the styles, behind as many curves as there are laws.
+/// Style of the measurements: a black circle. No curve of a law has this style.
 const BLACK: usize = 13;
 
-/// To four digits, in a unit that fits.
+/// A value with four digits, in a fitting unit.
 fn say(value: f64, of: &Free) -> String {
     human(format!("{value:.3e}").parse().unwrap_or(value), of.key.quantity.dimension)
 }

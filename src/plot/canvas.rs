@@ -1,4 +1,4 @@
-//! The sheet: what is drawn on it, in the order of drawing. It becomes a PNG, of pixels, or an SVG, of shapes and text.
+//! The canvas: a list of shapes in the order of drawing. It is written as PNG (pixels) or as SVG (shapes and text).
 
 mod png;
 mod svg;
@@ -12,19 +12,19 @@ use super::PlotError;
 use super::style::Stroke;
 use crate::math::functions::hypot;
 
-/// A place on the picture \[px\], from its upper left corner.
+/// A place on the picture \[px\], measured from its upper left corner.
 pub(super) type Point = (f64, f64);
 
-/// Pixels of a font, with which texts are measured, per pixel of the picture.
+/// Texts are measured in a font that is larger than in the picture by this factor.
 const SCALE: f64 = 2.0;
 
-/// Paper that stays free around all text \[px\].
+/// Smallest distance of text from the edge of the canvas \[px\].
 const EDGE: f64 = 6.0;
 
-/// Points of a curve closer than this \[px\] are one.
+/// Points of a curve that are closer than this \[px\] are drawn as one.
 const RESOLUTION: f64 = 2.0;
 
-/// Text starts, is centred, or ends at its place.
+/// Whether a text starts at its place, is centred on it, or ends at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -33,7 +33,7 @@ pub(super) enum Anchor {
 }
 
 impl Anchor {
-    /// How much of a text is before its place.
+    /// The share of the text that is before its place.
     fn share(self) -> f64 {
         match self {
             Self::Start => 0.0,
@@ -43,7 +43,7 @@ impl Anchor {
     }
 }
 
-/// What is drawn.
+/// A shape on the canvas.
 #[derive(Debug, Clone, PartialEq)]
 enum Shape {
     Line(Vec<Point>, Stroke),
@@ -53,13 +53,14 @@ enum Shape {
     Text(Text),
 }
 
-/// A text on the sheet.
+/// A text on the canvas.
 #[derive(Debug, Clone, PartialEq)]
 struct Text {
     letters: String,
-    /// Where it begins: half a size above its base line, on the left of it where it reads upwards.
+    /// Where the text begins: half of `size` above its base line. If the text reads upwards, half of `size` left of its
+    /// base line.
     at: Point,
-    /// Its length in the font of the program \[px\].
+    /// Length of the text in the built-in font \[px\].
     length: f64,
     size: f64,
     color: RGBColor,
@@ -67,7 +68,7 @@ struct Text {
     is_upward: bool,
 }
 
-/// A white sheet, and what is drawn on it.
+/// A white canvas and the shapes on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Canvas {
     size: (u32, u32),
@@ -75,14 +76,14 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A white sheet.
+    /// An empty white canvas.
     pub(super) fn try_new(size: (u32, u32)) -> Result<Self, PlotError> {
         static IS_REGISTERED: LazyLock<bool> =
             LazyLock::new(|| register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular()).is_ok());
         if *IS_REGISTERED { Ok(Self { size, shapes: Vec::new() }) } else { Err(PlotError::Font) }
     }
 
-    /// A line through points, dashed along its length, with round joints.
+    /// A line through points with the dashes of `stroke` and with round joints.
     pub(super) fn polyline(&mut self, points: &[Point], stroke: Stroke) {
         self.shapes.extend(dashes(&thinned(points), stroke.dash).into_iter().map(|piece| Shape::Line(piece, stroke)));
     }
@@ -95,13 +96,13 @@ impl Canvas {
         self.shapes.push(Shape::Disc(centre, radius, color));
     }
 
-    /// A filled rectangle; neighbours that share an edge leave no gap.
+    /// A filled rectangle. Rectangles that share an edge have no gap between them.
     pub(super) fn rectangle(&mut self, from: Point, to: Point, color: RGBColor) {
         self.shapes.push(Shape::Rectangle(from, to, color));
     }
 
-    /// Text whose capitals are centred on the height of `at`. No text leaves the sheet: one that would is moved inward, and
-    /// one that is longer than the sheet is set smaller.
+    /// Text whose capital letters are centred on the height of `at`. A text that would go beyond the canvas is moved
+    /// inward, and a text that is longer than the canvas is made smaller.
     pub(super) fn text(
         &mut self,
         text: &str,
@@ -120,7 +121,7 @@ impl Canvas {
         Ok(())
     }
 
-    /// The same, turned to read upwards and centred on `at`.
+    /// Text that reads upwards and is centred on `at`.
     pub(super) fn text_upward(&mut self, text: &str, at: Point, size: f64, color: RGBColor) -> Result<(), PlotError> {
         let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
         let size = fitting(text, size, height - 2.0 * EDGE)?;
@@ -133,31 +134,32 @@ impl Canvas {
     }
 }
 
-/// Sizes to an em of DejaVu.
+/// Text sizes per em of the font DejaVu.
 const EM: f64 = 1.164;
 
-/// From plotters' place of a text to the middle of its capitals: it sets the base line half a size lower, and DejaVu's
-/// capitals are 0.729 em high.
+/// Distance from the place of a text in plotters down to the middle of its capital letters. The base line is half a
+/// size below that place, and capital letters of DejaVu are 0.729 em high.
 fn centre(size: f64) -> f64 {
     (0.5 - 0.5 * 0.729 / EM) * size
 }
 
-/// The beginning of something so long, moved to be within a sheet of this length.
+/// The start of a text of this length, moved so that the text is within the canvas. `sheet` is the length of the
+/// canvas.
 fn within(start: f64, length: f64, sheet: f64) -> f64 {
     start.min(sheet - EDGE - length).max(EDGE)
 }
 
-/// The size, or the smaller one at which a text is no longer than `room`.
+/// The given size, or a smaller one at which the text is not longer than `room`.
 pub(super) fn fitting(text: &str, size: f64, room: f64) -> Result<f64, PlotError> {
     let mut fitting = size;
-    // widths are whole pixels, so that the ratio alone may miss
+    // widths are rounded to whole pixels, so the ratio alone may not be small enough
     while fitting > 1.0 && text_width(text, fitting)? > room {
         fitting *= (room / text_width(text, fitting)?).min(0.99);
     }
     Ok(fitting)
 }
 
-/// The words of a text in lines no longer than `room`; a word that is longer is divided.
+/// The text in lines that are not longer than `room`. A word that is too long for a line is divided.
 pub(super) fn wrapped(text: &str, size: f64, room: f64) -> Result<Vec<String>, PlotError> {
     let mut lines = vec![String::new()];
     for piece in text.split_inclusive(' ') {
@@ -185,8 +187,8 @@ pub(super) fn text_width(text: &str, size: f64) -> Result<f64, PlotError> {
     Ok(f64::from(width) / SCALE)
 }
 
-/// A place in whole units of a back end, of which `units` are a pixel.
-#[allow(clippy::cast_possible_truncation)] // casts saturate, and what is outside the sheet is not seen
+/// A place in whole units of a back end that has `units` units per pixel.
+#[allow(clippy::cast_possible_truncation)] // casts saturate, and places outside the canvas are not seen
 fn whole((x, y): Point, units: f64) -> (i32, i32) {
     ((x * units).round() as i32, (y * units).round() as i32)
 }
@@ -201,7 +203,7 @@ fn failed(error: impl Display) -> PlotError {
     PlotError::Drawing(error.to_string())
 }
 
-/// Without points that are not a number, and without steps too small to see (the last point stays).
+/// The points without those that are not finite, and without steps that are too small to see. The last point stays.
 fn thinned(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
     let mut skipped = None;
@@ -217,7 +219,7 @@ fn thinned(points: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// The parts of a line that have ink.
+/// The dashes of a line.
 fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     if pattern.is_empty() {
         return vec![points.to_vec()];

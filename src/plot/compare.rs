@@ -5,7 +5,7 @@ use crate::compare::{Comparison, Origin};
 use crate::law::Unloading;
 use crate::units::rounded::number;
 
-/// Points of a curve.
+/// Number of pieces of a curve.
 const POINTS: u32 = 200;
 
 fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
@@ -16,12 +16,12 @@ fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The picture: force against indentation of every law, and of the finite elements.
+/// The picture: force against indentation for every law and for the finite elements.
 ///
 /// # Errors
 /// [`PlotError`].
 pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
-    /// A black circle among the styles, behind as many curves as there are laws.
+    /// Style of the finite elements: a black circle. No curve of a law has this style.
     const BLACK: usize = 13;
     let point = &comparison.bodies.yield_point;
     let (length, force) = (point.indentation, point.force);
@@ -31,14 +31,14 @@ pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
         .filter_map(|one| Some(Series::line(one.name, curve(&one.unloading.ok()?, length, force))))
         .collect();
     if let Some(curve) = comparison.curve() {
-        // from its own peak, which is within 1 % of this one
+        // scaled from the peak of the finite elements, which differs from this peak by less than 1 %
         let (top_x, top_f) = curve.points.first().copied().unwrap_or((1.0, 1.0));
         let (scale_x, scale_f) = (comparison.peak.indentation / top_x, comparison.peak.force / top_f);
         let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
         series.push(Series::points("finite elements", points).styled(BLACK));
     }
     let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
-    // from a little before the shallowest dent on
+    // the axis begins a little before the shallowest dent
     let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
     let last = comparison.peak.indentation * length;
     let x = Axis::engineering("Indentation", "m")

@@ -1,4 +1,5 @@
-//! Force against the approach and its two shares, loading and unloading: the loops of Xie et al. (2024), Figs. 8 and 12.
+//! Force against the approach, and against the indentations of sphere and half-space, during loading and unloading: the
+//! loops of Xie et al. (2024), Figs. 8 and 12.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -9,7 +10,7 @@ use super::{PlotError, SIZE};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::units::rounded::{number, quantity};
 
-/// Radius of markers, and of the small ones at knots \[px\].
+/// Radius of markers, and of the small markers at knots \[px\].
 const MARK: f64 = 9.0;
 const KNOT: f64 = 4.0;
 
@@ -18,25 +19,27 @@ struct Loop {
     name: &'static str,
     indentation: fn(&TraceRow) -> f64,
     width: f64,
-    /// Force over peak force of the markers on loading and unloading: where loops lie on each other, each shows its own.
+    /// Force over peak force of the markers on loading and unloading. They differ from loop to loop, so that the
+    /// markers are seen where loops lie on each other.
     marks: [f64; 2],
 }
 
-/// Drawn in this order, each narrower than the one before: with a rigid sphere the half-space's loop lies on the whole
-/// approach, with equal elastic bodies on the sphere's.
+/// The loops in the order of drawing, each narrower than the one before, because loops may lie on each other. With a
+/// rigid sphere the loop of the half-space lies on that of the approach; with equal elastic bodies it lies on that of
+/// the sphere.
 const LOOPS: [Loop; 3] = [
     Loop { name: "Approach δ", indentation: |row| row.indentation, width: 7.0, marks: [0.5, 0.7] },
     Loop { name: "Sphere δₛ", indentation: |row| row.sphere_indentation, width: 5.0, marks: [0.35, 0.85] },
     Loop { name: "Half-space δₕ", indentation: |row| row.half_space_indentation, width: 3.0, marks: [0.65, 0.45] },
 ];
 
-/// The picture `force-indentation.png`. The trace is drawn as it is: some hundred samples make smooth curves.
+/// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 ///
 /// # Errors
-/// [`PlotError::Data`] for an impact without a trace; otherwise what drawing and encoding report.
+/// [`PlotError::Data`] for an impact without a trace; other [`PlotError`]s from drawing.
 pub fn force_indentation(impact: &Impact) -> Result<Canvas, PlotError> {
     let trace = &impact.trace;
-    // a sphere that creeps to rest has no turning point: its last row is the deepest
+    // a sphere that creeps to rest has no turning point; its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
     let Some(turn) = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1))) else {
         return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
@@ -132,25 +135,25 @@ fn entries(impact: &Impact) -> Vec<Entry> {
     entries
 }
 
-/// The force of the law alone, where the curves hold damping too.
+/// Line of the force of the law without damping. The other curves include the damping.
 const ELASTIC: Stroke = Stroke { color: INK, width: 2.0, dash: DOTTED };
 
 pub(super) fn is_damped(impact: &Impact) -> bool {
     impact.under_forces.is_some_and(|under| under.damping_loss.is_some())
 }
 
-/// What the turning point is called; damping makes the force largest before it.
+/// The name of the turning point. With damping it is not the peak of the force, which is largest before it.
 pub(super) fn peak_name(impact: &Impact) -> &'static str {
     if is_damped(impact) { "Deepest point" } else { "Peak" }
 }
 
-/// The force there, which is F_m only without damping.
+/// The force at the turning point. It is the peak force F_m only without damping.
 pub(super) fn force_at_peak(impact: &Impact) -> String {
     let force = quantity(impact.peak_force, "N");
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 
-/// The largest force of the pictures: with viscous damping it comes before the peak indentation.
+/// The largest force in the pictures. With damping it occurs before the peak indentation.
 pub(super) fn largest_force(impact: &Impact) -> f64 {
     if is_damped(impact) {
         impact.trace.iter().fold(impact.peak_force, |largest, row| largest.max(row.force))

@@ -1,4 +1,4 @@
-//! A box with two axes: grid, ticks, titles, and curves clipped to it.
+//! A box with two axes: draws grid, ticks and titles, and curves that are clipped to the box.
 
 use plotters::style::RGBColor;
 
@@ -8,14 +8,14 @@ use super::axis::FittedAxis;
 use super::canvas::{Anchor, Canvas, Point, text_width, wrapped};
 use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, SOLID, Stroke, TITLE_SIZE};
 
-/// Distance between labels of an axis \[px\] that reads well.
+/// Distance between labels of the horizontal and of the vertical axis \[px\].
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
 
-/// Length of a line of the title \[px\], and the size of a title that needs two.
+/// Largest length of a line of the title \[px\], and the text size of a title in two lines.
 const TITLE_ROOM: f64 = SIZE.0 as f64 - 40.0;
 const TWO_LINES: f64 = 30.0;
 
-/// Labels that an axis has even in a low box.
+/// Smallest number of labels that a vertical axis aims at, even in a low box.
 const FEWEST: f64 = 4.0;
 const GRID_LINE: Stroke = Stroke { color: GRID, width: 1.5, dash: SOLID };
 const TICK: Stroke = Stroke { color: INK, width: 2.0, dash: SOLID };
@@ -51,7 +51,7 @@ impl Frame {
         self.draw_y(canvas)
     }
 
-    /// The horizontal axis; without labels where a box below shares it.
+    /// Draws the horizontal axis. It has no labels if a box below has the same axis.
     pub(super) fn draw_x(&self, canvas: &mut Canvas, has_labels: bool) -> Result<(), PlotError> {
         let Bounds { left, top, right, bottom } = self.bounds;
         for mark in self.x.ticks((right - left) / LABEL_DISTANCE.0) {
@@ -71,7 +71,7 @@ impl Frame {
         Ok(())
     }
 
-    /// The vertical axis.
+    /// Draws the vertical axis.
     pub(super) fn draw_y(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
@@ -91,14 +91,14 @@ impl Frame {
         canvas.text_upward(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK)
     }
 
-    /// The outline, over the ends of the curves.
+    /// Draws the outline, over the ends of the curves.
     pub(super) fn draw_outline(&self, canvas: &mut Canvas) {
         let Bounds { left, top, right, bottom } = self.bounds;
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
         canvas.polyline(&corners, Stroke::solid(INK, 2.0));
     }
 
-    /// The title of the picture, above the box; a long one in two lines, smaller if need be.
+    /// Draws the title above the box. A long title is drawn in two lines, and smaller if needed.
     pub(super) fn draw_title(&self, canvas: &mut Canvas, title: &str) -> Result<(), PlotError> {
         let middle = 0.5 * (self.bounds.left + self.bounds.right);
         let height = self.bounds.top - 42.0;
@@ -117,7 +117,7 @@ impl Frame {
         Ok(())
     }
 
-    /// A curve through values; what lies outside the box is cut off.
+    /// Draws a curve through values. Parts outside the box are cut off.
     pub(super) fn curve(&self, canvas: &mut Canvas, values: impl Iterator<Item = (f64, f64)>, stroke: Stroke) {
         let mut piece: Vec<Point> = Vec::new();
         let mut before: Option<Point> = None;
@@ -140,11 +140,11 @@ impl Frame {
         canvas.polyline(&piece, stroke);
     }
 
-    /// A marker with a white rim, if it is in the box.
+    /// Draws a marker with a white rim, if it is inside the box.
     pub(super) fn mark(&self, canvas: &mut Canvas, (x, y): (f64, f64), mark: Mark, radius: f64, color: RGBColor) {
         let at = self.place(x, y);
         let Bounds { left, top, right, bottom } = self.bounds;
-        // half a pixel for rounding
+        // half a pixel is allowed for rounding
         if !(left - 0.5..=right + 0.5).contains(&at.0) || !(top - 0.5..=bottom + 0.5).contains(&at.1) {
             return;
         }

@@ -1,4 +1,4 @@
-//! A quantity over two axes in colour, with a colour bar: restitution over speed and strength.
+//! A quantity over two axes in colour, with a colour bar, such as restitution over speed and strength.
 
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
@@ -12,28 +12,30 @@ use super::{PlotError, SIZE};
 
 use crate::math::functions::{exp, ln};
 
-/// Width of the colour bar and of the room for it \[px\].
+/// Width of the colour bar \[px\].
 const BAR: f64 = 44.0;
+/// Width kept free for the colour bar and its labels \[px\].
 const ROOM: f64 = 250.0;
-/// Steps of the colour bar.
+/// Number of steps of the colour bar.
 const STEPS: u32 = 256;
 
-/// A map of values at the crossings of two lists.
+/// A map of the values on a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heatmap {
-    /// Above the axes; may be empty.
+    /// Title above the axes; may be empty.
     pub title: String,
-    /// Horizontal axis; its `range` is ignored, the cells fill the box.
+    /// Horizontal axis; its `range` is ignored, because the cells fill the box.
     pub x: Axis,
-    /// Vertical axis; its `range` is ignored.
+    /// Vertical axis; its `range` is ignored, because the cells fill the box.
     pub y: Axis,
-    /// Rising or falling, at least two.
+    /// Values along the horizontal axis: rising or falling, at least two.
     pub x_values: Vec<f64>,
-    /// Rising or falling, at least two.
+    /// Values along the vertical axis: rising or falling, at least two.
     pub y_values: Vec<f64>,
-    /// One row of `x_values.len()` values after the other, one row for each of `y_values`; what is not finite stays grey.
+    /// The values of the map, row after row: a row has one value for each of `x_values`, and there is one row for each
+    /// of `y_values`. A value that is not finite is drawn in grey.
     pub values: Vec<f64>,
-    /// Title and range (0 … 1 for restitution) of the colours.
+    /// Title and range of the colours, such as 0 … 1 for restitution.
     pub color: Axis,
 }
 
@@ -41,7 +43,7 @@ impl Heatmap {
     /// The picture.
     ///
     /// # Errors
-    /// [`PlotError::Data`] if the lists do not fit; otherwise what drawing and encoding report.
+    /// [`PlotError::Data`] if the lengths of the lists do not fit; other [`PlotError`]s from drawing.
     pub fn draw(&self) -> Result<Canvas, PlotError> {
         let (columns, rows) = (self.x_values.len(), self.y_values.len());
         if columns < 2 || rows < 2 || self.values.len() != columns * rows {
@@ -94,13 +96,13 @@ fn draw_bar(canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<()
     Ok(())
 }
 
-/// Viridis along the axis of the colours; grey for what has no value.
+/// The colour of a value, from the colour map viridis; grey for a value that is not finite.
 fn shade(color: &FittedAxis, value: f64) -> RGBColor {
     let share = color.at(value);
     if share.is_finite() { ViridisRGB.get_color(share.clamp(0.0, 1.0)) } else { GRID }
 }
 
-/// Borders of the cells: half-way between values, on the scale of the axis.
+/// Borders of the cells: half-way between neighbouring values, on the scale of the axis.
 fn edges(axis: &Axis, values: &[f64]) -> Vec<f64> {
     let is_log = axis.scale == super::Scale::Log;
     let to = |v: f64| if is_log { ln(v) } else { v };

@@ -1,4 +1,4 @@
-//! How often a value came: bars, with lines for mean and quantiles.
+//! A histogram: bars for counts, with lines for mean and quantiles.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -10,13 +10,13 @@ use super::{PlotError, SIZE};
 /// Bars over adjoining bins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Histogram {
-    /// Above the axes; may be empty.
+    /// Title above the axes; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
     /// Borders of the bins, rising: one more than there are counts.
     pub edges: Vec<f64>,
-    /// How many values fell into each bin.
+    /// Number of values in each bin.
     pub counts: Vec<u64>,
     /// Vertical lines (mean, quantiles) with their labels in the key.
     pub lines: Vec<(f64, String)>,
@@ -28,7 +28,7 @@ impl Histogram {
     /// The picture.
     ///
     /// # Errors
-    /// [`PlotError::Data`] if edges and counts do not fit; otherwise what drawing and encoding report.
+    /// [`PlotError::Data`] if the numbers of edges and counts do not fit; other [`PlotError`]s from drawing.
     pub fn draw(&self) -> Result<Canvas, PlotError> {
         if self.counts.is_empty() || self.edges.len() != self.counts.len() + 1 {
             return Err(PlotError::Data(format!(
@@ -56,7 +56,7 @@ impl Histogram {
             let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
             if high.1 < low.1 {
                 canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5]);
-                // a thin gap, where bars are wide enough to have one
+                // a thin gap between bars, if they are wide enough
                 if high.0 - low.0 > 6.0 {
                     canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0));
                 }
@@ -78,7 +78,7 @@ impl Histogram {
     }
 }
 
-/// Lines over sky-blue bars: black, vermillion, reddish purple ..., each with its dash.
+/// Strokes of the lines over the sky-blue bars: black, vermillion, reddish purple and green, each with its own dash.
 fn stroke(index: usize) -> Stroke {
     let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][index % 4];
     Stroke { color, width: 3.5, ..super::style::series(index).0 }

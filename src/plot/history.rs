@@ -1,4 +1,4 @@
-//! Force, indentation and speed against time, one above the other.
+//! Force, indentation and speed against time, in three boxes one above the other.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -13,20 +13,21 @@ use crate::units::rounded::quantity;
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
 
-/// Markers along each indentation.
+/// Number of markers along each curve of indentation.
 const MARKS: usize = 5;
 
-/// The whole indentation and its shares, which may lie on it or on each other, are of different widths.
+/// Width of the line of a series. The three curves of indentation have different widths, because they may lie on each
+/// other.
 fn width(series: usize) -> f64 {
     [7.0, 5.0].get(series).copied().unwrap_or(3.5)
 }
 
 type Quantity = fn(&TraceRow) -> f64;
 
-/// The picture `history.png`. The trace is drawn as it is: some hundred samples make smooth curves.
+/// The history of an impact. A trace of some hundred samples gives smooth curves.
 ///
 /// # Errors
-/// [`PlotError::Data`] for an impact without a trace; otherwise what drawing and encoding report.
+/// [`PlotError::Data`] for an impact without a trace; other [`PlotError`]s from drawing.
 pub fn history(impact: &Impact) -> Result<Canvas, PlotError> {
     if impact.trace.is_empty() {
         return Err(PlotError::Data("a history needs a trace: run the impact with samples".into()));
@@ -69,7 +70,7 @@ pub fn history(impact: &Impact) -> Result<Canvas, PlotError> {
             let points = impact.trace.iter().map(|row| (row.time, quantity(row)));
             frame.curve(&mut canvas, points, stroke);
             if curves.len() > 1 {
-                // each curve has its markers at its own times, as two of them may lie on each other
+                // each curve has its markers at other times, because two curves may lie on each other
                 let rows =
                     (0..MARKS).filter_map(|k| impact.trace.get(impact.trace.len() * (3 * k + j + 1) / (3 * MARKS + 1)));
                 for row in rows {
@@ -86,7 +87,8 @@ pub fn history(impact: &Impact) -> Result<Canvas, PlotError> {
     Ok(canvas)
 }
 
-/// The ends of the axis of speeds: gravity may make a sphere faster than it came, and a captured one still moves.
+/// The ends of the axis of speeds. With forces they come from the trace: gravity may accelerate the sphere beyond its
+/// impact speed, and a captured sphere has no rebound speed.
 fn speeds(impact: &Impact) -> (f64, f64) {
     if impact.under_forces.is_none() {
         return (1.1 * -impact.rebound_speed, 1.1 * impact.speed);

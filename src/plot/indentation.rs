@@ -1,5 +1,6 @@
-//! Force against indentation of slow contacts: the approach and its two shares for one half-space, the approaches of several
-//! in the form of Xie et al. (2024), Fig. 13, with what their uncertainties make of the ends of steps.
+//! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
+//! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13. Error bars show
+//! the uncertainty at the ends of steps.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -11,15 +12,16 @@ use crate::indentation::{Span, Tested, TraceRow};
 use crate::law::Branch;
 use crate::units::rounded::quantity;
 
-/// Radius of markers, and half the length of the ends of error bars \[px\].
+/// Radius of markers \[px\].
 const MARK: f64 = 9.0;
+/// Half the length of the caps of error bars \[px\].
 const CAP: f64 = 8.0;
 /// Distance between error bars \[px\].
 const BAR: f64 = 20.0;
 
 type Quantity = fn(&TraceRow) -> f64;
 
-/// A loop: one half-space, one kind of indentation.
+/// A loop: the trace of one half-space, against one kind of indentation.
 struct Loop<'a> {
     name: String,
     rows: &'a [TraceRow],
@@ -27,7 +29,7 @@ struct Loop<'a> {
     width: f64,
 }
 
-/// The picture `force_indentation.png` of an indentation. The trace is drawn as it is.
+/// The picture of force against indentation.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -53,7 +55,8 @@ pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
             let mut rows: Vec<&TraceRow> = branch.iter().collect();
             let is_loading = rows.first().is_some_and(|row| is_loading(row));
             if !is_loading {
-                // unloading and reloading run to and fro on one curve: drawn once, so that its dashes stay apart
+                // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes
+                // stay open
                 rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
             }
             let dash = if is_loading { SOLID } else { DASHED };
@@ -70,7 +73,7 @@ pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
     for (span, force, i) in spans(tested) {
         let color = series(i).0.color;
         let stroke = Stroke::solid(color, 3.0);
-        // one above the other, as all loops may end at the same loads
+        // one above the other, because all loops may end at the same load
         #[allow(clippy::cast_precision_loss)] // a handful
         let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
         let (low, high) = (above(frame.place(span.low, force)), above(frame.place(span.high, force)));
@@ -109,7 +112,8 @@ fn loops(tested: &[Tested]) -> Vec<Loop<'_>> {
         .collect()
 }
 
-/// A few rows of a loop that carry its marker, at other places than those of its neighbours.
+/// The rows of a loop at which its marker is drawn: where the force passes a share of its maximum. The share differs
+/// from loop to loop.
 fn marked(rows: &[TraceRow], index: usize, count: usize) -> impl Iterator<Item = &TraceRow> {
     let strongest = rows.iter().map(|row| row.force).fold(0.0, f64::max);
     #[allow(clippy::cast_precision_loss)] // a handful
@@ -118,7 +122,7 @@ fn marked(rows: &[TraceRow], index: usize, count: usize) -> impl Iterator<Item =
     rows.windows(2).filter(move |pair| (pair[0].force < at) != (pair[1].force < at)).map(|pair| &pair[1])
 }
 
-/// Spans of the indentation at the ends of steps in load control, with the load and the index of the curve.
+/// Ranges of the indentation at the ends of steps in load control, with the load and the index of the half-space.
 fn spans(tested: &[Tested]) -> impl Iterator<Item = (Span, f64, usize)> {
     tested.iter().enumerate().flat_map(|(i, one)| {
         let steps = one.spans.iter().flatten().zip(&one.indentation.steps);

@@ -1,4 +1,4 @@
-//! The key: a column right of the axes, so that it never covers data.
+//! The key of a picture: a column to the right of the axes, so that it never covers data.
 
 use plotters::style::RGBColor;
 
@@ -7,19 +7,20 @@ use super::frame::{Bounds, Frame};
 use super::style::{GREY, INK, LABEL_SIZE, Mark, Stroke};
 use super::{PlotError, SIZE};
 
-/// Width of the sample beside an entry, and the gap to its text \[px\].
+/// Width of the sample of a line or marker \[px\].
 const SAMPLE: f64 = 70.0;
+/// Distance from the sample to the text \[px\].
 const GAP: f64 = 16.0;
 const LINE_HEIGHT: f64 = 38.0;
 const ENTRY_GAP: f64 = 16.0;
-/// Distance to the axes and to the edge of the picture \[px\].
+/// Distance of the key from the axes and from the edge of the picture \[px\].
 const MARGIN: f64 = 28.0;
-/// Margins of the box with axes \[px\]: labels and titles of the axes.
+/// Margins of the box with axes \[px\], for labels and titles.
 pub(super) const LEFT: f64 = 165.0;
 pub(super) const TOP: f64 = 90.0;
 pub(super) const BOTTOM: f64 = 125.0;
 
-/// One entry: a sample of line or marker and its text, the first line in ink and the rest in grey.
+/// One entry: a sample of a line or marker, and texts. The first text is black and the others are grey.
 pub(super) struct Entry {
     pub line: Option<Stroke>,
     pub mark: Option<(Mark, f64, RGBColor)>,
@@ -49,20 +50,20 @@ impl Entry {
     }
 }
 
-/// Entries in the lines and the size that they are drawn in.
+/// The lines and the text size of all entries.
 struct Layout {
-    /// Over the usual size.
+    /// Text size over the usual size.
     scale: f64,
-    /// Of every entry that has room, its lines and how many of them are in ink.
+    /// For every entry that is drawn, its lines and whether each is black.
     entries: Vec<Vec<(String, bool)>>,
 }
 
-/// Below this size a text can no longer be read.
+/// Smallest scale: smaller text cannot be read.
 const SMALLEST: f64 = 0.4;
 
 impl Layout {
-    /// Long texts are wrapped, as half of the picture belongs to the data; a key that is too high is set smaller, and what
-    /// still has no room is counted.
+    /// Lays out the entries. Long texts are wrapped, so that the key takes at most half of the picture. A key that is
+    /// too high is drawn smaller. If it is still too high, the last entries are replaced by their number.
     fn of(entries: &[Entry]) -> Result<Self, PlotError> {
         let mut scale = 1.0;
         loop {
@@ -93,7 +94,7 @@ impl Layout {
         self.scale * (lines as f64 * LINE_HEIGHT + self.entries.len() as f64 * ENTRY_GAP)
     }
 
-    /// As many entries as have room, and a line that counts the others.
+    /// As many entries as there is room for, and a line with the number of the others.
     fn cut(mut self) -> Self {
         let all = self.entries.len();
         loop {
@@ -108,10 +109,10 @@ impl Layout {
     }
 }
 
-/// Height for the key \[px\].
+/// Largest height of the key \[px\].
 const ROOM: f64 = SIZE.1 as f64 - TOP - MARGIN;
 
-/// Room for a box with axes beside the key.
+/// The bounds of a box with axes beside the key.
 pub(super) fn bounds(entries: &[Entry]) -> Result<Bounds, PlotError> {
     let layout = Layout::of(entries)?;
     let mut widest: f64 = 0.0;
@@ -131,7 +132,7 @@ pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Res
     let layout = Layout::of(entries)?;
     let mut y = frame.bounds.top + 0.5 * layout.scale * LINE_HEIGHT;
     for (i, lines) in layout.entries.iter().enumerate() {
-        // the last one may count those without room
+        // the last line may be the number of the entries that are left out
         let entry = entries.get(i).filter(|_| layout.entries.len() == entries.len() || i + 1 < layout.entries.len());
         if let Some(stroke) = entry.and_then(|entry| entry.line) {
             canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke);

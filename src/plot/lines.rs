@@ -1,4 +1,4 @@
-//! Curves with names on two axes, linear or logarithmic: work against precision, restitution against speed.
+//! Named curves on two axes, linear or logarithmic, such as restitution against speed.
 
 use super::axis::{Axis, FittedAxis};
 use super::canvas::Canvas;
@@ -12,15 +12,15 @@ use crate::math::functions::{hypot, pow};
 /// Curves on two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lines {
-    /// Above the axes; may be empty.
+    /// Title above the axes; may be empty.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// In the order of the key.
+    /// The curves, in the order of the key.
     pub series: Vec<Series>,
-    /// Thin lines that are no data.
+    /// Thin lines that are not data.
     pub guides: Vec<Guide>,
     /// Lines of text below the key.
     pub notes: Vec<String>,
@@ -29,28 +29,29 @@ pub struct Lines {
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// In the key; without a name it is not there.
+    /// Name in the key; a curve without a name has no entry.
     pub name: String,
-    /// In the units of the axes. A point that is not finite, or not positive on a logarithmic axis, breaks the curve.
+    /// Points in the units of the axes. A point that is not finite, or not positive on a logarithmic axis, interrupts
+    /// the curve.
     pub points: Vec<(f64, f64)>,
-    /// Line, markers, or both.
+    /// Whether a line, markers or both are drawn.
     pub look: Look,
-    /// Colour, dash and marker are those of this index of the palette; `None`: of its place in the list.
+    /// Index of the style: colour, dash and marker. `None` for the place of the curve in the list.
     pub style: Option<usize>,
 }
 
-/// What of a series is drawn.
+/// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Look {
-    /// A line; a few markers along it tell it apart.
+    /// A line with a few markers along it.
     Line,
-    /// A line with a marker on every point, for few, computed points.
+    /// A line with a marker on every point, for a few computed points.
     MarkedLine,
-    /// Markers alone: measured points.
+    /// Markers only, for measured points.
     Points,
-    /// A line without markers, for one that lies on points of its own colour.
+    /// A line without markers, for example on points of the same colour.
     Bare,
-    /// The inside of a closed line, in a pale colour.
+    /// The area inside a closed line, in a pale colour.
     Band,
 }
 
@@ -60,60 +61,60 @@ impl Series {
         Self { name: name.into(), points, look: Look::Line, style: None }
     }
 
-    /// A curve without markers, beside points of the same style.
+    /// A curve without markers.
     pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Bare, ..Self::line(name, points) }
     }
 
-    /// The inside of a closed line.
+    /// The area inside a closed line.
     pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Band, ..Self::line(name, outline) }
     }
 
-    /// A curve through few points, each with a marker.
+    /// A curve through a few points, each with a marker.
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::MarkedLine, ..Self::line(name, points) }
     }
 
-    /// Points that no curve joins.
+    /// Points without a line.
     pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Points, ..Self::line(name, points) }
     }
 
-    /// The same in the colour, dash and marker of another: points that belong to a curve.
+    /// The same series with the colour, dash and marker of this style.
     #[must_use]
     pub fn styled(self, style: usize) -> Self {
         Self { style: Some(style), ..self }
     }
 }
 
-/// A line that is no data; it does not widen the axes. Its label stands in the key, if the line is in the box; guides of
-/// the same label stand there once.
+/// A line that is not data. It does not extend the axes. If it is inside the box, its label is in the key; guides with
+/// the same label have one entry.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Guide {
-    /// At one x; in the colour of a series, if it belongs to one.
+    /// A vertical line, in the colour of a series if it belongs to one.
     Vertical {
-        /// x.
+        /// Place on the horizontal axis.
         at: f64,
-        /// In the key.
+        /// Label in the key.
         label: String,
-        /// Index of the series it belongs to.
+        /// Style of the series that the line belongs to.
         series: Option<usize>,
     },
-    /// At one y.
+    /// A horizontal line.
     Horizontal {
-        /// y.
+        /// Place on the vertical axis.
         at: f64,
-        /// In the key.
+        /// Label in the key.
         label: String,
     },
-    /// y = y_0 (x/x_0)^slope: straight where both axes are logarithmic.
+    /// The curve y = y_0 (x/x_0)^slope, which is straight if both axes are logarithmic.
     Power {
-        /// (x_0, y_0).
+        /// The point (x_0, y_0).
         through: (f64, f64),
         /// Exponent.
         slope: f64,
-        /// In the key.
+        /// Label in the key.
         label: String,
     },
 }
@@ -146,7 +147,7 @@ impl Guide {
     }
 }
 
-/// Markers along a curve that has none on its points.
+/// Number of markers along a curve without markers on its points.
 const SPARSE_MARKS: u32 = 6;
 /// Share of the colour in a band.
 const PALE: f64 = 0.35;
@@ -198,8 +199,8 @@ impl Lines {
         Ok(canvas)
     }
 
-    /// Points of a series at even distances along its curve; each series is shifted against the others, so that markers
-    /// on a common curve do not hide each other.
+    /// Points of a series at equal distances along its curve. They are shifted from series to series, so that markers
+    /// do not hide each other where curves coincide.
     fn sparse_marks(&self, frame: &Frame, index: usize) -> Vec<(f64, f64)> {
         let points = &self.series[index].points;
         let mut length = 0.0;
@@ -256,7 +257,7 @@ impl Lines {
     }
 }
 
-/// Whether a place along an axis is on it, but for rounding.
+/// Whether a place is on the axis, with an allowance for rounding.
 fn is_share(at: f64) -> bool {
     (-1e-9..=1.0 + 1e-9).contains(&at)
 }

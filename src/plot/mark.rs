@@ -1,4 +1,4 @@
-//! The drawing of markers.
+//! Draws markers.
 
 use plotters::style::RGBColor;
 

@@ -1,15 +1,15 @@
-//! What the key of a scenario is called in pictures.
+//! The names of the keys of a scenario in pictures.
 
 use super::Axis;
 use crate::scene::Key;
 
-/// "half-space Young's modulus".
+/// The path of a key in words, such as "half-space Young's modulus".
 pub(super) fn words(path: &str) -> String {
     let words = path.replace(['.', '_'], " ").replace("half space", "half-space");
     words.replace("youngs", "Young's").replace("poissons", "Poisson's")
 }
 
-/// The same as a title.
+/// The path of a key as a title, such as "Half-space Young's modulus".
 pub(super) fn title_of(path: &str) -> String {
     let words = words(path.trim_start_matches("impact."));
     let mut letters = words.chars();

@@ -1,24 +1,24 @@
-//! What pictures are written as.
+//! The file format of pictures.
 
 use super::{Canvas, PlotError};
 use crate::output::OutputFile;
 
-/// What pictures are written as.
+/// The file format of pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pictures {
-    /// Pixels.
+    /// PNG: pixels.
     Png,
-    /// Shapes and text, which stay sharp in any size.
+    /// SVG: shapes and text, which stay sharp at any size.
     Svg,
-    /// Not at all.
+    /// No pictures.
     None,
 }
 
 impl Pictures {
-    /// All ways.
+    /// All formats.
     pub const ALL: [Self; 3] = [Self::Png, Self::Svg, Self::None];
 
-    /// Its name on the command line, which is the ending of the files.
+    /// The name on the command line, which is also the ending of the files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -27,7 +27,7 @@ impl Pictures {
         }
     }
 
-    /// The file of a picture; `None` where no pictures are wanted.
+    /// The file of a picture; `None` if no pictures are wanted.
     ///
     /// # Errors
     /// [`PlotError`].
@@ -40,7 +40,7 @@ impl Pictures {
         Ok(Some(OutputFile { name: format!("{name}.{}", self.name()), bytes }))
     }
 
-    /// The files of pictures; where none are wanted, nothing is drawn.
+    /// The files of pictures. If no pictures are wanted, `drawn` is not called.
     ///
     /// # Errors
     /// [`PlotError`].

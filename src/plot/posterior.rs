@@ -1,4 +1,4 @@
-//! The posterior of two keys: a map with its contours, and the posterior of each key beside it.
+//! The posterior of two keys: a map with contours, and the posteriors of the single keys above and beside it.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -11,16 +11,17 @@ use crate::calibrate::profile::{Marginal, Sheet};
 use crate::calibrate::statistics::LEVELS;
 use crate::calibrate::{Calibration, Found};
 
-/// Height and width of the margins, and their distance from the map \[px\].
+/// Height of the box above the map and width of the box beside it \[px\].
 const MARGIN: f64 = 150.0;
+/// Distance of these boxes from the map \[px\].
 const GAP: f64 = 14.0;
-/// Densities below this share of the highest are white.
+/// Densities below this share of the highest density are not drawn.
 const VISIBLE: f64 = 2e-3;
 
-/// Steps of colour between two places.
+/// Number of steps of colour between two places.
 const STEPS: u32 = 5;
 
-/// A line of the map: the first key, and the second with the density.
+/// A line of the map: a value of the first key, and values of the second key with the density there.
 type Line = (f64, Vec<(f64, f64)>);
 
 /// The picture.
@@ -86,7 +87,7 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     let x_edges = edges(lines.iter().map(|(x, _)| *x));
     for (line, (_, places)) in x_edges.windows(2).zip(&lines) {
         for pair in places.windows(2) {
-            // straight between two places, in steps that the eye does not see
+            // linear between two places, in steps that are too small to see
             for step in 0..STEPS {
                 let [below, at, above] = [0.0, 0.5, 1.0].map(|part| (f64::from(step) + part) / f64::from(STEPS));
                 let between = |share: f64| pair[0].0 + share * (pair[1].0 - pair[0].0);
@@ -127,7 +128,7 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     Ok(canvas)
 }
 
-/// Half-way between neighbours; the outer ones as far as the inner.
+/// Borders between the values: half-way between neighbours. The outer borders are the outer values.
 fn edges(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();
     let n = values.len();
@@ -135,7 +136,7 @@ fn edges(values: impl Iterator<Item = f64>) -> Vec<f64> {
     [values[0]].into_iter().chain(inner).chain([values[n - 1]]).collect()
 }
 
-/// The densities above which the shares of [`LEVELS`] lie.
+/// The densities above which the posterior has the probabilities of [`LEVELS`].
 fn levels(sheet: &Sheet) -> [f64; 2] {
     let x_edges = edges(sheet.iter().map(|(x, _)| *x));
     let mut cells: Vec<(f64, f64)> = Vec::new();
@@ -160,12 +161,13 @@ fn levels(sheet: &Sheet) -> [f64; 2] {
     })
 }
 
-/// The border of the region above a density: on every line from where it rises above to where it falls below, the lower
-/// side and the upper one, with a tip between the last line and the next that has none; there a new region may begin.
+/// The borders of the regions above a density. Each line of the map that reaches the density adds a point to the lower
+/// side and a point to the upper side of a region. A region ends in a tip before the first line below the density, and
+/// a later line may begin a new region.
 fn contour(lines: &[Line], level: f64) -> Vec<Vec<(f64, f64)>> {
     let top = |line: &Line| line.1.iter().copied().fold((f64::NAN, 0.0), |top, at| if at.1 > top.1 { at } else { top });
     let crossing = |from: (f64, f64), to: (f64, f64)| from.0 + (to.0 - from.0) * (level - from.1) / (to.1 - from.1);
-    // between a line with nothing above the level and one with something
+    // the tip between a line below the level and a line that reaches it
     let tip = |outer: &Line, inner: &Line| (crossing((outer.0, top(outer).1), (inner.0, top(inner).1)), top(inner).0);
     let mut regions: Vec<[Vec<(f64, f64)>; 2]> = Vec::new();
     let mut before: Option<&Line> = None;

@@ -1,4 +1,5 @@
-//! Pictures of repeated impacts: height against time with the dents, the loops of all impacts, e and dent against number.
+//! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
+//! number of the impact.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -14,13 +15,13 @@ use crate::repeat::flight::Flight;
 use crate::repeat::{Place, Repeat, Sequence};
 use crate::units::rounded::{number, quantity};
 
-/// Points of a flight where there are few of them.
+/// Largest number of points of one flight.
 const FLIGHT_POINTS: u32 = 48;
-/// Points of all flights together: enough for a picture of 1600 px.
+/// Points of all flights together; more are not needed for a picture of 1600 px.
 const MOST_POINTS: usize = 200_000;
 
-/// `height.png`: height of the sphere's lowest point, and depth of the dents, against time. `None` for shots, which have
-/// no time between them.
+/// The height of the lowest point of the sphere, and the depth of the dents, against time. `None` for shots, which have
+/// no times.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -75,7 +76,7 @@ fn title(repeat: &Repeat, sequence: &Sequence) -> String {
     format!("{count} {what} {place}")
 }
 
-/// `impacts.png`: impact speed, e, and the depth of the dent against the number of the impact.
+/// Impact speed, e, and the depth of the dent against the number of the impact.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -116,15 +117,15 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError
     Stack { title: title(repeat, sequence), x, panels, notes: Vec::new() }.draw()
 }
 
-/// Loops with a colour and an entry in the key; all others are grey.
+/// Largest number of loops with a colour and an entry in the key. The other loops are grey.
 const NAMED: usize = 7;
-/// Loops that are drawn; more would only cover each other.
+/// Largest number of loops that are drawn. More loops would only cover each other.
 const DRAWN: usize = 300;
 
-/// `force_indentation.png`: force against approach of all traced impacts, each loading and unloading.
+/// Force against approach of all traced impacts, for loading and unloading.
 ///
 /// # Errors
-/// [`PlotError::Data`] for a series without traces; otherwise what drawing and encoding report.
+/// [`PlotError::Data`] for a series without traces; other [`PlotError`]s from drawing.
 pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
     let traced = &sequence.traced;
     if traced.is_empty() {
@@ -167,7 +168,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> 
     for index in spread(traced.len(), DRAWN) {
         draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5));
     }
-    // later loops lie on earlier ones where they run up and down the same branch: each narrower than the one before
+    // loops lie on each other where they follow the same branch, so each is narrower than the one before
     for (i, (first, _)) in named.iter().enumerate() {
         draw(&frame, &mut canvas, &traced[*first], Stroke::solid(PALETTE[i], width(i, named.len())));
     }
@@ -175,7 +176,8 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> 
     Ok(canvas)
 }
 
-/// First and last of impacts one after the other that are all the same: their loops lie on each other.
+/// Groups of consecutive impacts that are identical, so that their loops coincide: the first and the last of each
+/// group.
 fn groups(traced: &[Impact]) -> Vec<(usize, usize)> {
     let mut groups: Vec<(usize, usize)> = Vec::new();
     for (i, impact) in traced.iter().enumerate() {
@@ -205,7 +207,7 @@ fn draw(frame: &Frame, canvas: &mut Canvas, impact: &Impact, stroke: Stroke) {
     }
 }
 
-/// Indices of at most `wanted` of `count` things: all, or from the first to the last in even ratios.
+/// At most `wanted` of the indices below `count`: all of them, or from the first to the last with equal ratios.
 fn spread(count: usize, wanted: usize) -> Vec<usize> {
     if count <= wanted {
         return (0..count).collect();

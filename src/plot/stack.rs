@@ -1,4 +1,4 @@
-//! Boxes one above the other with one horizontal axis: several quantities against time or against a number.
+//! Boxes one above the other with a common horizontal axis: several quantities against time or against a number.
 
 use super::axis::Axis;
 use super::canvas::Canvas;
@@ -10,17 +10,17 @@ use super::{PlotError, SIZE};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
-/// Radius of markers \[px\]; points that come too close for it have smaller ones, and then none.
+/// Radius of markers \[px\]. Points that are close together have smaller markers or none.
 const MARK: f64 = 7.0;
 
 /// Quantities with a common horizontal axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stack {
-    /// Above the boxes.
+    /// Title above the boxes.
     pub title: String,
     /// Common horizontal axis, with its range.
     pub x: Axis,
-    /// From above.
+    /// The boxes, from the top down.
     pub panels: Vec<Panel>,
     /// Lines of text below the key.
     pub notes: Vec<String>,
@@ -33,7 +33,7 @@ pub struct Panel {
     pub y: Axis,
     /// Share of the height, relative to the other boxes.
     pub share: f64,
-    /// What is drawn; the style of a series is its place among all of the stack unless it says otherwise.
+    /// The curves. If a series has no style, its style is its place among all series of the stack.
     pub series: Vec<Series>,
 }
 
@@ -74,7 +74,7 @@ impl Stack {
                 }
                 let mut radius = radius(one.points.len(), all.right - all.left);
                 if one.look == Look::Points {
-                    // nothing else shows them
+                    // without a line, the points must stay visible
                     radius = radius.max(2.0);
                 }
                 if one.look != Look::Line && radius > 0.0 {
@@ -110,7 +110,7 @@ impl Stack {
     }
 }
 
-/// Radius of the markers of so many points along a box of this width.
+/// Radius of the markers of `count` points in a box of this width.
 fn radius(count: usize, width: f64) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let room = width / count.max(1) as f64;

@@ -1,4 +1,4 @@
-//! Colours, dash patterns and markers: every series differs from its neighbours in all three.
+//! Colours, dash patterns and markers. Each series differs from the one before in all three.
 
 use plotters::style::RGBColor;
 
@@ -18,7 +18,7 @@ pub(super) const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x00, 0x00),
 ];
 
-/// So much of a colour, the rest paper.
+/// A mixture of this share of a colour with the colour of the paper.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
 pub(super) fn tinted(color: RGBColor, share: f64) -> RGBColor {
     let mixed = |paper: u8, ink: u8| (f64::from(paper) + share * (f64::from(ink) - f64::from(paper))).round() as u8;
@@ -30,7 +30,7 @@ pub(super) const TITLE_SIZE: f64 = 38.0;
 pub(super) const AXIS_SIZE: f64 = 32.0;
 pub(super) const LABEL_SIZE: f64 = 28.0;
 
-/// Lengths of ink and gap in turn \[px\]; empty is a solid line.
+/// Lengths of dashes and gaps, alternating \[px\]; empty for a solid line.
 pub(super) type Dash = &'static [f64];
 pub(super) const SOLID: Dash = &[];
 pub(super) const DASHED: Dash = &[16.0, 10.0];
@@ -73,8 +73,8 @@ pub enum Mark {
 const MARKS: [Mark; 7] =
     [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
 
-/// Colour, dash and marker of the i-th series. The three lists have lengths without a common divisor but one, so that the
-/// combination repeats late.
+/// Colour, dash and marker of a series. There are 7 colours and 5 dashes, so their combination repeats only after 35
+/// series. The markers move by one after each round of colours.
 pub(super) fn series(index: usize) -> (Stroke, Mark) {
     let color = PALETTE[index % PALETTE.len()];
     let dash = DASHES[index % DASHES.len()];

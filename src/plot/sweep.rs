@@ -1,4 +1,4 @@
-//! Pictures of a sweep: e against the first axis, a map of e over two long axes, how random e is spread.
+//! Pictures of a sweep: e against the first axis, a map of e over two long axes, or a histogram of e of random cases.
 
 use super::of_key;
 use crate::law::Bodies;
@@ -12,23 +12,25 @@ use crate::sweep::count::Count;
 use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::sidecar::Tally;
 
-/// Points of a curve: more than there are pixels.
+/// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
-/// Points of a curve that shows each of them.
+/// A curve with up to this number of points has a marker on each.
 const FEW_POINTS: usize = 12;
-/// Curves in one picture, as many as can be told apart, and names of words as many as the key has room for.
+/// Largest number of curves in one picture that a reader can distinguish.
 const MOST_CURVES: u64 = 8;
+/// Largest number of curves if the second axis has words: as many names as the key has room for.
 const MOST_WORDS: u64 = 13;
-/// Cells a side of a map; two axes of at least `LONG` values get one.
+/// Largest number of cells on a side of a map.
 const MOST_CELLS: u64 = 200;
+/// A map is drawn if both axes have at least this number of values.
 const LONG: u64 = 8;
-/// Bars of a histogram.
+/// Number of bars of a histogram.
 const BARS: usize = 60;
 
-/// Names of pictures that tables have, without their endings.
+/// Names of the pictures of a table, without their endings.
 pub const PICTURES: [&str; 3] = ["restitution", "restitution_map", "restitution_histogram"];
 
-/// The pictures of a plan, by name.
+/// The pictures of a plan with their names.
 ///
 /// # Errors
 /// [`PlotError`].
@@ -53,14 +55,14 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Canvas)
     Ok(pictures)
 }
 
-/// At most `most` of the places of an axis, evenly spread, both ends included.
+/// At most `most` of the places of an axis, at even steps, including both ends.
 fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     let (last, count) = (axis.len() - 1, axis.len().min(most));
     #[allow(clippy::cast_possible_truncation)] // at most `last`
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-/// e of the case at these places of the first axes and the first place of all others; not a number where it has none.
+/// e of the case at these places of the first axes, and at the first place of all other axes; NaN if the case has no e.
 fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
     let case = axes
         .iter()
@@ -74,7 +76,7 @@ fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
     }
 }
 
-/// "half-space yield strength".
+/// The name of an axis in words, such as "half-space yield strength".
 fn words(axis: &Axis) -> String {
     of_key::words(axis.path())
 }
@@ -92,7 +94,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
 }
 
-/// Value `place` of an axis in the unit of its picture.
+/// The value at a place of an axis, in the unit of the picture.
 fn shown(axis: &Axis, place: u64) -> f64 {
     match &axis.setting {
         Setting::Number { key, values } if key.quantity.notation == Notation::Hardness => vickers(values.at(place)),
@@ -106,7 +108,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     let at = some_places(first, MOST_POINTS);
     let most = |axis: &Axis| if axis.words().is_some() { MOST_WORDS } else { MOST_CURVES };
     let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
-    // laws yield at about the same speed
+    // all laws yield at about the same speed, so one guide is enough
     let is_by_law = axes.get(1).is_some_and(|second| matches!(second.setting, Setting::Law(_)));
     let (mut series, mut guides) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
@@ -130,7 +132,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
         series.extend(finite_elements(plan, &series));
     }
     if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
-        // through the fastest point of the first curve: there the slope is nearest to fully plastic
+        // through the fastest point of the first curve, where the contact is nearest to fully plastic
         let fastest =
             series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
         guides.extend(fastest.map(|through| Guide::Power { through, slope: -0.25, label: "slope −1/4".to_owned() }));
@@ -148,8 +150,8 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.draw()
 }
 
-/// e of the finite-element unloadings of this scene's materials, at the speed whose energy they took; within the speeds of
-/// the curves.
+/// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
+/// point is the impact speed with the same energy as the loading.
 fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let scene = &plan.scene;
     let contact = scene.contact().ok()?;
@@ -165,10 +167,10 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(BLACK))
 }
 
-/// A black circle among the styles of curves, behind as many curves as a picture has.
+/// Style of the finite elements: a black circle. No curve has this style.
 const BLACK: usize = 13;
 
-/// The range of the data, so that a guide does not stretch it.
+/// The axis with the range of the data, so that guides do not extend it.
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
     let values = || series.iter().flat_map(|series| &series.points).map(|(_, e)| *e).filter(|e| e.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
@@ -176,12 +178,12 @@ fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
     if low < high { axis.between(if is_log { 0.9 * low } else { 0.0 }, 1.05 * high.max(1.0)) } else { axis }
 }
 
-/// Axes beyond the second stay at their first value.
+/// Notes on the axes after the second one, which stay at their first value.
 fn notes(axes: &[Axis]) -> Vec<String> {
     axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
 }
 
-/// v_Y at a place of the second axis.
+/// The yield speed v_Y at a place of the second axis.
 fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
     let mut scene = plan.scene.clone();
     if let Some(second) = axes.get(1) {

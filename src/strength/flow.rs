@@ -1,13 +1,13 @@
-//! Flow curves: the true stress at which a metal goes on yielding, over plastic strain.
+//! Flow curves: the true stress at which a metal yields, as a function of plastic strain.
 //!
 //! ```text
 //! power    σ = σ_Y (1 + E ε/σ_Y)^N
 //! voce     σ = σ_Y (1 + b (1 − exp(−c ε)))
 //! linear   σ = σ_Y + H ε
-//! points   straight from (0, σ_Y) through the points, constant after the last
+//! points   linear from (0, σ_Y) through the points, constant after the last
 //! ```
 //!
-//! σ_Y is the strength at plastic strain 0 and E is Young's modulus of the metal that hardens.
+//! σ_Y is the yield strength, the stress at plastic strain 0. E is Young's modulus of the metal.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub struct FlowPoint {
     pub stress: f64,
 }
 
-/// A flow curve, beside the yield strength that it starts from.
+/// The shape of a flow curve. The yield strength from which it starts is given separately.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FlowCurve {
     /// σ_Y (1 + E ε/σ_Y)^N.
@@ -35,52 +35,52 @@ pub enum FlowCurve {
     },
     /// σ_Y (1 + b (1 − exp(−c ε))).
     Voce {
-        /// b ≥ 0: by how many yield strengths the stress rises in the end.
+        /// b ≥ 0: the total rise of the stress, in units of the yield strength.
         saturation: f64,
-        /// c > 0: how fast it does.
+        /// c > 0: how fast the stress rises with strain.
         rate: f64,
     },
     /// σ_Y + H ε.
     Linear {
-        /// H ≥ 0 \[Pa\], over plastic strain.
+        /// H ≥ 0 \[Pa\]: rise of stress per plastic strain.
         slope: f64,
     },
-    /// Measured points by rising strain, see [`FlowCurve::through`].
+    /// Measured points in the order of rising strain, see [`FlowCurve::through`].
     Points(Arc<[FlowPoint]>),
 }
 
-/// Why points make no flow curve.
+/// Why points are refused as a flow curve.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FlowError {
-    /// A curve needs two points.
+    /// There are fewer than two points.
     #[error("has {0} points, and a curve needs at least 2; for a straight line write linear = {{ slope = \"4 GPa\" }}")]
     TooFew(usize),
-    /// A point at a strain that no point may have.
+    /// The strain of a point is negative, not finite, or not above the strain of the point before.
     #[error(
         "point {place}: plastic strain {} is not allowed: it must be finite, at least 0 and above that of the point before",
         number(*.strain)
     )]
     Strain {
-        /// Place of the point, from 1.
+        /// Place of the point, counted from 1.
         place: usize,
-        /// Its strain.
+        /// Strain of the point.
         strain: f64,
     },
-    /// A stress below the one before.
+    /// The stress falls from one point to the next, or is not a positive finite number.
     #[error(
         "point {place}: the stress falls from {} to {}: a metal that softens is outside of the law; end the curve at its largest stress",
         describe(*.before, Dimension::Pressure),
         describe(*.stress, Dimension::Pressure)
     )]
     Falls {
-        /// Place of the point, from 1.
+        /// Place of the point, counted from 1.
         place: usize,
         /// Stress of the point before \[Pa\].
         before: f64,
-        /// Its stress \[Pa\].
+        /// Stress of the point \[Pa\].
         stress: f64,
     },
-    /// A curve that does not start from the yield strength.
+    /// The curve does not start from the yield strength.
     #[error(
         "starts with {} at plastic strain {}, {} the yield strength of {}: the yield strength is the stress at plastic strain 0",
         describe(*.stress, Dimension::Pressure),
@@ -91,9 +91,9 @@ pub enum FlowError {
     Start {
         /// Strain of the first point.
         strain: f64,
-        /// Its stress \[Pa\].
+        /// Stress of the first point \[Pa\].
         stress: f64,
-        /// σ_Y \[Pa\].
+        /// Yield strength \[Pa\].
         yield_strength: f64,
     },
 }
@@ -113,7 +113,7 @@ impl FlowCurve {
             if !(point.strain > before.strain && point.strain >= 0.0 && point.strain.is_finite()) {
                 return Err(FlowError::Strain { place, strain: point.strain });
             }
-            // a stress that is no number falls too
+            // a stress that is not positive and finite is refused with the same error
             if !(point.stress >= before.stress && point.stress > 0.0 && point.stress.is_finite()) {
                 return Err(FlowError::Falls { place, before: before.stress, stress: point.stress });
             }
@@ -125,7 +125,7 @@ impl FlowCurve {
     /// Whether the curve starts from this yield strength \[Pa\].
     ///
     /// # Errors
-    /// [`FlowError::Start`] for points that begin below it, or at strain 0 with another stress.
+    /// [`FlowError::Start`] if the first point is below the yield strength, or is at strain 0 with another stress.
     pub fn starts_from(&self, yield_strength: f64) -> Result<(), FlowError> {
         match self {
             Self::Points(points) => points.first().map_or(Ok(()), |&FlowPoint { strain, stress }| {
@@ -138,7 +138,7 @@ impl FlowCurve {
         }
     }
 
-    /// The largest strain that the curve is known for; `None` for a formula.
+    /// The strain of the last measured point; `None` for a formula.
     pub fn last_strain(&self) -> Option<f64> {
         match self {
             Self::Points(points) => points.last().map(|point| point.strain),
@@ -146,7 +146,7 @@ impl FlowCurve {
         }
     }
 
-    /// The rise over this yield strength \[Pa\] of a metal of this Young's modulus \[Pa\].
+    /// The flow curve over its yield strength \[Pa\], for a metal of this Young's modulus \[Pa\].
     pub fn rise(&self, yield_strength: f64, youngs_modulus: f64) -> Rise {
         match self {
             Self::Power { exponent } => Rise::Power { rate: youngs_modulus / yield_strength, exponent: *exponent },
@@ -157,10 +157,11 @@ impl FlowCurve {
     }
 }
 
-/// A first point this near to the yield strength is the yield strength: one may be written in MPa and the other in Pa.
+/// Relative difference up to which the first point counts as the yield strength: one may be written in MPa and the
+/// other in Pa.
 const SAME_STRESS: f64 = 1e-9;
 
-/// σ/σ_Y over plastic strain: a flow curve of one metal. It starts from 1 and never falls.
+/// σ/σ_Y as a function of plastic strain, for one metal. It starts from 1 and never falls.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Rise {
     /// (1 + rate ε)^N.
@@ -182,9 +183,9 @@ pub enum Rise {
         /// H/σ_Y.
         slope: f64,
     },
-    /// Straight from (0, 1) through the points over σ_Y, and constant after the last.
+    /// Linear from (0, 1) through the points, divided by σ_Y, and constant after the last.
     Points {
-        /// In Pa.
+        /// The points, with stresses in Pa.
         points: Arc<[FlowPoint]>,
         /// σ_Y \[Pa\].
         yield_strength: f64,
@@ -212,11 +213,11 @@ impl Rise {
     }
 }
 
-/// σ_Y \[Pa\] of a power curve with exponent `exponent` that has this stress \[Pa\] at this plastic strain.
+/// Yield strength \[Pa\] of the power curve with this exponent that has this stress \[Pa\] at this plastic strain.
 pub fn yield_strength_of_power(stress: f64, strain: f64, exponent: f64, youngs_modulus: f64) -> f64 {
     let elastic = youngs_modulus * strain;
-    // with y = ln σ_Y: y + N ln(1 + E ε/exp(y)) = ln σ. The left side is convex and rises, so that Newton's method from
-    // σ_Y = σ comes down to the root without passing it
+    // with y = ln σ_Y: y + N ln(1 + E ε/exp(y)) = ln σ. The left side rises and is convex, so Newton's method from σ_Y
+    // = σ converges downwards and does not pass the root
     let mut y = ln(stress);
     for _ in 0..100 {
         let ratio = elastic * exp(-y);

@@ -1,15 +1,16 @@
-//! Hardness: what a hardness number says of the pressure under an indenter, and of the strength of the metal.
+//! Hardness: the pressure under the indenter and the strength of the metal that follow from a hardness number.
 //!
 //! ```text
 //! Vickers  p = 9.80665 HV/0.9272 MPa: the force in kgf over the area of the faces of the pyramid, times that area over
 //!          its projection
-//! HB, HRC  by a table to Vickers; outside of the table refused
+//! HB, HRC  converted to Vickers by a table; a number outside of the table is refused
 //! σ        = p/2.9, the flow stress at a plastic strain of about 0.08: 3.65 HV MPa
 //! ```
 //!
-//! Between 3.3 HV (Tabor's measurements) and 4.0 HV (a cone without friction) has been found for σ in MPa, so that a
-//! strength from hardness alone is good to 10 %, and e to 5 %. For a metal that does not harden any more, as after quenching
-//! or cold work, σ is the yield strength. A metal that hardens needs its hardening exponent too.
+//! Published values of σ in MPa are between 3.3 HV (Tabor's measurements) and 4.0 HV (a cone without friction). So a
+//! strength from hardness alone is accurate to 10 %, and e to 5 %. For a metal that does not harden any more, such as
+//! after quenching or cold work, σ is the yield strength. For a metal that hardens, the hardening exponent is needed
+//! too.
 
 use thiserror::Error;
 
@@ -30,13 +31,13 @@ pub enum Scale {
 /// Plastic strain at which the strength from a hardness is the flow stress (Tabor).
 pub const STRAIN: f64 = 0.08;
 
-/// Mean contact pressure over the flow stress, of a fully plastic indentation.
+/// Mean contact pressure over flow stress in a fully plastic indentation.
 const CONSTRAINT: f64 = 2.9;
 
-/// N in a kgf.
+/// One kgf in N.
 const KILOGRAM_FORCE: f64 = 9.806_65;
 
-/// Projected area over the area of the faces, of a pyramid of 136°.
+/// Projected area over the area of the faces of a pyramid of 136°.
 const VICKERS_AREA: f64 = 0.9272;
 
 /// HB and HV of unalloyed and low-alloy steels (DIN 50150, now ISO 18265, table A.1).
@@ -87,7 +88,7 @@ const ROCKWELL_C: [(f64, f64); 28] = [
     (68.0, 940.0),
 ];
 
-/// A number outside of the table of its scale.
+/// The hardness number is outside of the conversion table of its scale.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "{} {} is outside of the conversion table (DIN 50150, ISO 18265 table A.1, steels), which goes from {} to {} {}; give the Vickers hardness or a mean pressure such as \"3 GPa\"",
@@ -110,7 +111,7 @@ impl Scale {
     /// All scales.
     pub const ALL: [Self; 3] = [Self::Vickers, Self::Brinell, Self::RockwellC];
 
-    /// As it is written behind a number.
+    /// The symbol that is written after a number.
     pub fn symbol(self) -> &'static str {
         match self {
             Self::Vickers => "HV",
@@ -138,7 +139,7 @@ impl Scale {
         Ok(1e6 * KILOGRAM_FORCE * vickers / VICKERS_AREA)
     }
 
-    /// Straight between the rows of a table.
+    /// The Vickers hardness, by linear interpolation between the rows of a table.
     fn converted(self, value: f64, table: &[(f64, f64)]) -> Result<f64, OutsideTable> {
         let (first, last) = (table[0].0, table[table.len() - 1].0);
         if !(first..=last).contains(&value) {
@@ -158,13 +159,14 @@ pub fn written(text: &str) -> Option<(f64, Scale)> {
     Some((number.trim().parse().ok()?, Scale::from_symbol(symbol)?))
 }
 
-/// Flow stress \[Pa\] at a plastic strain of [`STRAIN`] of a metal with this mean pressure \[Pa\].
+/// Flow stress \[Pa\] at a plastic strain of [`STRAIN`], from the mean pressure \[Pa\] of a hardness test.
 pub fn flow_stress(mean_pressure: f64) -> f64 {
     mean_pressure / CONSTRAINT
 }
 
-/// The yield strength \[Pa\] that a hardness says, given as mean pressure \[Pa\]: of a power curve the one that has the flow
-/// stress of the hardness at the strain of a hardness test, else the flow stress itself.
+/// The yield strength \[Pa\] of a metal whose hardness is given as mean pressure \[Pa\]. With a power law of hardening,
+/// the curve has the flow stress of the hardness at the strain [`STRAIN`]. Otherwise the yield strength is that flow
+/// stress.
 pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulus: f64) -> f64 {
     let stress = flow_stress(mean_pressure);
     match flow {
@@ -173,7 +175,7 @@ pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, modulu
     }
 }
 
-/// HV of a mean pressure \[Pa\].
+/// The Vickers hardness HV with this mean pressure \[Pa\].
 pub fn vickers(mean_pressure: f64) -> f64 {
     mean_pressure * VICKERS_AREA / (1e6 * KILOGRAM_FORCE)
 }
@@ -188,7 +190,7 @@ mod tests {
     fn pressures_are_those_of_the_definition_and_of_the_table() -> Result<(), OutsideTable> {
         // 9.80665 × 300/0.9272 by hand
         assert_relative_eq!(Scale::Vickers.mean_pressure(300.0)?, 3_172_988_567.730_8, max_relative = 1e-12);
-        // rows of DIN 50150, and half way between two
+        // rows of DIN 50150, and points half way between two rows
         for (scale, value, vickers_hardness) in [
             (Scale::Brinell, 285.0, 300.0),
             (Scale::Brinell, 309.0, 325.0),

@@ -1,5 +1,5 @@
-//! Where a table leaves the range of the model: looked for at the corners of the grid, or in the tails of the
-//! distributions, before anything is run. Rows themselves carry no warnings.
+//! Warns where a table leaves the range of the model. Before the sweep starts, one impact is computed at each corner of
+//! the grid, or in the tails of the distributions. The rows of a table carry no warnings.
 
 use std::mem::discriminant;
 
@@ -9,9 +9,9 @@ use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, label};
 use crate::scene::Scene;
 
-/// Corners that are looked at; more come only from more than a dozen axes.
+/// The largest number of corners that are computed: those of thirteen axes of numbers.
 const MOST_CORNERS: usize = 1 << 13;
-/// Shares of a distribution below and above which lie its tails.
+/// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
 /// One value of a key.
@@ -20,8 +20,8 @@ struct Choice<'a> {
     put: Box<dyn Fn(&mut Scene) + 'a>,
 }
 
-/// What is doubtful in this table, the worst of each kind with the case that it was found in; and the largest peak
-/// indentation over the radius of the sphere.
+/// The worst warning of each kind with the corner where it was found, and the largest peak indentation over the radius
+/// of the sphere.
 pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let choices: Vec<Vec<Choice>> = match &plan.cases {
         Cases::Grid(axes) => axes.iter().map(ends).collect(),
@@ -88,13 +88,13 @@ fn tails(variable: &Variable) -> Vec<Choice<'_>> {
     TAILS.into_iter().map(choice).collect()
 }
 
-/// One impact; a case without a result has its status in the table.
+/// The impact of one corner; `None` if it has no result, which the status in the table says.
 fn impact(scene: &Scene) -> Option<Impact> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
     scene.contact().ok()?.impact(scene.speed, &solver, None).ok()
 }
 
-/// A doubt that is no number is the worst.
+/// Whether the new warning is worse than the known one; NaN counts as the worst.
 fn is_worse(new: f64, known: f64) -> bool {
     new.is_nan() || new > known
 }

@@ -1,4 +1,4 @@
-//! The columns of a table, whatever it is written as: where the value of each comes from.
+//! The columns of a table in any format: where the values of each column come from.
 
 use super::evaluator::Failure;
 use crate::impact::Essentials;
@@ -11,7 +11,7 @@ use crate::scene::results::Column as ResultColumn;
 pub(super) enum Column {
     /// The case number.
     Case,
-    /// A number as it is, random or derived: its place among the swept values of a row.
+    /// A random or derived number, written as it is: its place among the swept values of a row.
     Plain(usize),
     /// A number of an axis: the place of the axis, and its values.
     Number(usize, Values),
@@ -19,7 +19,7 @@ pub(super) enum Column {
     Name(usize, Vec<String>),
     /// A result.
     Result(ResultColumn),
-    /// What became of the case.
+    /// The status of the case: `ok`, or the name of its failure.
     Status,
 }
 

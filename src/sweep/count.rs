@@ -1,4 +1,4 @@
-//! How rows are counted: results, rows outside a law, failures.
+//! How rows are counted: as results, as rows outside the range of a law, or as failures.
 
 use super::evaluator::Failure;
 use crate::impact::Essentials;
@@ -6,18 +6,18 @@ use crate::impact::Essentials;
 /// How a row counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Count {
-    /// It has e.
+    /// The row has a coefficient of restitution e.
     Restitution(f64),
-    /// It was let go at first touch, without a speed that e could be a part of.
+    /// The sphere was released at rest at first touch. Its speed is zero, so e is not defined.
     AtRest,
-    /// The law has no answer there, which is one: no failure.
+    /// The case lies outside the range of the law. This is an answer, not a failure.
     OutsideLaw,
-    /// It has no result.
+    /// The row has no result.
     Failure,
 }
 
 impl Count {
-    /// Of a row as it was computed.
+    /// How a computed row counts.
     pub fn of(result: &Result<Essentials, Failure>) -> Self {
         match result {
             Ok(row) if row.has_speed() => Self::Restitution(row.restitution),

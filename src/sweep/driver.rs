@@ -1,4 +1,4 @@
-//! A sweep from plan to table: what an earlier run left is looked at, and the rows behind it are made and appended.
+//! A sweep from plan to table: checks what an earlier run left, then computes the missing rows and appends them.
 
 use std::io::Write;
 use std::ops::Range;
@@ -17,10 +17,10 @@ use super::table::{Format, TextTable};
 use crate::output::{NewFile, OutputError, remove, remove_stale, sync_folder};
 
 impl Job<'_> {
-    /// Runs it, or goes on where an earlier run stopped.
+    /// Runs the sweep, or continues where an earlier run stopped.
     ///
     /// # Errors
-    /// [`SweepError`]; what is written so far stays and can be resumed.
+    /// [`SweepError`]; rows written so far as csv or json stay and can be resumed.
     pub fn run(&self) -> Result<Written, SweepError> {
         let name = self.name();
         let table = self.directory.path().join(&name);
@@ -50,12 +50,13 @@ impl Job<'_> {
         match same {
             None => {
                 self.may_begin(old.as_ref(), &sidecar, &table, &part)?;
-                // the table comes before its sidecar, so that no sidecar stands beside another table without a part
+                // the old sidecar is removed first: no sidecar may lie beside the table of another run
                 let path = sidecar_path(&table);
                 remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
             }
             Some(_) if part.exists() => read = read_rows(&part, &text, &layout, self.plan)?,
-            // kept, so that a scheduler may start a shard again and a run that was stopped while pictures were drawn goes on
+            // a finished table is kept: a scheduler may start a shard twice, and a run may have been stopped while it
+            // drew its pictures
             Some(old) if self.is_complete(&name, &table) => {
                 if let Some(tally) = self.kept(&table, &text, &layout, old)? {
                     let resumed = tally.rows;
@@ -84,12 +85,13 @@ impl Job<'_> {
         Ok(written(tally, resumed))
     }
 
-    /// Whether a table without a part is the one of this sidecar: a shard always is, and others are in the directory's list.
+    /// Whether the table is finished and belongs to this sidecar. A shard that exists always does; an undivided table
+    /// does if the directory lists it as its own file.
     fn is_complete(&self, name: &str, table: &Path) -> bool {
         table.exists() && (self.shard.is_some() || self.directory.has_own(name))
     }
 
-    /// Refuses to begin where rows of something else would be lost.
+    /// Refuses to begin if rows of another sweep would be lost.
     fn may_begin(&self, old: Option<&Sidecar>, new: &Sidecar, table: &Path, part: &Path) -> Result<(), SweepError> {
         let what = if part.symlink_metadata().is_ok_and(|data| data.len() > 0) {
             "unfinished rows"
@@ -109,8 +111,8 @@ impl Job<'_> {
         }
     }
 
-    /// The rows of a finished shard, if the file is as it was written. Of a run that was stopped just before it completed the
-    /// sidecar, only the rows can be checked; the sidecar is then completed.
+    /// The rows of a finished table, if the file is unchanged since it was written. If the run was stopped before it
+    /// wrote the seal into the sidecar, only the rows are checked, and the seal is written now.
     fn kept(
         &self,
         table: &Path,
@@ -199,7 +201,7 @@ impl Job<'_> {
     }
 }
 
-/// The rows of this range as numbers; where they are stopped, the first of them.
+/// The rows of this range as numbers. If the run is cancelled, only the first of them.
 pub fn compute(evaluator: &Evaluator, layout: &Layout, rows: Range<u64>, pace: &Pace) -> Rows {
     let mut computed = Rows::with_capacity(rows.end - rows.start, evaluator.n_swept());
     pace.walk(rows, |piece| {

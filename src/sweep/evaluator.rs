@@ -1,4 +1,4 @@
-//! The rows that the cases of a plan come to.
+//! Computes the rows of the cases of a plan.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use crate::scene::{Key, Scene};
 /// Why a row has no numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Failure {
-    /// A quantity outside double precision.
+    /// A quantity is too large or too small for double precision.
     OutOfFloatRange,
     /// The integrator's step underflowed.
     StepUnderflow,
@@ -20,9 +20,9 @@ pub enum Failure {
     TooManySteps,
     /// The state was not finite.
     NotFinite,
-    /// The law has no answer there.
+    /// The case lies outside the range of the law.
     OutsideLaw,
-    /// The method `closed_form` in a scene that has none.
+    /// The method is `closed_form`, but the scene has no closed form.
     NoClosedForm,
 }
 
@@ -37,12 +37,12 @@ impl Failure {
         Self::NoClosedForm,
     ];
 
-    /// Of that name.
+    /// The failure of this name.
     pub fn from_name(name: &[u8]) -> Option<Self> {
         Self::ALL.into_iter().find(|failure| failure.name().as_bytes() == name)
     }
 
-    /// As in the column `status`.
+    /// The name in the column `status`.
     pub fn name(self) -> &'static str {
         match self {
             Self::OutOfFloatRange => "out_of_float_range",
@@ -75,15 +75,15 @@ impl From<ImpactError> for Failure {
 pub struct Rows {
     /// Case numbers.
     pub cases: Vec<u64>,
-    /// Swept values, case after case; on a grid, the place of each value on its axis instead. A yield strength that follows
-    /// from them stands behind them ([`Plan::derives_strength`]).
+    /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. If the yield
+    /// strength follows from the swept values ([`Plan::derives_strength`]), it is the last value of a case.
     pub swept: Vec<f64>,
-    /// What each case came to.
+    /// The result of each case.
     pub results: Vec<Result<Essentials, Failure>>,
 }
 
 impl Rows {
-    /// No rows yet, with room for `count` of `n_swept` swept values each.
+    /// No rows, with memory for `count` rows of `n_swept` swept values each.
     pub fn with_capacity(count: u64, n_swept: usize) -> Self {
         let count = usize::try_from(count).unwrap_or(0);
         Self {
@@ -94,25 +94,26 @@ impl Rows {
     }
 }
 
-/// A plan with what its rows share computed once.
+/// A plan, and what its rows have in common, computed once.
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
-    /// [`Plan::derives_strength`].
+    /// Whether the yield strength follows from the swept values ([`Plan::derives_strength`]).
     derives_strength: bool,
-    /// The contact of every combination of the axes that change it, where these are few.
+    /// The contact of every combination of the axes that change it. Empty if there are too many combinations.
     contacts: Vec<Result<Contact, Failure>>,
-    /// Of every axis: how far apart its neighbours are in `contacts`; 0 for one that leaves the contact alone.
+    /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
+    /// contact.
     strides: Vec<u64>,
-    /// The solver of rows that are integrated in lock step, where all are and the contacts are known.
+    /// The solver, if all rows are integrated in lock step; that needs `contacts`.
     lockstep: Option<Solver>,
 }
 
-/// Impacts that are integrated in lock step once all of them are known: contact and speed.
+/// Contact and speed of impacts that are collected first and then integrated in lock step.
 type Pending<'s> = Vec<(&'s Result<Contact, Failure>, f64)>;
 
 impl<'a> Evaluator<'a> {
-    /// Pairs the bodies of every combination, if there are at most 10⁴ (about 1 kB each).
+    /// Computes the contact of every combination, if there are at most 10⁴ combinations (about 1 kB each).
     pub fn new(plan: &'a Plan) -> Self {
         const MOST_CONTACTS: u64 = 10_000;
         let (mut strides, mut combinations) = (Vec::new(), Some(1u64));
@@ -177,7 +178,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Appends the rows of a grid, but for the results of those that are to be integrated together.
+    /// Appends the rows of a grid. Impacts to be integrated in lock step are returned, and their results are not
+    /// appended.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
         let mut places = places(axes, cases.start);
@@ -203,7 +205,7 @@ impl<'a> Evaluator<'a> {
             }
             rows.swept.extend(places.iter().map(|place| *place as f64));
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            // the next combination: the last axis moves, and each before it where the one behind starts over
+            // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
                 axis.put(*place, &mut scene);
@@ -218,7 +220,7 @@ impl<'a> Evaluator<'a> {
         pending
     }
 
-    /// The same for random cases.
+    /// Does for random cases what [`Self::grid`] does for a grid.
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
@@ -244,9 +246,9 @@ impl<'a> Evaluator<'a> {
         pending
     }
 
-    /// Appends the results of listed cases: of every key there is a value for each case. The keys are axes of the plan, whose
-    /// own values do not count; the result of a case is the same as on a grid. Of the swept values there is only the yield
-    /// strength that follows from the others.
+    /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
+    /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
+    /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let (of_motion, of_contact): (Vec<_>, Vec<_>) = keys.iter().partition(|(key, _)| keeps_contact(key.path));
         let mut scene = self.plan.scene.clone();
@@ -281,8 +283,8 @@ fn contact(scene: &Scene) -> Result<Contact, Failure> {
     scene.contact().map_err(Failure::from)
 }
 
-/// Whether rows by the method of the scene are integrated in lock step: those with damping by rk8 or auto, those of a grid
-/// by rk8 without gravity too.
+/// Whether rows are integrated in lock step: with damping for the methods rk8 and auto, and without damping or gravity
+/// for rk8 on a grid.
 fn has_lanes(plan: &Plan) -> bool {
     // the scene holds a value of every axis
     let Forces { gravity, damping } = plan.scene.forces;
@@ -297,7 +299,7 @@ fn evaluate(contact: &Result<Contact, Failure>, speed: f64, solver: &Solver) -> 
     Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(speed, solver)?)
 }
 
-/// The same for many impacts in lock step.
+/// Does for many impacts in lock step what [`evaluate`] does for one.
 fn integrate_together(
     impacts: &[(&Result<Contact, Failure>, f64)],
     solver: &Solver,
@@ -322,7 +324,7 @@ mod tests {
             sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
             half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
         "#;
-        // plain, in lock step, and with a contact of its own for every case
+        // closed form, lock step, an axis that changes the contact, and a yield strength that follows from a hardness
         let sweeps = [
             ("", "\"impact.speed\" = [0.001, 0.5, 1.0, 3.0, 4.0]"),
             ("damping.viscous = 0.1", "\"impact.speed\" = [0.5, 1.0, 3.0, 4.0]"),

@@ -1,4 +1,4 @@
-//! What is asked of a table, and what comes of it.
+//! The request for a table, its progress, and the finished table.
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -13,40 +13,40 @@ use crate::plan::{Plan, Source};
 
 /// A sweep to be run.
 pub struct Job<'a> {
-    /// What is swept.
+    /// The cases of the table.
     pub plan: &'a Plan,
-    /// Which part of it; `None`: all, with nothing to be merged.
+    /// The shard to compute; `None` for the whole table.
     pub shard: Option<Shard>,
-    /// What is written.
+    /// The format of the table.
     pub format: Format,
-    /// Parquet: the axis that has a file for every value; `None`: one file.
+    /// For Parquet: the axis that gets one file for every value; `None` for one file.
     pub partition: Option<Partition>,
-    /// Where.
+    /// The directory that the table is written to.
     pub directory: &'a OutputDirectory,
-    /// The scenario that the plan is of.
+    /// The scenario that the plan was read from.
     pub source: &'a Source,
-    /// Told now and then how far it is.
+    /// Called with the progress after every piece of rows.
     pub progress: &'a (dyn Fn(Progress) + Sync),
     /// Set to stop within a fraction of a second, unless a single row takes longer.
     pub is_cancelled: &'a AtomicBool,
 }
 
 impl Job<'_> {
-    /// The name of the table in the directory: of a file, or of the folder that a divided table is.
+    /// The name of the table in the directory: a file, or the folder of a divided table.
     pub fn name(&self) -> String {
         self.partition.as_ref().map_or_else(|| table_name(self.shard, self.format), Partition::folder)
     }
 
-    /// The names of its files, as seen from the directory.
+    /// The files of the table, as paths relative to the directory.
     pub fn files(&self) -> Vec<String> {
         self.partition.as_ref().map_or_else(|| vec![self.name()], Partition::files)
     }
 }
 
-/// How far a sweep is.
+/// The progress of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Rows computed, those of an earlier run included.
+    /// Rows computed, including the rows of an earlier run.
     pub rows: u64,
     /// All rows of this shard.
     pub total: u64,
@@ -57,20 +57,21 @@ pub struct Progress {
 /// A finished table, locked until it is dropped.
 #[derive(Debug)]
 pub struct Written {
-    /// The file.
+    /// The file, or the folder of a divided table.
     pub table: PathBuf,
-    /// Rows, failures, distribution of e.
+    /// Counts of rows and failures, and the distribution of e.
     pub tally: Tally,
     /// Rows that an earlier run had written.
     pub resumed: u64,
-    /// Whether it is no shard.
+    /// Whether it is the whole table, not a shard.
     pub(super) is_whole: bool,
-    /// Keeps other processes away.
+    /// Keeps other processes from writing the table.
     pub(super) _lock: Lock,
 }
 
 impl Written {
-    /// Says that all that belongs beside the table is there too. Until then the same command goes on from the table.
+    /// To be called when the summary and the pictures are written too: removes the sidecar of a whole table. Until then
+    /// the same command keeps the table and writes only what is missing beside it.
     ///
     /// # Errors
     /// [`SweepError::File`].

@@ -1,4 +1,4 @@
-//! Shards to one table, byte for byte that of the undivided run.
+//! Merges shards into one table, which is byte for byte the table of the undivided run.
 
 mod reader;
 
@@ -17,22 +17,22 @@ use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
 use crate::plan::{Plan, Source};
 
 const SIDECAR: &str = ".sidecar.json";
-/// What the command writes beside a merged table, with the pictures.
+/// The summary, which the command writes beside a merged table.
 const SUMMARY: &str = "summary.json";
 
 /// A merged table, locked until it is dropped.
 #[derive(Debug)]
 pub struct Merged {
-    /// What the shards say of themselves.
+    /// The sidecar of one of the shards.
     pub sidecar: Sidecar,
-    /// What was swept.
+    /// The plan of the table.
     pub plan: Plan,
-    /// Rows, failures, distribution of e.
+    /// Counts of rows and failures, and the distribution of e.
     pub tally: Tally,
     _lock: Lock,
 }
 
-/// The tables of shards in `inputs`: files, or directories of them.
+/// The tables of the shards in `inputs`, which are files or directories.
 fn tables(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, SweepError> {
     let mut tables = Vec::new();
     for input in inputs {
@@ -60,7 +60,7 @@ struct Finished {
     seal: Seal,
 }
 
-/// The shards in their order, if they make one table, and the sidecar of one of them.
+/// The sidecar of the first shard given, and all shards in order, if they make one table.
 fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<Finished>), SweepError> {
     let mut problems = Vec::new();
     let mut first: Option<(Sidecar, &Path)> = None;
@@ -78,7 +78,7 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<Finished>), SweepError> 
                 problems.push(format!("{name}: foreign: its sidecar {} {problem}", path.display()));
                 continue;
             }
-            // what is written beside the table has to come from the version that made the rows
+            // the summary has to be written by the version that made the rows
             Err(SweepError::Version { versions, .. }) => {
                 problems.push(format!(
                     "{name}: foreign: {versions}; merge with the version that wrote the shards, or delete it and run its command again"
@@ -135,7 +135,7 @@ fn complete(tables: &[PathBuf]) -> Result<(Sidecar, Vec<Finished>), SweepError> 
     }
 }
 
-/// Those of so many shards that were not found: `shard 3`, `shards 1, 4-7`.
+/// The shards that were not found, as text: `shard 3`, `shards 1, 4-7`. `shards` is how many there should be.
 fn missing(found: &BTreeMap<u64, &PathBuf>, shards: u64) -> Option<String> {
     let (mut ranges, mut next) = (Vec::new(), 0);
     for shard in found.keys().copied().chain([shards]) {
@@ -150,16 +150,17 @@ fn missing(found: &BTreeMap<u64, &PathBuf>, shards: u64) -> Option<String> {
     (!ranges.is_empty()).then(|| format!("{} {}", if is_one { "shard" } else { "shards" }, ranges.join(", ")))
 }
 
-/// Reads the plan of a table from the texts of its scenario; the name stands for the file in messages.
+/// Reads the plan of a table from the texts of its scenario. Messages use the given name for the file.
 pub type PlanOf = fn(&str, &Source) -> Result<Plan, String>;
 
-/// Merges the shards in `inputs` (files or directories) into `out`, a file of `directory` that appears when it is complete.
-/// With `is_forced` it replaces what is not known to be a result of the same shards. `plan_of` reads what the shards were run
-/// from.
+/// Merges the shards in `inputs` (files or directories) into `out`, a file of `directory` that appears when it is
+/// complete. With `is_forced` it also replaces files that are not known to be results of the same shards. `plan_of`
+/// reads the plan from the scenario in a sidecar.
 ///
 /// # Errors
-/// [`SweepError::Shards`] naming every missing, double, unfinished, foreign and damaged shard, [`SweepError::Place`] for an `out`
-/// that would take the place of a shard or is no name of a table; [`SweepError::Output`]; file errors. Then nothing is left of the table.
+/// [`SweepError::Shards`] names every missing, double, unfinished, foreign and damaged shard. [`SweepError::Place`] if
+/// `out` is one of the shards or not a name for a table. [`SweepError::Output`] and [`SweepError::File`]. After an
+/// error nothing of the merged table is left.
 pub fn merge(
     inputs: &[PathBuf],
     directory: &mut OutputDirectory,
@@ -200,7 +201,7 @@ fn check_place(out: &Path, shards: &[Finished]) -> Result<(), SweepError> {
     Err(SweepError::Place { path: out.to_owned(), problem })
 }
 
-/// The rows of all shards in their order.
+/// Writes the rows of all shards in the order of the cases.
 fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile) -> Result<Tally, SweepError> {
     let is_json = sidecar.format == Format::Json;
     let table = TextTable::new(plan, sidecar.format);
@@ -208,7 +209,7 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile)
         // a plan of more than 2^63 cases is refused while the scenario is read
         Layout::new(plan.count().unwrap_or(u64::MAX), Shard { index, count: sidecar.shards })
     };
-    // 64 MB for all shards together; of the most that there may be, 100 MB
+    // 64 MB for all shards together; 100 MB for the largest number of shards, with the least buffer for each
     let buffer = ((64 << 20) / shards.len()).clamp(1 << 10, 1 << 20);
     let readers = (0..).zip(shards).map(|(index, shard)| Reader::open(&shard.table, &table, &layout(index), buffer));
     let mut readers = readers.collect::<Result<Vec<_>, _>>()?;
@@ -223,7 +224,7 @@ fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile)
         for reader in &mut readers {
             for case in tally.rows..total.min(tally.rows + block) {
                 let (count, line) = reader.row(case)?;
-                // the last row of a shard's array has no comma, and that of the whole table neither
+                // in JSON the last row of a shard and the last row of the table have no comma
                 let line = line.strip_suffix(b"\n").unwrap_or(line);
                 let body = if is_json { line.strip_suffix(b",").unwrap_or(line) } else { line };
                 let end: &[u8] = if is_json && case + 1 < total { b",\n" } else { b"\n" };

@@ -1,4 +1,4 @@
-//! Pieces of a table made on all threads and put in order, while the next ones are being made.
+//! Pieces of a table are made on all threads and written in order, while the next pieces are being made.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -12,15 +12,16 @@ use super::sidecar::Tally;
 
 /// Rows that were made together.
 pub(super) struct Made<T> {
-    /// What is written of them.
+    /// The encoded rows.
     pub(super) output: T,
-    /// How each of them counts.
+    /// How each row counts.
     pub(super) counts: Vec<Count>,
 }
 
-/// Makes the rows after those of `tally`, up to `total`, and counts those that were put. A piece has as many rows as
-/// `length` says when it is begun. Where `make` gives fewer, or fails with `None`, the rows are stopped: what comes behind is
-/// neither put nor counted. The pieces are made on the threads of the pool and put in their order, whichever thread is free.
+/// Makes the rows after those in `tally`, up to row `total`, and counts in `tally` the rows that were written. `make`
+/// makes a piece of rows on one of the threads; `put` writes the pieces in their order. `length` says how many rows the
+/// next piece has. If `make` returns fewer rows, or fails with `None`, the run was cancelled: later rows are neither
+/// written nor counted.
 ///
 /// # Errors
 /// Those of `make` and `put`.
@@ -48,7 +49,7 @@ pub(super) fn fill<T: Send>(
         Queue { pieces: &mut pieces, next: 0, taken: 0, made: BTreeMap::new(), take: Some(&mut take), failure: Ok(()) };
     let work = Work { make: &make, queue: Mutex::new(queue) };
     rayon::scope(|scope| {
-        // so many pieces are there at a time, which bounds the memory
+        // this is the number of pieces that exist at a time, which limits the memory
         for _ in 0..2 * rayon::current_num_threads() {
             scope.spawn(|scope| work.step(scope));
         }
@@ -57,24 +58,24 @@ pub(super) fn fill<T: Send>(
     failure.or_else(|end| end.map_or(Ok(()), Err))
 }
 
-/// What makes a piece, and why there is none: an error, or `None` where the rows were stopped.
+/// Makes a piece. Fails with an error, or with `None` if the run was cancelled.
 type Make<'a, T> = dyn Fn(Range<u64>) -> Result<Made<T>, Option<SweepError>> + Sync + 'a;
-/// What takes a piece, up to this row.
+/// Writes a piece that ends before this row, and counts its rows.
 type Take<'a, T> = dyn FnMut(u64, Made<T>) -> Result<(), Option<SweepError>> + Send + 'a;
 
-/// What waits to be taken, and who may take it.
+/// Pieces that wait to be written, and the right to write them.
 struct Queue<'a, T> {
-    /// Gives the next piece.
+    /// The rows of the next piece; `None` at the end.
     pieces: &'a mut (dyn FnMut() -> Option<Range<u64>> + Send),
     /// Number of the next piece to be made.
     next: u64,
-    /// Number of the next piece to be taken.
+    /// Number of the next piece to be written.
     taken: u64,
-    /// Pieces that wait for the one before them, with the row where each ends.
+    /// Finished pieces that wait for an earlier one, each with the row where it ends.
     made: BTreeMap<u64, (u64, Made<T>)>,
-    /// Not here while a thread takes.
+    /// Writes a piece. `None` while a thread is using it.
     take: Option<&'a mut Take<'a, T>>,
-    /// The first failure, which ends it all.
+    /// The first failure; after it no more pieces are made or written.
     failure: Result<(), Option<SweepError>>,
 }
 
@@ -88,7 +89,8 @@ impl<'a, T: Send> Work<'a, T> {
         self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Makes one piece, and takes what is next unless another thread does. Every piece taken makes room for a step.
+    /// Makes one piece. Then writes all pieces that are next in order, unless another thread is writing. Each piece
+    /// written starts one more step.
     fn step<'scope>(&'scope self, scope: &Scope<'scope>) {
         let (index, piece) = {
             let mut queue = self.queue();

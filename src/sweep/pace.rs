@@ -1,15 +1,18 @@
-//! How many rows a thread computes at a time. Between two pieces it looks whether it is to stop, and reports its progress.
+//! How many rows a thread computes at a time. Between two pieces the thread checks for cancellation and reports
+//! progress.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// Rows of the first piece: few, because they may be slow.
+/// Rows of the first piece: few, because a row may take long.
 const FIRST: u64 = 4;
-/// Rows of the longest piece: many against what it costs to begin one. In lock step every piece ends with idle lanes.
+/// Rows of the longest piece. It is long because each piece has a cost of its own: in lock step, lanes are idle at its
+/// end.
 pub const LONGEST: u64 = 4096;
-/// How long a piece is to take, at least and at most.
+/// A piece that takes less time than this is followed by a longer one.
 const SHORT: Duration = Duration::from_millis(5);
+/// A piece that takes more time than this is followed by a shorter one.
 const LONG: Duration = Duration::from_millis(50);
 
 /// The pace of all threads of a table.
@@ -23,7 +26,7 @@ pub struct Pace<'a> {
 }
 
 impl<'a> Pace<'a> {
-    /// Stops when `is_cancelled` is set; tells `report` how many rows are computed.
+    /// Stops when `is_cancelled` is set, and calls `report` with the number of rows computed.
     pub fn new(is_cancelled: &'a AtomicBool, report: &'a (dyn Fn(u64) + Sync)) -> Self {
         Self { is_cancelled, report, piece: AtomicU64::new(FIRST), done: AtomicU64::new(0) }
     }
@@ -33,7 +36,7 @@ impl<'a> Pace<'a> {
         self.piece.load(Ordering::Relaxed)
     }
 
-    /// Calls `compute` with piece after piece of the rows, until they are done or it is cancelled; which of both.
+    /// Calls `compute` with piece after piece of the rows. Returns false if it was cancelled before all rows were done.
     pub fn walk(&self, rows: Range<u64>, mut compute: impl FnMut(Range<u64>)) -> bool {
         let mut next = rows.start;
         while next < rows.end {

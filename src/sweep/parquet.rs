@@ -1,5 +1,5 @@
-//! A table as Parquet, in one file or in one for every value of an axis: row groups encoded in parallel, each in memory,
-//! appended in order.
+//! Writes a table as Parquet, in one file or in one file for every value of an axis. Row groups are encoded in memory,
+//! in parallel, and appended in order.
 
 mod columns;
 mod group;
@@ -30,7 +30,7 @@ use super::shard::{Layout, Shard};
 use super::sidecar::Tally;
 use crate::output::{NewFile, OutputDirectory, folder, remove_stale};
 
-/// Rows of a row group, at most: a few megabytes, so that two groups a thread stay far below the memory of any machine.
+/// The most rows of a row group. A group takes a few megabytes, and each thread holds at most two groups.
 const ROW_GROUP: u64 = 65_536;
 
 /// Bytes written to the file at a time.
@@ -41,8 +41,8 @@ fn row_group(total: u64) -> u64 {
     (total / 16).next_multiple_of(BATCH as u64).clamp(BATCH as u64, ROW_GROUP)
 }
 
-/// Writes the table of a job; its files appear when all are complete. A Parquet file ends with its table of contents, so an
-/// unfinished one cannot be resumed; what is complete is kept when its summary is not there yet.
+/// Writes the table of a job; its files appear when all of them are complete. A Parquet file ends with its table of
+/// contents, so an unfinished file cannot be resumed.
 pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepError> {
     let unwritable = SweepError::file("cannot be written", table);
     let failed = |error: ParquetError| unwritable(io::Error::other(error));
@@ -74,7 +74,7 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
         uniform: Mutex::new(HashMap::new()),
     };
     let mut tally = Tally::of(job.plan);
-    // rows are counted through all files
+    // row numbers run on from file to file
     let make = |rows: Range<u64>| {
         let index = usize::try_from(rows.start / rows_of_file).unwrap_or(0);
         let before = index as u64 * rows_of_file;
@@ -83,7 +83,7 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
         Ok(Made { output: (index, output), counts })
     };
     let mut begun = 0;
-    // no row group goes on in the next file
+    // a row group ends where its file ends
     let length = || {
         let length = row_group(total).min(rows_of_file - begun % rows_of_file);
         begun += length;
@@ -103,15 +103,15 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
     Ok(tally)
 }
 
-/// The folders of a divided table; those that stay empty go with this.
+/// The folders of a divided table. Dropping it removes those that stayed empty.
 struct Folders {
     _of_values: Vec<OutputDirectory>,
-    /// Goes last.
+    /// The folder of the table, dropped after the folders in it.
     _table: Option<OutputDirectory>,
 }
 
 impl Folders {
-    /// Makes them where they are not there yet.
+    /// Makes the folders that do not exist yet.
     fn make(job: &Job) -> Result<Self, SweepError> {
         if job.partition.is_none() {
             return Ok(Self { _of_values: Vec::new(), _table: None });
@@ -127,7 +127,8 @@ impl Folders {
     }
 }
 
-/// A file in the folder of a divided table that is none of its own: of a value that the axis had before, or somebody else's.
+/// A file in the folder of a divided table that does not belong to it: of a value that the axis had in an earlier run,
+/// or any other file.
 fn stray(job: &Job) -> io::Result<Option<PathBuf>> {
     let files: Vec<PathBuf> = job.files().iter().map(|name| job.directory.path().join(name)).collect();
     let mut folders = vec![job.directory.path().join(job.name())];

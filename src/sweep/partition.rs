@@ -1,5 +1,6 @@
-//! A table as a data set: a file for every value of an axis, in a folder that says the value, as Hive names them
-//! (`law=thornton`). DuckDB, polars, DataFusion, Arrow and Spark read the folder as one table and skip files by the value.
+//! A table divided into files, one for every value of an axis. Each file is in a folder that is named after the value,
+//! in the form of Hive (`law=thornton`). DuckDB, polars, DataFusion, Arrow and Spark read the whole folder as one
+//! table, and skip files by the value.
 
 use super::SweepError;
 use super::shard::{Layout, Shard};
@@ -9,18 +10,18 @@ use crate::plan::{Cases, Plan};
 /// How a table is divided into files.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Partition {
-    /// Place of the axis among those of the plan.
+    /// Place of the axis among the axes of the plan.
     pub(super) place: usize,
-    /// The column whose values the folders have in place of the files.
+    /// The column of the axis. Its values are in the names of the folders and not in the files.
     column: String,
-    /// Its values, as the names of folders have them.
+    /// The values of the axis, as they are written in the names of the folders.
     values: Vec<String>,
-    /// Cases from one value to the next.
+    /// How many consecutive cases have the same value.
     stride: u64,
 }
 
 impl Partition {
-    /// The division by the axis of this key, which has to be one of words: a law, a method, or a material.
+    /// The division by the axis of this key. The values of the axis have to be words: laws, methods or materials.
     ///
     /// # Errors
     /// [`SweepError::PartitionBy`].
@@ -35,25 +36,26 @@ impl Partition {
         Ok(Self { place, column: axis.column(), values: words.iter().map(|word| encoded(word)).collect(), stride })
     }
 
-    /// The name of the folder that is the table.
+    /// The name of the folder that holds the table.
     pub fn folder(&self) -> String {
         format!("table-by-{}", self.column)
     }
 
-    /// The files in it, in the order of the axis, as seen from beside that folder.
+    /// The files of the table in the order of the axis, as paths that begin with the name of the folder.
     pub fn files(&self) -> Vec<String> {
         let (folder, column) = (self.folder(), &self.column);
         self.values.iter().map(|value| format!("{folder}/{column}={value}/part-0.parquet")).collect()
     }
 
-    /// Which cases file `index` has, out of `total`: blocks of as many cases as the axis keeps its value.
+    /// Which of the `total` cases are in file `index`: blocks of consecutive cases with the same value.
     pub fn layout(&self, total: u64, index: usize) -> Layout {
         let shard = Shard { index: index as u64, count: self.values.len() as u64 };
         Layout { total, block: self.stride, shard }
     }
 }
 
-/// A value in a path: bytes of signs with a meaning in some shell, system or address as %XX, which readers turn back.
+/// A value as part of a path. Every byte other than a letter, a digit, `-`, `_` or `.` becomes %XX, which readers
+/// decode.
 fn encoded(word: &str) -> String {
     let sign = |byte: u8| match byte {
         b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_' | b'.' => char::from(byte).to_string(),

@@ -1,21 +1,21 @@
-//! Length and checksum of a file, counted while it is written or read, whatever writes or reads it.
+//! Length and checksum of a file, computed while the file is written or read.
 
 use std::io::{self, Read, Write};
 
 use serde::{Deserialize, Serialize};
 
-/// What a finished file is known by.
+/// Length and checksum of a finished file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Seal {
     /// Length in bytes.
     pub bytes: u64,
-    /// CRC-32 (IEEE) of all bytes, which finds every change within four neighbouring bytes, and of others all but one in
-    /// 4·10⁹.
+    /// CRC-32 (IEEE) of all bytes. It finds every change within four neighbouring bytes; of other changes it misses one
+    /// in 4·10⁹.
     pub crc32: u32,
 }
 
-/// The seal of what has passed so far.
+/// Length and checksum of the bytes so far.
 #[derive(Debug, Clone, Default)]
 pub struct Sum {
     bytes: u64,
@@ -23,7 +23,7 @@ pub struct Sum {
 }
 
 impl Sum {
-    /// Takes the next bytes.
+    /// Adds the next bytes.
     pub fn update(&mut self, bytes: &[u8]) {
         self.bytes += bytes.len() as u64;
         self.crc32.update(bytes);
@@ -35,7 +35,7 @@ impl Sum {
     }
 }
 
-/// A writer or a reader that keeps the seal of what passes through it.
+/// A writer or a reader that computes the seal of the bytes that pass through it.
 #[derive(Debug)]
 pub struct Sealed<T> {
     inner: T,
@@ -43,17 +43,17 @@ pub struct Sealed<T> {
 }
 
 impl<T> Sealed<T> {
-    /// Goes on after what `sum` has taken.
+    /// Continues from the bytes that `sum` has counted.
     pub fn new(inner: T, sum: Sum) -> Self {
         Self { inner, sum }
     }
 
-    /// What is written to or read from.
+    /// The inner writer or reader.
     pub fn into_inner(self) -> T {
         self.inner
     }
 
-    /// The seal of all that has passed.
+    /// The seal of all bytes that have passed.
     pub fn seal(&self) -> Seal {
         self.sum.seal()
     }

@@ -1,4 +1,5 @@
-//! Which rows a shard has: cases are dealt out in blocks, block b to shard b mod n, so that all shards cost the same.
+//! Which rows a shard has. The cases are divided into blocks; block b belongs to shard b mod n, so that all n shards
+//! take about the same time.
 
 use std::ops::Range;
 
@@ -7,37 +8,37 @@ use thiserror::Error;
 /// Part `index` of `count`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
-    /// From 0 on.
+    /// Counted from 0.
     pub index: u64,
     /// At least 1.
     pub count: u64,
 }
 
-/// Merging takes a buffer for every shard, and no job scheduler is asked for larger arrays: an indexed job of Kubernetes has
-/// at most so many parts.
+/// The largest number of shards. Merging needs a buffer for every shard. An indexed job of Kubernetes has at most as
+/// many parts.
 pub const MOST_SHARDS: u64 = 100_000;
 
-/// A shard that does not exist.
+/// Why a text or a number names no shard.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ShardError {
-    /// Not of the form.
+    /// The text is not of the form `i/n`.
     #[error("shard \"{0}\": write i/n, two whole numbers, such as 0/16")]
     Form(String),
-    /// None at all.
+    /// The number of shards is 0.
     #[error("there are no shards of 0: write i/n with n of 1 or more, such as 0/16")]
     None,
-    /// Too many.
+    /// There are more than [`MOST_SHARDS`] shards.
     #[error("{0} shards: at most {MOST_SHARDS} are allowed; give each more cases")]
     Many(u64),
-    /// No such shard.
+    /// The index is not below the number of shards.
     #[error("shard {index}/{count}: shards are counted from 0, so the last of {count} is {}; with a one-based array index subtract 1", .count.saturating_sub(1))]
     Range {
-        /// Asked for.
+        /// The index that was asked for.
         index: u64,
-        /// Of so many.
+        /// The number of shards.
         count: u64,
     },
-    /// Not set.
+    /// The environment variable is not set.
     #[error(
         "the environment variable {0} is not set; it holds the shard's number, counted from 0, under the job scheduler"
     )]
@@ -45,7 +46,7 @@ pub enum ShardError {
 }
 
 impl Shard {
-    /// All of it, as an undivided table has it.
+    /// The whole table as one shard.
     pub const WHOLE: Self = Self { index: 0, count: 1 };
 
     /// Shard `index` of `count`.
@@ -87,22 +88,22 @@ impl Shard {
 /// The cases of one shard, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
-    /// Cases of all shards together.
+    /// Number of cases of all shards together.
     pub total: u64,
-    /// Cases a block.
+    /// Number of cases in a block.
     pub block: u64,
-    /// Which shard.
+    /// The shard.
     pub shard: Shard,
 }
 
 impl Layout {
-    /// Blocks of at most 1024 cases, and at least 16 blocks a shard where there are cases enough.
+    /// Divides the cases into blocks of at most 1024. If there are enough cases, each shard has at least 16 blocks.
     pub fn new(total: u64, shard: Shard) -> Self {
         let block = (total / shard.count.saturating_mul(16)).clamp(1, 1024);
         Self { total, block, shard }
     }
 
-    /// Rows of this shard.
+    /// Number of rows of this shard.
     pub fn rows(&self) -> u64 {
         let Shard { index, count } = self.shard;
         let (full, rest) = (self.total / self.block, self.total % self.block);
@@ -115,7 +116,7 @@ impl Layout {
         (row / self.block * self.shard.count + self.shard.index) * self.block + row % self.block
     }
 
-    /// The cases of a range of rows, as few ranges as possible.
+    /// The cases of a range of rows, in as few ranges as possible.
     pub fn cases(&self, rows: Range<u64>) -> Vec<Range<u64>> {
         if self.shard.count == 1 {
             return vec![rows];

@@ -1,5 +1,5 @@
-//! The file beside a table that says what the table is, so that only what belongs together is continued or merged; and the
-//! reading of a table that was left unfinished.
+//! The sidecar: a file beside a table that says which table it is. With it, only rows of the same table are resumed or
+//! merged. Also reads the rows of an unfinished table.
 
 use std::fmt::Display;
 use std::fs::{self, File};
@@ -18,15 +18,15 @@ use crate::output::{PART, replace, with_suffix};
 use crate::plan::{Plan, Source};
 use crate::provenance::{FORMAT, NUMBERS, VERSION};
 
-/// How this machine computes powers: the CRC-32 of some of them. The C library has one variant of its power for processors
-/// with fused multiply-add and one for others; of these powers some differ in their last digit.
+/// How this machine computes powers: the CRC-32 of many of them. The C library computes powers in one way on processors
+/// with fused multiply-add and in another way on others, and some of the powers differ in their last digit.
 fn powers_of_machine() -> u32 {
     let mut sum = Sum::default();
     for k in 0..4096 {
         let x = 0.5 + f64::from(k) / 4096.0;
         // the exponents of the first steps of dop853 and dopri5
         for exponent in [0.125, 0.2] {
-            #[allow(clippy::disallowed_methods)] // that of the machine is asked for, and not the compiler's
+            #[allow(clippy::disallowed_methods)] // has to be the power of the machine, not of the compiler
             let power = std::hint::black_box(x).powf(std::hint::black_box(exponent));
             sum.update(&power.to_bits().to_le_bytes());
         }
@@ -34,11 +34,11 @@ fn powers_of_machine() -> u32 {
     sum.seal().crc32
 }
 
-/// Where rows come from that differ in their last digits.
+/// In messages: the other machine that unfinished rows or a shard come from.
 pub const OTHER_MACHINE: &str =
     "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
 
-/// What a table is. All else follows from the scenario.
+/// What a table holds. Everything else follows from the scenario.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sidecar {
@@ -50,35 +50,35 @@ pub struct Sidecar {
     pub numbers: u64,
     /// Hash of the scenario.
     pub scenario_sha256: String,
-    /// The scenario itself, for what is written beside the whole table.
+    /// The scenario itself, from which merging writes the summary.
     pub scenario: Source,
-    /// CSV or JSON.
+    /// Format of the table.
     pub format: Format,
-    /// Which shard, from 0 on.
+    /// Which shard the table is, counted from 0.
     pub shard: u64,
-    /// Of how many.
+    /// Number of shards.
     pub shards: u64,
-    /// How the machine that writes it computes powers; only where rows depend on that.
+    /// Checksum of how the machine that writes the table computes powers; `None` if the rows do not depend on it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub powers_of_machine: Option<u32>,
-    /// The table as it was written; `None` while it is unfinished.
+    /// Length and checksum of the finished table; `None` while it is unfinished.
     pub finished: Option<Seal>,
 }
 
-/// The part of a sidecar that is read first, because another version may have other entries.
+/// The part of a sidecar that is read first, because the other entries may differ between versions.
 #[derive(Deserialize)]
 struct Stamp {
     version: String,
-    /// Older versions had none.
+    /// 0 if an older version wrote the sidecar without it.
     #[serde(default)]
     numbers: u64,
-    /// Older versions had none.
+    /// 0 if an older version wrote the sidecar without it.
     #[serde(default)]
     format_version: u64,
 }
 
 impl Sidecar {
-    /// That of a table which is being written, of the plan of this scenario.
+    /// The sidecar of a table that is being written. `scenario` is the scenario of `plan`.
     pub fn new(plan: &Plan, scenario: &Source, format: Format, shard: Shard) -> Self {
         Self {
             format_version: FORMAT,
@@ -94,7 +94,7 @@ impl Sidecar {
         }
     }
 
-    /// Whether both are of the same part of the same table.
+    /// Whether both belong to the same shard of the same table.
     pub fn is_of_same(&self, other: &Self) -> bool {
         Self { finished: other.finished, ..self.clone() } == *other
     }
@@ -102,7 +102,7 @@ impl Sidecar {
     /// Reads the sidecar of a table; `None` if there is none.
     ///
     /// # Errors
-    /// [`SweepError`] if it cannot be read, is none, or is of another version.
+    /// [`SweepError`] if the file cannot be read, is damaged, or was written by another version.
     pub fn read(table: &Path) -> Result<Option<Self>, SweepError> {
         let path = sidecar_path(table);
         let text = match fs::read(&path) {
@@ -144,12 +144,12 @@ impl Sidecar {
     }
 }
 
-/// Where a table lies while it is unfinished.
+/// The path of a table while it is unfinished.
 pub fn part_path(table: &Path) -> PathBuf {
     with_suffix(table, PART)
 }
 
-/// Where its sidecar lies.
+/// The path of the sidecar of a table.
 pub fn sidecar_path(table: &Path) -> PathBuf {
     with_suffix(table, ".sidecar.json")
 }
@@ -163,18 +163,18 @@ pub fn table_name(shard: Option<Shard>, format: Format) -> String {
     }
 }
 
-/// What the rows so far come to.
+/// Counts of the rows so far, and the statistics of e.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
     /// Complete rows.
     pub rows: u64,
     /// Rows without a result.
     pub failures: u64,
-    /// Rows that the law has no answer for.
+    /// Rows outside the range of the law.
     pub outside_law: u64,
     /// Whether values are random; only then e goes into the statistics.
     is_random: bool,
-    /// Of e, for random values.
+    /// Statistics of e; empty if the values are not random.
     pub statistics: Statistics,
 }
 
@@ -199,11 +199,11 @@ impl Tally {
 /// The complete rows of a table.
 #[derive(Debug, Clone, Default)]
 pub struct Read {
-    /// What they come to.
+    /// Counts of the rows.
     pub tally: Tally,
-    /// Of header and rows.
+    /// Length and checksum of header and rows.
     pub sum: Sum,
-    /// The whole file, if it has all its rows and ends where it should.
+    /// Seal of the whole file, if it has all its rows and nothing after them.
     pub finished: Option<Seal>,
 }
 
@@ -214,10 +214,11 @@ impl Read {
     }
 }
 
-/// Reads the complete rows of a table; a torn last line is left out, and a torn header is none.
+/// Reads the complete rows of a table. An incomplete last line is left out; with an incomplete header there are no
+/// rows.
 ///
 /// # Errors
-/// [`SweepError::Damaged`] where a row is not the one that belongs there.
+/// [`SweepError::Damaged`] if a row is damaged or not the expected case.
 pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, plan: &Plan) -> Result<Read, SweepError> {
     let failed = SweepError::file("cannot be read", path);
     let mut reader = BufReader::with_capacity(1 << 20, File::open(path).map_err(&failed)?);
@@ -245,7 +246,7 @@ pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, plan: &Plan) -
         read.tally.push(found.count);
         read.sum.update(&line);
     }
-    // one byte more than the end of a table has, so that what was appended is seen
+    // one byte more than the end of a table has, so that anything appended is noticed
     let footer = table.footer();
     let mut rest = Vec::new();
     reader.take(footer.len() as u64 + 1).read_to_end(&mut rest).map_err(&failed)?;

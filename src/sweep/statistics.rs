@@ -1,13 +1,13 @@
-//! Mean, standard deviation and quantiles of e over any number of rows, in bounded memory and in the order of the cases,
-//! so that threads and shards change nothing.
+//! Mean, standard deviation and quantiles of e over any number of rows, in limited memory. The rows are added in the
+//! order of the cases, so threads and shards do not change the result.
 
 use crate::scene::results::table::Distribution;
 
-/// Up to so many samples the quantiles are exact; beyond, they come from bins.
+/// Up to this number of samples the quantiles are exact; with more samples they come from bins.
 const EXACT: usize = 1_000_000;
 /// Width of a bin of e.
 const BIN: f64 = 1e-6;
-/// Bins cover e from 0 to 1.25: above 1 goes only a sphere that falls on into its own dent.
+/// The bins cover e from 0 to 1.25. Above 1, e is possible only for a sphere that falls into its own dent.
 const BINS: usize = 1_250_000;
 
 /// Collects e, case after case.
@@ -17,19 +17,19 @@ pub struct Statistics {
     mean: f64,
     /// Sum of squared deviations from the mean.
     deviation: f64,
-    /// The values, while they are few.
+    /// All values, up to [`EXACT`] of them.
     values: Vec<f64>,
-    /// Counts a bin, once they are many.
+    /// Number of values in each bin, once there are more than [`EXACT`].
     bins: Vec<u64>,
 }
 
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // negative and NaN go to the first bin
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // negative values and NaN: first bin
 fn bin(value: f64) -> usize {
     ((value / BIN) as usize).min(BINS - 1)
 }
 
 impl Statistics {
-    /// Takes one more e (Welford 1962).
+    /// Adds one value of e (Welford 1962).
     #[allow(clippy::cast_precision_loss)]
     pub fn push(&mut self, value: f64) {
         self.count += 1;
@@ -94,7 +94,7 @@ impl Statistics {
         };
         let low = fine.iter().map(|(value, _)| *value).min_by(f64::total_cmp)?;
         let high = fine.iter().map(|(value, _)| *value).max_by(f64::total_cmp)?;
-        // samples that are all alike still get bins with a width
+        // if all samples are equal, the bins still need a width
         let width = ((high - low) / n as f64).max(BIN);
         let mut counts = vec![0; n];
         for (value, count) in fine {

@@ -1,4 +1,4 @@
-//! Rows as text, written straight into a buffer. No field needs a quote in CSV: all are numbers and snake_case names.
+//! Rows as text, written directly into a buffer. No field of CSV needs quotes: all are numbers or names without commas.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,23 +8,23 @@ use super::evaluator::{Failure, Rows};
 use crate::plan::Plan;
 use crate::plan::axis::Values;
 
-/// What a table is written as.
+/// The file format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
-    /// Comma-separated, one header line.
+    /// Comma-separated values with one header line.
     Csv,
-    /// One JSON array of objects, an object a line.
+    /// One JSON array of objects, each object on a line of its own.
     Json,
-    /// Parquet, with the cargo feature `parquet`.
+    /// Parquet; needs the cargo feature `parquet`.
     Parquet,
 }
 
 impl Format {
-    /// All of them.
+    /// All formats.
     pub const ALL: [Self; 3] = [Self::Csv, Self::Json, Self::Parquet];
 
-    /// File name extension, and the word on the command line.
+    /// The file name extension, which is also the word on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
@@ -47,7 +47,7 @@ pub struct TextTable {
 /// A column as text.
 #[derive(Debug)]
 struct Field {
-    /// What stands before its value.
+    /// The text before its value.
     before: Vec<u8>,
     value: FieldValue,
 }
@@ -55,15 +55,15 @@ struct Field {
 /// How the values of a column are written.
 #[derive(Debug)]
 enum FieldValue {
-    /// Case numbers, results, plain numbers, names of a status: written in every row.
+    /// Case numbers, results, plain numbers and the status: converted to text in every row.
     Plain(Column),
-    /// By the place on the axis: texts that were rendered once.
+    /// Values of an axis, converted to text once: the place of the axis, and the texts.
     Rendered(usize, Vec<Vec<u8>>),
-    /// By the place on an axis that is too long for that: rendered where it changes.
+    /// Values of a longer axis, converted to text when they change: the place of the axis, and the values.
     Long(usize, Values),
 }
 
-/// Texts of so many values are rendered before the first row: some milliseconds.
+/// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
 const RENDERED: usize = 1 << 15;
 
 impl FieldValue {
@@ -84,7 +84,7 @@ impl FieldValue {
 }
 
 impl TextTable {
-    /// The table of a plan; anything but [`Format::Json`] is CSV.
+    /// The table of a plan, as JSON for [`Format::Json`], else as CSV.
     pub fn new(plan: &Plan, format: Format) -> Self {
         let is_json = format == Format::Json;
         let names = plan.column_names();
@@ -100,30 +100,30 @@ impl TextTable {
             Field { before: before.into_bytes(), value: FieldValue::of(column, is_json) }
         };
         let fields = names.iter().zip(columns(plan)).map(field).collect();
-        // it is in every table, behind the case
+        // every table has this column, after the case
         let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
         Self { is_json, names, fields, restitution }
     }
 
-    /// What the file begins with, ending in a line end.
+    /// The first line of the file, with its line end.
     pub fn header(&self) -> Vec<u8> {
         let mut header = if self.is_json { "[".to_owned() } else { self.names.join(",") };
         header.push('\n');
         header.into_bytes()
     }
 
-    /// What the file ends with.
+    /// The text after the last row.
     pub fn footer(&self) -> &'static [u8] {
         if self.is_json { b"]\n" } else { b"" }
     }
 
-    /// Appends the rows; `is_end`: the last of them is the last of the file.
+    /// Appends the rows. `is_end` says that the last of them is the last row of the file.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
     pub fn write(&self, rows: &Rows, is_end: bool, text: &mut Vec<u8>) {
         let n_swept = if rows.cases.is_empty() { 0 } else { rows.swept.len() / rows.cases.len() };
         let mut integers = itoa::Buffer::new();
         let mut floats = zmij::Buffer::new();
-        // places on long axes and their texts: a slow axis stays where it is for many rows
+        // the last place and text of each long axis: the place of a slow axis stays the same for many rows
         let mut last: Vec<(u64, String)> = vec![(u64::MAX, String::new()); n_swept];
         let end: &[u8] = if self.is_json { b"\"},\n" } else { b"\n" };
         for (row, (case, result)) in rows.cases.iter().zip(&rows.results).enumerate() {
@@ -156,32 +156,33 @@ impl TextTable {
             text.extend_from_slice(end);
         }
         if is_end && self.is_json && !rows.cases.is_empty() {
-            // behind the last row of the array stands no comma
+            // no comma after the last row of the array
             text.truncate(text.len() - 2);
             text.push(b'\n');
         }
     }
 }
 
-/// What a complete line says, as far as resuming and merging need it.
+/// The part of a row that resuming and merging need.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// Case number.
     pub case: u64,
-    /// e, or why there is none.
+    /// How the row counts.
     pub count: Count,
 }
 
 impl TextTable {
-    /// Reads a line (without its line end); `None` if it is no row of this table. `is_end`: it is the last row of the file.
-    /// Checks what is cheap: that all fields are there and of plain characters, the case, e and the status.
+    /// Reads a line without its line end; `None` if it is not a row of this table. `is_end` says that it is the last
+    /// row of the file. Checks the number of fields, their characters, the case, e and the status, but not the other
+    /// numbers.
     pub fn read(&self, line: &[u8], is_end: bool) -> Option<Line> {
         let line = match (self.is_json, is_end) {
             (true, true) => line.strip_suffix(b"\"}")?,
             (true, false) => line.strip_suffix(b"\"},")?,
             (false, _) => line,
         };
-        // without an early end, so that the compiler takes many bytes at once
+        // no early exit, so that the compiler can check many bytes at once
         let is_plain = line.iter().fold(true, |is_plain, byte| is_plain & byte.is_ascii_graphic());
         let commas: usize =
             line.chunks(255).map(|part| usize::from(part.iter().map(|b| u8::from(*b == b',')).sum::<u8>())).sum();

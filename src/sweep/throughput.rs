@@ -15,14 +15,14 @@ use super::table::Format;
 use crate::output::OutputDirectory;
 use crate::plan::{Plan, Source};
 
-/// Rows a second, each the best of the rounds.
+/// Rows per second, each the best of all rounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Throughput {
-    /// Computing e, contact time, peak and dent, nothing written.
+    /// Computing only, nothing written.
     pub compute: f64,
-    /// From plan to CSV file.
+    /// Computing and writing a CSV file.
     pub csv: f64,
-    /// From plan to Parquet file; `None` in a build without.
+    /// Computing and writing a Parquet file; `None` in a build without Parquet.
     pub parquet: Option<f64>,
 }
 
@@ -43,7 +43,7 @@ pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Resu
     Ok(best)
 }
 
-/// Rows a second, computing alone.
+/// Rows per second of computing only.
 #[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count().unwrap_or(0);
@@ -63,7 +63,7 @@ pub fn compute_rate(plan: &Plan) -> f64 {
     total as f64 / started.elapsed().as_secs_f64()
 }
 
-/// Rows a second from plan to file.
+/// Rows per second of computing and writing a file.
 ///
 /// # Errors
 /// [`SweepError`] if the table cannot be written.

@@ -1,4 +1,4 @@
-//! The picture as PNG: plotters' primitives on a buffer of twice the size, halved at the end for smooth edges.
+//! The picture as PNG. It is drawn by plotters at twice the size, and reduced at the end for smooth edges.
 
 use plotters::prelude::{BitMapBackend, DrawingBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -21,7 +21,7 @@ impl Canvas {
     /// The picture as PNG.
     ///
     /// # Errors
-    /// What drawing and encoding report.
+    /// [`PlotError`] from drawing or encoding.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
         let size = (self.size.0 * OVERSAMPLING, self.size.1 * OVERSAMPLING);
         let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
@@ -92,7 +92,7 @@ fn line(backend: &mut BitMapBackend, points: &[Point], stroke: Stroke) -> Result
             [(from.0 + nx, from.1 + ny), (to.0 + nx, to.1 + ny), (to.0 - nx, to.1 - ny), (from.0 - nx, from.1 - ny)];
         polygon(backend, &corners, stroke.color)?;
     }
-    // a line of one width bends without notches if a disc fills each joint
+    // a disc at each joint fills the notch between two pieces of the line
     for joint in points.get(1..points.len().saturating_sub(1)).unwrap_or_default() {
         disc(backend, *joint, 0.5 * stroke.width - 0.25, stroke.color)?;
     }

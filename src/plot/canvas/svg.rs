@@ -1,4 +1,4 @@
-//! The picture as SVG: lines, areas and texts stay what they are, in a font of the viewer.
+//! The picture as SVG: lines, areas and texts are kept as such. Texts are shown in a font of the viewer.
 
 use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -8,17 +8,18 @@ use super::{Anchor, Canvas, Point, Shape, Text, failed, whole, whole_length};
 use crate::plot::PlotError;
 use crate::plot::style::PAPER;
 
-/// Units of the drawing per pixel: plotters takes whole numbers, and a tenth of a pixel is not seen.
+/// Units of the drawing per pixel. plotters takes whole numbers, and a tenth of a pixel is too small to see.
 const UNITS: u32 = 10;
 
-/// The font of the PNG, one as wide, or what the viewer has.
+/// The font of the PNG, a font of similar width, or any font of the viewer.
 const FONTS: FontFamily = FontFamily::Name("DejaVu Sans, Verdana, sans-serif");
 
-/// plotters sets a text of size s in a font of s/1.24, and its base line 0.76 of that lower; see [`super::centre`].
+/// plotters draws a text of size s in a font of size s/1.24, with the base line 0.76 of the font size lower; see
+/// [`super::centre`].
 const SIZE: f64 = 1.24 / super::EM;
 const RISE: f64 = 0.76 / super::EM - 0.5;
 
-/// A rectangle is so much larger than it is, so that no light comes through between neighbours \[px\].
+/// Each rectangle is made larger by this on every side, so that no gap is seen between neighbours \[px\].
 const OVERLAP: f64 = 0.5;
 
 fn device(point: Point) -> (i32, i32) {
@@ -29,7 +30,7 @@ impl Canvas {
     /// The picture as SVG.
     ///
     /// # Errors
-    /// What drawing reports.
+    /// [`PlotError`] from drawing.
     pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
         let (width, height) = self.size;
         let size = (width * UNITS, height * UNITS);
@@ -41,7 +42,7 @@ impl Canvas {
         drop(backend);
         let of_drawing = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
         let of_picture = format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\"");
-        // nothing is seen through, which need not be said of every shape
+        // all shapes are opaque, so the attribute is not needed
         Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
     }
 }
@@ -69,7 +70,7 @@ fn draw(backend: &mut SVGBackend, shape: &Shape) -> Result<(), PlotError> {
     }
 }
 
-/// In another font a text keeps its beginning, middle or end, whichever it was placed by.
+/// Draws a text with its own anchor: in a font of another width its start, middle or end stays at the same place.
 fn draw_text(backend: &mut SVGBackend, shown: &Text) -> Result<(), PlotError> {
     let pos = match shown.anchor {
         Anchor::Start => HPos::Left,
@@ -84,7 +85,7 @@ fn draw_text(backend: &mut SVGBackend, shown: &Text) -> Result<(), PlotError> {
     };
     let font = FontDesc::new(FONTS, f64::from(UNITS) * SIZE * shown.size, FontStyle::Normal).transform(turned);
     let style = TextStyle { font, color: shown.color.to_backend_color(), pos: Pos::new(pos, VPos::Top) };
-    // a control character is no part of an XML text
+    // control characters are not allowed in XML
     let text: String = shown.letters.chars().filter(|c| !c.is_control()).collect();
     backend.draw_text(&text, &style, device(at)).map_err(failed)
 }

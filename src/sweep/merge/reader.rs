@@ -1,4 +1,4 @@
-//! The rows of one shard, checked as they come.
+//! Reads the rows of one shard and checks each of them.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
@@ -10,7 +10,7 @@ use crate::sweep::seal::{Seal, Sealed, Sum};
 use crate::sweep::shard::Layout;
 use crate::sweep::table::TextTable;
 
-/// A file that is open only while it is read from, so that no limit on open files is a limit on shards.
+/// A file that is open only during a read, so that the limit on open files does not limit the number of shards.
 #[derive(Debug)]
 struct Closed {
     path: PathBuf,
@@ -41,7 +41,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Reads the header; `buffer` bytes are read at a time.
+    /// Opens a shard and checks its header. `buffer` is the number of bytes read at a time.
     pub(super) fn open(
         path: &'a Path,
         table: &'a TextTable,
@@ -61,7 +61,7 @@ impl<'a> Reader<'a> {
         read.map(drop).map_err(SweepError::file("cannot be read", self.path))
     }
 
-    /// The next row, which should be this case: what it counts as, and its line with the line end.
+    /// Reads the next row, which has to be this case: how it counts, and its line with the line end.
     pub(super) fn row(&mut self, case: u64) -> Result<(Count, &[u8]), SweepError> {
         self.next_line()?;
         self.read += 1;
@@ -73,11 +73,11 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether the file ends behind its last row, and was the one of this seal.
+    /// Whether the file ends after its last row, and has this seal.
     pub(super) fn ends_with(mut self, seal: Seal) -> Result<bool, SweepError> {
         self.next_line()?;
         let is_end = self.line == self.table.footer();
-        // what comes behind is counted by the seal too
+        // reads what may follow, so that the seal covers it too
         self.next_line()?;
         Ok(is_end && self.line.is_empty() && self.input.get_ref().seal() == seal)
     }

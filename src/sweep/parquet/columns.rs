@@ -11,7 +11,7 @@ use crate::plan::Plan;
 use crate::provenance::PROGRAM;
 use crate::sweep::column::{Column, columns};
 
-/// Rows computed and encoded at a time: few enough to stay in the cache.
+/// Rows computed and encoded at a time: few enough for the cache.
 pub(super) const BATCH: usize = 4096;
 
 /// Whether a column holds words.
@@ -19,7 +19,7 @@ pub(super) fn is_words(column: &Column) -> bool {
     matches!(column, Column::Name(..) | Column::Status)
 }
 
-/// The columns of a plan with their names, but for the one of this axis.
+/// The columns of a plan and their names, without the column of the axis at this place.
 pub(super) fn named(plan: &Plan, without: Option<usize>) -> (Vec<String>, Vec<Column>) {
     let is_kept = |column: &Column| !matches!(column, Column::Name(place, _) if Some(*place) == without);
     plan.column_names().into_iter().zip(columns(plan)).filter(|(_, column)| is_kept(column)).unzip()
@@ -43,8 +43,8 @@ pub(super) fn schema(names: &[String], columns: &[Column]) -> Result<TypePtr, Pa
     Type::group_type_builder("table").with_fields(fields).build().map(Arc::new)
 }
 
-/// Digits of results hardly repeat: plain numbers, and dictionaries for words alone. A page holds the rows that are
-/// computed together, so that all of it happens in the cache.
+/// How the columns are encoded. Numbers hardly repeat, so only words have dictionaries. A page holds the rows of one
+/// batch, so that its values are still in the cache.
 pub(super) fn properties(columns: &[Column], schema: &SchemaDescriptor) -> WriterPropertiesPtr {
     let mut builder = WriterProperties::builder()
         .set_created_by(PROGRAM.to_owned())

@@ -1,4 +1,4 @@
-//! A row group: its rows computed and encoded batch after batch, every column into its own memory.
+//! A row group: its rows are computed and encoded batch after batch, every column into a buffer of its own.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -31,7 +31,8 @@ pub(super) struct Encoder<'a> {
     pub(super) columns: &'a [Column],
     pub(super) descriptor: &'a SchemaDescriptor,
     pub(super) properties: &'a WriterPropertiesPtr,
-    /// Encoded columns of one word alone, by column, word and number of rows: most row groups have the same ones.
+    /// Columns that hold only one word, already encoded, by column, word and number of rows. Most row groups share
+    /// them.
     pub(super) uniform: Mutex<HashMap<(usize, &'a str, usize), Chunk>>,
 }
 
@@ -41,27 +42,27 @@ enum Filling<'w, 'a> {
     Words(Runs<'a>),
 }
 
-/// Words, each with how often it stands there in a row.
+/// Runs of equal words: each word, and how many times it follows itself.
 type Runs<'a> = Vec<(&'a str, usize)>;
 
-/// Memory for the values of a batch.
+/// Buffers for the values of a batch.
 #[derive(Default)]
 struct Batch {
     cases: Vec<i64>,
     numbers: Vec<f64>,
-    /// 1 where there is a number.
+    /// For each row, 1 if it has a number, else 0.
     levels: Vec<i16>,
 }
 
 impl<'a> Encoder<'a> {
-    /// The group of these rows of a file; `None` where it is stopped.
+    /// Computes and encodes the group of these rows of a file; `None` if the run was cancelled.
     pub(super) fn group(
         &self,
         layout: &Layout,
         rows_of_file: Range<u64>,
     ) -> Result<Option<Made<Vec<Chunk>>>, ParquetError> {
         let count = usize::try_from(rows_of_file.end - rows_of_file.start).unwrap_or(0);
-        // eight bytes a number, and a little for the head of a page
+        // eight bytes for each number, and 128 bytes for the header of each page
         let sink = || TrackedWrite::new(Vec::with_capacity(count * 8 + (count / BATCH + 1) * 128));
         let mut sinks: Vec<Option<TrackedWrite<Vec<u8>>>> =
             self.columns.iter().map(|column| (!is_words(column)).then(sink)).collect();
@@ -105,7 +106,7 @@ impl<'a> Encoder<'a> {
         Ok(Some(Made { output: chunks.collect::<Result<_, _>>()?, counts }))
     }
 
-    /// A writer of column `i` into memory.
+    /// A writer that encodes column `i` into `sink`.
     fn writer<'s>(&self, i: usize, sink: &'s mut TrackedWrite<Vec<u8>>) -> ColumnWriter<'s> {
         let pages = Box::new(SerializedPageWriter::new(sink));
         get_column_writer(self.descriptor.column(i), self.properties.clone(), pages)
@@ -199,7 +200,7 @@ impl<'a> Encoder<'a> {
     }
 }
 
-/// Forgets all rows but keeps their memory.
+/// Removes all rows but keeps their memory.
 fn forget(rows: &mut Rows) {
     rows.cases.clear();
     rows.swept.clear();
@@ -208,7 +209,7 @@ fn forget(rows: &mut Rows) {
 
 fn push<'a>(word: &'a str, runs: &mut Runs<'a>) {
     match runs.last_mut() {
-        // mostly the very same text: no need to compare its letters
+        // mostly both are the same text in memory, and the letters need no comparison
         Some((last, count)) if std::ptr::eq(*last, word) || *last == word => *count += 1,
         _ => runs.push((word, 1)),
     }
