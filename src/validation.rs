@@ -1,8 +1,8 @@
-//! The law and the program against finite elements, published values and closed forms: how right the numbers are.
+//! Compares the law and the program with finite elements, published values and closed forms.
 //!
-//! Every comparison is a [`Check`]: expected, got, deviation, tolerance. What is expected never comes from the law or the
-//! integrator under test. Tolerances are those that the law's documentation and the references state, plus a small margin
-//! that is named with them.
+//! Every comparison is a [`Check`]: expected, got, deviation, tolerance. The expected number never comes from the law
+//! or the integrator under test. The tolerances are those that the documentation of the law and the references state,
+//! plus a small margin that is named with them.
 
 pub mod cases;
 pub mod check;
@@ -27,10 +27,10 @@ pub use check::{Check, Known, Tolerance, Verdict};
 pub use error::{EXPONENTS, ValidationError};
 pub use pictures::pictures;
 
-/// Rows of one kind.
+/// A function that makes the checks of one kind.
 pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
 
-/// Where rows come from, in the order of the table.
+/// All kinds of checks, in the order of the table.
 pub const SOURCES: [Source; 10] = [
     loading::checks,
     unloading::checks,
@@ -44,7 +44,7 @@ pub const SOURCES: [Source; 10] = [
     oracle::checks,
 ];
 
-/// All rows for a law with these coefficients. Counted are the sources.
+/// All checks of a law with these coefficients. `progress` counts the kinds of checks.
 ///
 /// # Errors
 /// [`ValidationError`].
@@ -56,7 +56,7 @@ pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<
         progress.step();
     }
     if coefficients != PlmCoefficients::built_in() {
-        // what is on record was found of the built-in law
+        // the known deviations were found for the built-in law
         for check in &mut all {
             check.known = None;
         }

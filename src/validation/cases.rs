@@ -6,52 +6,52 @@ use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::ln;
 use crate::reference::{LOADING, unloading};
 
-/// A dent that fewer elements resolve has no shape to compare.
+/// Smallest number of elements across the contact radius for which the shape of the dent is compared.
 const RESOLVED: f64 = 10.0;
 
 /// One of the five pairs of materials: loading curve and unloadings.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Its name, such as "case 3".
+    /// The name, such as "case 3".
     pub name: &'static str,
     /// The loading curve.
     pub loading: LoadingCurve,
-    /// The unloadings, by rising depth.
+    /// The unloadings, in the order of rising depth.
     pub cycles: Vec<Cycle>,
 }
 
-/// A full unloading.
+/// A full unloading from one peak.
 #[derive(Debug, Clone)]
 pub struct Cycle {
     /// Name of the run.
     pub run: String,
-    /// Number of the unloading in the run, from 1.
+    /// Number of the unloading in the run, counted from 1.
     pub number: u32,
-    /// How many elements span the contact radius at the peak.
+    /// Number of elements across the contact radius at the peak.
     pub elements: f64,
-    /// x_m, f_m and ε_m = x_s,m/κ of the finite elements.
+    /// The peak of the finite elements: x_m, f_m and ε_m = x_s,m/κ.
     pub peak: Peak,
-    /// a_m/R.
+    /// Contact radius at the peak, a_m/R.
     pub contact_radius: f64,
-    /// x_r of the finite elements.
+    /// Residual indentation x_r of the finite elements.
     pub residual: f64,
-    /// √(recovered/spent work); only where the loading curve reaches back to first yield.
+    /// Restitution √(recovered/spent work); `None` if the loading curve does not reach back to first yield.
     pub restitution: Option<f64>,
-    /// R_res/R fitted within the contact radius, and within 0.7 of it.
+    /// Residual radius R_res/R, fitted within the contact radius and within 0.7 of it.
     pub residual_radii: [f64; 2],
     /// x, f and x_s at points between peak and separation.
     pub points: Vec<[f64; 3]>,
-    /// Surface after unloading: r/R and z/R. Few unloadings have it.
+    /// Points r/R and z/R of the surface after unloading. Only a few unloadings have them.
     pub dent: Vec<[f64; 2]>,
 }
 
 impl Cycle {
-    /// Its name, such as "case3_small, x = 105.1".
+    /// The name, such as "case3_small, x = 105.1".
     pub fn name(&self) -> String {
         format!("{}, x = {}", self.run, crate::units::rounded::number(self.peak.indentation))
     }
 
-    /// Whether the dent spans enough elements to have a shape.
+    /// Whether there are enough elements to compare the shape of the dent.
     pub fn is_resolved(&self) -> bool {
         self.elements >= RESOLVED
     }
@@ -63,7 +63,7 @@ impl Case {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }
 
-    /// κ.
+    /// Sphere compliance κ.
     pub fn sphere_compliance(&self) -> f64 {
         self.loading.pair.sphere_compliance
     }
@@ -73,7 +73,7 @@ impl Case {
         self.loading.points.iter().filter(|point| point.indentation >= 1.0)
     }
 
-    /// The unloadings, without those that another at nearly the same depth resolves better.
+    /// The unloadings, without those for which another unloading at nearly the same depth has more elements.
     pub fn distinct_cycles(&self) -> Vec<&Cycle> {
         let is_near = |a: &Cycle, b: &Cycle| ln(a.peak.indentation / b.peak.indentation).abs() < 0.1;
         let has_better = |one: &&Cycle| {
@@ -87,7 +87,7 @@ impl Case {
 /// The five cases.
 ///
 /// # Errors
-/// [`ValidationError::Reference`], [`ValidationError::Curve`] if a table was damaged.
+/// [`ValidationError::Reference`] or [`ValidationError::Curve`] if a table is damaged.
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
     let (cycles, curves, dents) = (unloading::unloadings()?, unloading::points()?, unloading::dents()?);
     LOADING

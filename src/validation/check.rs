@@ -1,38 +1,38 @@
-//! One comparison.
+//! One comparison: expected and computed number, deviation, tolerance and verdict.
 
 use crate::math::power::farther_or_nan;
 
-/// How far a number may be off.
+/// The deviation that is allowed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// Largest deviation that passes, up or down.
+    /// Largest deviation that passes, in either direction.
     pub limit: f64,
-    /// Where it comes from.
+    /// Where the limit comes from.
     pub source: &'static str,
 }
 
-/// A deviation beyond the tolerance that is on record. It is no pass, but it does not fail the validation.
+/// A known deviation beyond the tolerance. It does not count as a pass, but the validation does not fail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Known {
-    /// A deviation beyond this is a miss.
+    /// A deviation larger than this is a miss.
     pub limit: f64,
-    /// What is off, and where.
+    /// Where the deviation occurs, and why.
     pub remark: &'static str,
 }
 
-/// What a check comes to.
+/// The result of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// Within the tolerance.
+    /// The deviation is within the tolerance.
     Pass,
-    /// Beyond the tolerance, but on record.
+    /// The deviation is beyond the tolerance, but known.
     Known,
-    /// Beyond the tolerance, and not on record.
+    /// The deviation is beyond the tolerance, and not known.
     Miss,
 }
 
 impl Verdict {
-    /// Its word in tables.
+    /// The word for it in tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -45,9 +45,9 @@ impl Verdict {
 /// One comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
-    /// What is compared. Checks of the same quantity share a row of the summary.
+    /// The quantity that is compared. Checks of the same quantity share a row of the summary.
     pub quantity: String,
-    /// Which case, run or speed.
+    /// The case, run or speed.
     pub case: String,
     /// Where the expected number comes from.
     pub reference: &'static str,
@@ -57,11 +57,11 @@ pub struct Check {
     pub expected: Option<f64>,
     /// The number of the law or the program; `None` for a mean over many.
     pub got: Option<f64>,
-    /// Relative deviation, got/expected − 1, unless the quantity says of what else it is a share.
+    /// Relative deviation, got/expected − 1. If it is relative to another number, the name of the quantity says so.
     pub deviation: f64,
-    /// How far it may be off.
+    /// The deviation that is allowed.
     pub tolerance: Tolerance,
-    /// What is on record, if anything is.
+    /// The known deviation beyond the tolerance, if there is one.
     pub known: Option<Known>,
 }
 
@@ -94,7 +94,7 @@ impl Check {
         Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
     }
 
-    /// Whether the deviation is within the tolerance, or else within what is on record.
+    /// Whether the deviation is within the tolerance, or at least within the known deviation.
     pub fn verdict(&self) -> Verdict {
         let off = self.deviation.abs();
         if off <= self.tolerance.limit {
@@ -112,7 +112,7 @@ pub fn count(checks: &[Check], verdict: Verdict) -> usize {
     checks.iter().filter(|check| check.verdict() == verdict).count()
 }
 
-/// got/expected − 1; 0 where both are the same.
+/// The relative deviation got/expected − 1; 0 if both numbers are equal.
 pub fn deviation(expected: f64, got: f64) -> f64 {
     if got == expected { 0.0 } else { got / expected - 1.0 }
 }

@@ -1,4 +1,4 @@
-//! Published laws whose restitution has a closed form, integrated by rk8: Thornton (1997) and Johnson (1985).
+//! Checks of published laws whose restitution has a closed form: Thornton (1997) and Johnson (1985), integrated by rk8.
 
 use super::ValidationError;
 use super::check::{Check, Tolerance};
@@ -36,7 +36,7 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
         checks.push(Check::numbers(&name, case, reference, "", [expected, got], TOLERANCE));
         Ok::<_, ValidationError>(())
     };
-    // 1.6 σ_Y, so that the yield point is not taken from the program
+    // the yield pressure is given as 1.6 σ_Y, so that the yield point does not come from the program
     let pressure = 1.6 * STRENGTH;
     let contact_of_thornton = contact(&Thornton { yield_pressure: Some(pressure) })?;
     let radius = contact_of_thornton.sphere().radius;

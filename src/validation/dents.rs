@@ -1,4 +1,5 @@
-//! Radius of curvature of the dent: Eq. 25 from the peak of the finite elements, against circles fitted to their craters.
+//! Checks of the radius of curvature of the dent: Eq. 25 with the peak of the finite elements, against circles fitted
+//! to the dents of the finite elements.
 
 use super::ValidationError;
 use super::cases::cases;
@@ -10,7 +11,7 @@ use crate::reference::STATIC;
 const TABLE_2: f64 = 0.0139;
 const MARGIN: f64 = 0.002;
 
-/// R_res/R = R_e/(R_e − R) (Eqs. 24-25).
+/// Residual radius of the dent, R_res/R = R_e/(R_e − R) (Eqs. 24-25).
 pub(super) fn residual_radius(peak: &Peak) -> f64 {
     let ratio = peak.unloading_radius_ratio();
     ratio / (ratio - 1.0)
@@ -22,7 +23,7 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
     Ok(resolved
         .map(|cycle| {
             let [whole, inner] = cycle.residual_radii;
-            // where the crater is no circle, what is fitted depends on the range of the fit
+            // if the dent is not a circle, the fitted radius depends on the range of the fit
             let tolerance = Tolerance {
                 limit: TABLE_2 + MARGIN + (inner / whole - 1.0).abs(),
                 source: "Xie et al. 2024, Table 2: 1.39 %, margin 0.2 %, and the difference of fits within a and 0.7 a",

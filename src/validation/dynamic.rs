@@ -1,4 +1,4 @@
-//! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
+//! Checks of whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ const RADIATED: Tolerance = Tolerance {
     source: "documented 0 to 7 % below the reference, which has two or three digits (1.2 %)",
 };
 
-/// Rows of a trace that pictures are drawn from.
+/// Number of samples in the traces that pictures are drawn from.
 const SAMPLES: usize = 300;
 
 const SCENARIOS: [(&str, &str); 3] = [
@@ -31,11 +31,11 @@ const SCENARIOS: [(&str, &str); 3] = [
 /// One impact, by finite elements and by the law.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Its name, such as "D1".
+    /// The name, such as "D1".
     pub name: &'static str,
     /// Results of the finite elements.
     pub reference: ImpactRow,
-    /// Their samples, in the order of time.
+    /// Samples of the finite elements, in the order of time.
     pub samples: Vec<Sample>,
     /// The impact by the law with each of [`EXPONENTS`], with a trace.
     pub impacts: Vec<Impact>,
@@ -44,7 +44,7 @@ pub struct Case {
 /// The three impacts.
 ///
 /// # Errors
-/// [`ValidationError`] if a reference was damaged or an impact has no result.
+/// [`ValidationError`] if a reference is damaged or an impact has no result.
 pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationError> {
     let (references, samples) = (impacts::impacts()?, impacts::samples()?);
     let coefficients = Arc::new(coefficients.clone());
@@ -92,7 +92,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             row(&format!("restitution, {name}"), "", [fe.restitution, impact.restitution], tolerance);
             row(&format!("contact time, {name}"), "s", [fe.contact_time, impact.contact_time], TIME);
         }
-        // loading is the same under both exponents
+        // loading is the same with both exponents
         if let Some(impact) = case.impacts.first() {
             row("peak force", "N", [fe.peak_force, impact.peak_force], FORCE);
             row("residual indentation", "m", [fe.residual_indentation, impact.residual_indentation], DENT);

@@ -1,4 +1,4 @@
-//! Why a validation could not be made, and the exponents that it compares.
+//! Errors of a validation, and the exponents that it compares.
 
 use thiserror::Error;
 
@@ -10,10 +10,10 @@ use crate::plot::PlotError;
 use crate::reference::ReferenceError;
 use crate::scenario::ScenarioError;
 
-/// Why a validation could not be made.
+/// Why a validation has no result.
 #[derive(Debug, Error)]
 pub enum ValidationError {
-    /// A file that was given cannot be read, or its keys are refused.
+    /// A file of the user cannot be read, or its keys are refused.
     #[error(transparent)]
     Unreadable(ScenarioError),
     /// A file of measurements is refused.
@@ -22,21 +22,21 @@ pub enum ValidationError {
     /// A file of coefficients is refused.
     #[error("{file}: {problem}")]
     Coefficients {
-        /// The file.
+        /// The name of the file.
         file: String,
-        /// What is wrong with it.
+        /// What is wrong with the file.
         problem: String,
     },
-    /// A reference table that is compiled in is damaged.
+    /// A reference table of the program is damaged.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
-    /// A reference curve that is compiled in is damaged.
+    /// A reference curve of the program is damaged.
     #[error("reference curve {0}")]
     Curve(#[from] CurveError),
-    /// A reference scenario that is compiled in is refused.
+    /// A reference scenario of the program is refused.
     #[error("reference scenario {0}")]
     Scenario(ScenarioError),
-    /// An impact without a result.
+    /// An impact has no result.
     #[error(transparent)]
     Impact(#[from] ImpactError),
     /// A picture could not be drawn.

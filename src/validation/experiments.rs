@@ -1,15 +1,16 @@
-//! Measured restitution of one's own: a directory of CSV files, each with its bodies in comment lines.
+//! Restitution measured by the user: a directory of CSV files, each with the properties of its bodies in comment lines.
 //!
 //! ```text
-//! # sphere.radius = 1.5 mm                   (keys of a scenario: of [sphere], [half_space], [law], [gravity], [damping])
+//! # sphere.radius = 1.5 mm                   (keys of a scenario: of [sphere], [half_space], [law], [gravity],
+//! [damping])
 //! # half_space.hardness = 300 HV
 //! # source = who measured it, and where it is published
 //! speed_m_per_s,restitution,restitution_sd
 //! 2.0,0.533,0.012
 //! ```
 //!
-//! Other comment lines are free, and so are further columns. `restitution_sd`, the standard deviation, may be left out. With
-//! `half_space.density` the waves are counted. A key has the default that it has in a scenario.
+//! Other comment lines and other columns are ignored. `restitution_sd`, the standard deviation, may be left out. With
+//! `half_space.density` the law includes the loss by elastic waves. Keys have the same defaults as in a scenario.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,49 +22,50 @@ use crate::impact::{Contact, Method, Solver};
 use crate::law::{LawChoice, PlmCoefficients};
 use crate::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, read_text};
 
-/// A file of measured restitution, and the law beside it.
+/// A file of measured restitution, with the restitution by the law.
 #[derive(Debug, Clone)]
 pub struct Experiment {
-    /// The file's name without its ending.
+    /// The name of the file without its ending.
     pub name: String,
     /// Who measured; empty if the file does not say so.
     pub source: String,
-    /// What was measured.
+    /// The measurements.
     pub rows: Vec<Measured>,
-    /// The bodies under their law.
+    /// The two bodies and their law.
     contact: Contact,
 }
 
 /// A measured restitution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
-    /// Line of the file, from 1.
+    /// Line of the file, counted from 1.
     pub line: u64,
     /// Impact speed \[m/s\].
     pub speed: f64,
-    /// e.
+    /// Measured restitution e.
     pub restitution: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the measured e.
     pub sd: Option<f64>,
-    /// e by the law, with waves where the half-space has a density.
+    /// Restitution e by the law, with the loss by waves if the half-space has a density.
     pub law: f64,
 }
 
 impl Measured {
-    /// Law over measurement − 1.
+    /// Relative deviation: law over measurement − 1.
     pub fn deviation(&self) -> f64 {
         self.law / self.restitution - 1.0
     }
 }
 
-/// The tables whose keys a comment line may give.
+/// The tables of a scenario whose keys a comment line may give.
 const TABLES: [&str; 5] = ["sphere", "half_space", "law", "gravity", "damping"];
 const COLUMNS: [&str; 3] = ["speed_m_per_s", "restitution", "restitution_sd"];
 
-/// All experiments of a directory, by name. `coefficients` are those of the PLM, where a file names no others.
+/// All experiments of a directory, in the order of their names. `coefficients` are used for the PLM if a file names no
+/// others.
 ///
 /// # Errors
-/// [`ValidationError`] naming file, line, what is wrong and what is needed.
+/// [`ValidationError`] with the file, the line, what is wrong and what is needed.
 pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, ValidationError> {
     let refuse = |problem: String| refusal(directory, None, problem);
     let entries = fs::read_dir(directory).map_err(|error| refuse(format!("cannot be read: {error}")))?;
@@ -92,13 +94,14 @@ fn refusal(path: &Path, line: Option<u64>, message: String) -> ValidationError {
     ValidationError::Experiment(CurveError { name: path.display().to_string(), line, message })
 }
 
-/// The bodies that the comment lines name: a scenario in whose text every key stands in its line.
+/// The contact of the bodies in the comment lines. The keys are read as a scenario, in which every key has the line
+/// number that it has in the file.
 fn contact(path: &Path, text: &str, coefficients: &PlmCoefficients) -> Result<Contact, ValidationError> {
     let scenario: Vec<String> =
         text.lines().map(|line| line.strip_prefix('#').and_then(key).unwrap_or_default()).collect();
     let directory = path.parent().unwrap_or(Path::new("")).to_owned();
     let read = || -> Result<_, ScenarioError> {
-        // every row has a speed of its own
+        // the scenario needs a speed, which is not used: every row has its own
         let speed = "impact.speed=1".to_owned();
         let scenario = Scenario::from_text(&path.display().to_string(), &scenario.join("\n"), &[speed])?;
         let scenario = scenario.in_directory(directory);
@@ -114,7 +117,7 @@ fn contact(path: &Path, text: &str, coefficients: &PlmCoefficients) -> Result<Co
     scene.contact().map_err(|error| refusal(path, None, error.to_string()))
 }
 
-/// The line of a scenario that a comment stands for, if it gives a key.
+/// The line of a scenario for a comment that gives a key; `None` for other comments.
 fn key(comment: &str) -> Option<String> {
     let (key, value) = comment.split_once('=')?;
     let (key, value) = (key.trim(), value.trim());
@@ -168,7 +171,7 @@ fn law(contact: &Contact, speed: f64) -> Result<f64, crate::impact::ImpactError>
 }
 
 impl Experiment {
-    /// e by the law at a speed \[m/s\]; not a number where it has none.
+    /// Restitution by the law at a speed \[m/s\]; NaN if there is no result.
     pub fn law_at(&self, speed: f64) -> f64 {
         law(&self.contact, speed).unwrap_or(f64::NAN)
     }

@@ -1,4 +1,5 @@
-//! A half-space that hardens: the law at the energy that the finite elements spent, and the program against exact impacts.
+//! Checks of a half-space that hardens: the law, loaded with the same work as the finite elements, and the program
+//! against exact impacts.
 
 use std::sync::Arc;
 
@@ -14,10 +15,10 @@ const EXACT_REFERENCE: &str = "30-digit energy balance and quadrature, oracle_ha
 const EXACT: Tolerance = Tolerance { limit: 1e-12, source: "rounding; two digits are lost in shallow dents" };
 const INTEGRATED: Tolerance = Tolerance { limit: 1e-8, source: "100 x the default tolerance 1e-10" };
 
-/// The one quantity whose deviation is a difference: a shallow dent is a small number.
+/// The only quantity whose deviation is a difference, because a shallow dent would have a large relative deviation.
 const DENT: &str = "residual indentation, deviation over peak indentation";
 
-/// A quantity of an unloading: of the finite elements and of the law, and the largest deviation of one and of the rms.
+/// A quantity of an unloading by the finite elements and by the law, and the tolerances of one value and of the rms.
 struct Quantity {
     name: &'static str,
     of_reference: fn(&Unloaded) -> f64,
@@ -67,13 +68,13 @@ const QUANTITIES: [Quantity; 5] = [
 /// A load cycle by the law.
 pub(super) struct AtEnergy {
     peak: Peak,
-    /// √(recovered/spent work).
+    /// Restitution √(recovered/spent work).
     pub(super) restitution: f64,
-    /// a_m/R.
+    /// Contact radius at the peak, a_m/R.
     contact_radius: f64,
 }
 
-/// The load cycle that spends this work, in units of first yield.
+/// The load cycle in which loading takes this work, in units of first yield.
 pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEnergy {
     let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
     let peak = law.loaded_to(piece.indentation_at_work(spent));
@@ -81,7 +82,7 @@ pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEne
     AtEnergy { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
 }
 
-/// The law of these materials with its a_Y/R; without a flow curve if the half-space is taken not to harden.
+/// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
 pub(super) fn law(
     materials: &Materials,
     coefficients: &PlmCoefficients,
@@ -123,7 +124,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     Ok(checks)
 }
 
-/// Closed form and integration of the exact impacts, which are of the built-in law.
+/// Checks of closed form and integration against the exact impacts, which have the built-in law.
 fn of_program() -> Result<Vec<Check>, ValidationError> {
     let mut checks = Vec::new();
     let rows = impacts()?;

@@ -1,7 +1,7 @@
-//! Elastic impacts, integrated by rk8, against published values and against Hertz's closed forms.
+//! Checks of elastic impacts, integrated by rk8, against published values and against the closed forms of Hertz.
 //!
-//! The half-space of this model is never rigid. A sphere of modulus E on a rigid plane and a rigid sphere of the same
-//! density on a half-space of modulus E are the same problem: F = (4/3) E* √R δ^1.5 with E* = E/(1 − ν²) in both.
+//! The half-space of this model is never rigid. But a sphere of modulus E on a rigid plane, and a rigid sphere of the
+//! same density on a half-space of modulus E, are the same problem: in both F = (4/3) E* √R δ^1.5 with E* = E/(1 − ν²).
 
 use super::ValidationError;
 use super::check::{Check, Tolerance};
@@ -14,7 +14,7 @@ const RIGID: Material = Material { youngs_modulus: f64::INFINITY, poissons_ratio
 const CHUNG_OOI: &str = "Hertz impact with the inputs of Chung & Ooi 2011, test 2";
 const LAMMPS: &str = "LAMMPS pair granular, hertz/material, wall";
 const PRINTED: &str = "half a unit of the last digit";
-/// (4/5) B(2/5, 1/2).
+/// Contact time of Hertz's impact in units of peak indentation over speed: (4/5) B(2/5, 1/2).
 const HERTZ_TIME: f64 = 2.943_275_184_324_704_7;
 
 struct HertzImpact {
@@ -25,7 +25,7 @@ struct HertzImpact {
     density: f64,
     speed: f64,
     reference: &'static str,
-    /// Published values: quantity, unit, value, half a unit of its last digit.
+    /// Published values: quantity, unit, value, and half a unit of its last digit.
     values: &'static [(&'static str, &'static str, f64, f64)],
 }
 

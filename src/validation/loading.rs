@@ -1,4 +1,5 @@
-//! Loading: force, sphere and half-space indentation, contact radius along the five finite-element curves.
+//! Checks of loading: force, indentations of sphere and half-space, and contact radius along the five finite-element
+//! curves.
 
 use super::ValidationError;
 use super::cases::{Case, cases};
@@ -20,7 +21,7 @@ pub(super) struct Quantity {
     pub of_point: fn(&Case, &LoadingPoint) -> Option<f64>,
 }
 
-/// The quantities that are compared, in units of the yield point.
+/// The quantities that are compared, in units of first yield.
 pub(super) const QUANTITIES: [Quantity; 4] = [
     Quantity { name: "force", of_law: |_, law, x| law.loading.force(x), of_point: |_, point| Some(point.force) },
     Quantity {
@@ -40,7 +41,7 @@ pub(super) const QUANTITIES: [Quantity; 4] = [
     },
 ];
 
-/// x, and the expected and the computed value of a quantity, at every point from first yield on.
+/// x, and the expected and the computed value of a quantity, at all points from first yield on.
 pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f64; 2])> {
     let pair = |point: &LoadingPoint| {
         let expected = (quantity.of_point)(case, point)?;
@@ -49,7 +50,7 @@ pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f
     case.plastic().filter_map(pair).collect()
 }
 
-/// Root mean square of the deviations along each curve, a row for each.
+/// One check for each curve: the root mean square of the deviations along it.
 fn spreads(laws: &[(&Case, Law)], quantity: &Quantity, tolerance: Tolerance) -> Vec<Check> {
     let name = format!("loading: {}, rms over the curve", quantity.name);
     let spread = |(case, law): &(&Case, Law)| {
@@ -61,7 +62,7 @@ fn spreads(laws: &[(&Case, Law)], quantity: &Quantity, tolerance: Tolerance) -> 
     laws.iter().map(spread).collect()
 }
 
-/// The largest deviation along each curve, a row for each.
+/// One check for each curve: the largest deviation along it.
 fn largest(laws: &[(&Case, Law)], quantity: &Quantity, unit: &'static str, tolerance: Tolerance) -> Vec<Check> {
     let name = format!("loading: {}, largest over the curve", quantity.name);
     let off = |(_, [expected, got]): &(f64, [f64; 2])| deviation(*expected, *got).abs();

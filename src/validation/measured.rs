@@ -1,7 +1,7 @@
-//! Measured restitution: rebound hardness after Leeb, which is restitution times 1000.
+//! Checks of measured restitution: rebound hardness after Leeb, which is restitution times 1000.
 //!
-//! One strength for each test block is found from device D alone; the other devices, with other masses, speeds and tips, are
-//! then predicted. Exponent "pressure-shape", with elastic waves.
+//! The strength of each test block is found from device D alone. Then the rebound of the other devices, which have
+//! other masses, speeds and tips, is predicted with the exponent "pressure-shape" and elastic waves.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ const TIP: f64 = 1.5e-3;
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 const STEEL_DENSITY: f64 = 7850.0;
 
-/// What a test block may be off: 30 of HL, the lower end of what its maker states.
+/// Tolerance of a test block: 30 HL, the lower end of the values that the makers state.
 const BLOCK: f64 = 30.0;
 const OF_RMS: Tolerance = Tolerance { limit: 0.02, source: "found 1.8 %, margin 0.2 %" };
 
@@ -43,7 +43,8 @@ pub(super) fn restitution(
     Ok(impact.restitution_with_waves().unwrap_or(impact.restitution))
 }
 
-/// The yield strength \[Pa\] of a block on which the device gives this restitution; e rises with the strength.
+/// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
+/// strength.
 fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, ValidationError> {
     let (mut low, mut high) = (ln(1e7), ln(1e11));
     for _ in 0..60 {

@@ -1,5 +1,5 @@
-//! The program against 30-digit arithmetic: every impact of `src/reference/oracle.csv`, in closed form and integrated. The
-//! law has the built-in coefficients, whatever is validated.
+//! Checks of the program against 30-digit arithmetic: every impact of `src/reference/oracle.csv`, in closed form and
+//! integrated. These checks always use the built-in coefficients, also if others are validated.
 
 use serde::Deserialize;
 

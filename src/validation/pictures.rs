@@ -1,5 +1,5 @@
-//! Pictures of the comparison: points are the reference, lines the law. In the form of Figs. 5-9, 11 and 12 of Xie et al.
-//! (2024), for all cases, and deviations against depth.
+//! Pictures of the validation: points are the reference, lines are the law. They have the form of Figs. 5-9, 11 and 12
+//! of Xie et al. (2024), for all cases; others show deviations against depth.
 
 mod cycles;
 mod dents;
@@ -23,7 +23,7 @@ use crate::progress::Counter;
 
 /// A picture before it is drawn.
 struct Picture {
-    /// Without its ending.
+    /// The name of the file without its ending.
     name: String,
     lines: Lines,
 }
@@ -48,16 +48,16 @@ impl Picture {
     }
 }
 
-/// Index of a style of the same colour as another, with other dashes and marker.
+/// Add this to the index of a style to get a style of the same colour with other dashes and another marker.
 const SISTER: usize = 7;
 
-/// "case-3".
+/// The name of a case in file names, such as "case-3".
 fn slug(case: &str) -> String {
     case.to_lowercase().replace(' ', "-")
 }
 
-/// Axes of indentation and force in units of the yield point, up to `room` times a peak, and what forces are divided by:
-/// labels of five digits would run into the title.
+/// Axes of indentation and force in units of first yield, up to `room` times a peak. Also the number by which forces
+/// are divided, because labels of five digits would overlap the title.
 fn loop_axes(peak: &Peak, room: f64) -> ([Axis; 2], f64) {
     let (unit, title) =
         if peak.force >= 1e4 { (1e3, "Force over 1000 × yield force") } else { (1.0, "Force over yield force") };
@@ -65,17 +65,17 @@ fn loop_axes(peak: &Peak, room: f64) -> ([Axis; 2], f64) {
     ([x, Axis::linear(title, "").between(0.0, room * peak.force / unit)], unit)
 }
 
-/// A curve of `n` points from `low` to `high`.
+/// A curve of `n` equal pieces from `low` to `high`.
 fn sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
     (0..=n).map(|i| point(low + (high - low) * f64::from(i) / f64::from(n))).collect()
 }
 
-/// The same with even ratios.
+/// A curve of `n` pieces from `low` to `high`, with equal ratios.
 fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
     sampled(ln(low), ln(high), n, |at| point(exp(at)))
 }
 
-/// All pictures, those of measurements of one's own last. Counted are the pictures.
+/// All pictures; those of the user's measurements come last. `progress` counts the pictures.
 ///
 /// # Errors
 /// [`ValidationError`].

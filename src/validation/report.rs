@@ -8,10 +8,10 @@ use super::check::{Check, Verdict, count, largest, mean, rms};
 use crate::math::power::max_or_nan;
 use crate::units::aligned::aligned;
 
-/// `validation.csv`: every row; deviations and tolerances are shares.
+/// The text of `validation.csv`, with a row for every check. Deviations and tolerances are shares, not per cent.
 ///
 /// # Errors
-/// What the CSV writer reports.
+/// An error of the CSV writer.
 pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -44,7 +44,7 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| error.into_error().into())
 }
 
-/// Rows of one quantity.
+/// The checks of one quantity.
 struct Group<'a> {
     quantity: &'a str,
     checks: Vec<&'a Check>,
@@ -55,7 +55,7 @@ impl Group<'_> {
         self.checks.iter().map(|check| check.deviation).collect()
     }
 
-    /// "pass", or how many rows do not.
+    /// "pass", or the number of checks that do not pass.
     fn verdict(&self) -> String {
         let count = |verdict| self.checks.iter().filter(|check| check.verdict() == verdict).count();
         match (count(Verdict::Miss), count(Verdict::Known)) {
@@ -65,13 +65,13 @@ impl Group<'_> {
         }
     }
 
-    /// What is on record of rows that are beyond their tolerance.
+    /// The remark on known deviations, if a check has one.
     fn remark(&self) -> Option<&'static str> {
         let known = self.checks.iter().find(|check| check.verdict() == Verdict::Known);
         known.and_then(|check| check.known).map(|known| known.remark)
     }
 
-    /// Smallest and largest limit.
+    /// The smallest and the largest tolerance.
     fn tolerance(&self) -> String {
         let limits = || self.checks.iter().map(|check| check.tolerance.limit);
         let (low, high) = (limits().fold(f64::INFINITY, f64::min), limits().fold(0.0, max_or_nan));
@@ -79,7 +79,7 @@ impl Group<'_> {
     }
 }
 
-/// In order of first appearance.
+/// The checks grouped by quantity, in the order in which the quantities first occur.
 fn groups(checks: &[Check]) -> Vec<Group<'_>> {
     let mut groups: Vec<Group> = Vec::new();
     for check in checks {
@@ -91,7 +91,7 @@ fn groups(checks: &[Check]) -> Vec<Group<'_>> {
     groups
 }
 
-/// A share in per cent, or, where that is too small to read, as it is.
+/// A share in per cent; below 1e-4 as a plain number.
 fn share(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude == 0.0 {
@@ -103,12 +103,12 @@ fn share(value: f64) -> String {
     }
 }
 
-/// The same with its sign.
+/// A share as [`share`] writes it, with a plus sign if it is positive.
 fn signed(value: f64) -> String {
     if value > 0.0 { format!("+{}", share(value)) } else { share(value) }
 }
 
-/// The line that sums up everything.
+/// The line that summarises all checks.
 fn verdict(checks: &[Check]) -> String {
     let known = match count(checks, Verdict::Known) {
         0 => String::new(),
@@ -120,7 +120,7 @@ fn verdict(checks: &[Check]) -> String {
     }
 }
 
-/// A line for each quantity, under the names of the columns.
+/// The names of the columns, and a row for each quantity.
 fn summary(checks: &[Check]) -> Vec<[String; 7]> {
     let mut rows = vec![["quantity", "checks", "mean", "rms", "largest", "tolerance", "verdict"].map(str::to_owned)];
     rows.extend(groups(checks).iter().map(|group| {
@@ -139,7 +139,7 @@ fn summary(checks: &[Check]) -> Vec<[String; 7]> {
     rows
 }
 
-/// The summary, misses and what is on record, for the terminal.
+/// The summary, the misses and the known deviations, for the terminal.
 pub fn table(checks: &[Check]) -> String {
     let mut text = aligned(&summary(checks), |column| column == 0 || column == 6);
     for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
@@ -155,8 +155,8 @@ pub fn table(checks: &[Check]) -> String {
     text + &verdict(checks) + "\n"
 }
 
-/// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in law
-/// it also says where the law is off, and shows some of the `pictures`.
+/// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in
+/// law it also says where the law deviates, and shows some of the pictures.
 pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
     let mut rows = String::new();
     for row in summary(checks).iter().skip(1) {

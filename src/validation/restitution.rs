@@ -1,4 +1,5 @@
-//! Load cycles: dent depth and restitution of the whole law, loading and unloading, at the reference's depth.
+//! Checks of load cycles: dent depth and restitution by the whole law, loading and unloading, at the peak indentation
+//! of the reference.
 
 use super::cases::cases;
 use super::check::{Check, Known, Tolerance, mean, rms};
@@ -8,18 +9,18 @@ use crate::reference::STATIC;
 
 const DENT: Tolerance = Tolerance { limit: 0.022, source: "documented 2 % of the dent's depth, margin 0.2 %" };
 
-/// Found by this validation.
+/// Known deviation of the dent depth, found by this validation.
 const UNFITTED: Known = Known {
     limit: 0.024,
     remark: "for the softest sphere (case 1) below 30 delta_Y, where there was no loading curve to fit the law to",
 };
 
-/// e of a load cycle to x, √(recovered/spent work).
+/// Restitution of a load cycle to x: √(recovered/spent work).
 pub(super) fn restitution(law: &Law, x: f64) -> f64 {
     (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
 }
 
-/// Tolerances of one cycle, of the mean, and of the root mean square.
+/// Tolerances of a single cycle, of the mean, and of the root mean square.
 fn tolerances(exponent: UnloadingExponent) -> [Tolerance; 3] {
     match exponent {
         UnloadingExponent::Paper => [

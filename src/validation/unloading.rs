@@ -1,4 +1,4 @@
-//! Unloading from the peak of the finite elements: the depth of the dent, and the force on the way back.
+//! Checks of unloading from the peak of the finite elements: depth of the dent, and force during unloading.
 
 use super::cases::{Case, Cycle, cases};
 use super::check::{Check, Tolerance};
@@ -10,7 +10,7 @@ const SHALLOW: Tolerance = Tolerance { limit: 0.03, source: "Xie et al. 2024, Fi
 const DEEP: Tolerance = Tolerance { limit: 0.02, source: "Xie et al. 2024, Fig. 6: 2 % from 6 delta_Y on" };
 const FORCE: Tolerance = Tolerance { limit: 0.052, source: "documented 5 % of the peak force, margin 0.2 %" };
 
-/// The unloading branch with peak and dent of the finite elements, so that only its shape is compared.
+/// The unloading branch of the law with peak and dent of the finite elements, so that only the shape is compared.
 pub(super) fn branch(
     case: &Case,
     cycle: &Cycle,
@@ -23,7 +23,7 @@ pub(super) fn branch(
     Unloading::power(Peak { elastic_approach, ..cycle.peak }, exponent)
 }
 
-/// The point where the force is farthest off: x, and the expected and the computed force in units of the peak force.
+/// The point with the largest deviation of the force: x, and the expected and the computed force over the peak force.
 pub(super) fn farthest(cycle: &Cycle, branch: &Unloading) -> Option<(f64, [f64; 2])> {
     let of_peak = |force: f64| force / cycle.peak.force;
     let pairs = cycle.points.iter().map(|[x, f, _]| (*x, [of_peak(*f), of_peak(branch.force(*x))]));

@@ -1,5 +1,5 @@
-//! Many unloadings together: from the peaks of the finite elements (Fig. 9), and loading and unloading by the law alone
-//! (Fig. 11).
+//! Pictures of several unloadings: from the peaks of the finite elements (Fig. 9), and by the law alone with its
+//! loading curve (Fig. 11).
 
 use super::super::EXPONENTS;
 use super::super::cases::{Case, Cycle};
@@ -8,7 +8,7 @@ use super::{Picture, SISTER, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, Unloading, UnloadingExponent};
 use crate::plot::Series;
 
-/// Unloadings of the picture of the combined law.
+/// Number of unloadings in the picture of loading and unloading by the law alone.
 const COMBINED: usize = 3;
 
 pub(super) fn pictures(case: &Case, coefficients: &PlmCoefficients) -> Vec<Picture> {
@@ -22,12 +22,12 @@ pub(super) fn pictures(case: &Case, coefficients: &PlmCoefficients) -> Vec<Pictu
     pictures
 }
 
-/// Several curves as one series: a point that is no number parts them.
+/// Several curves as one series, separated by points of NaN.
 fn joined(curves: impl Iterator<Item = Vec<(f64, f64)>>) -> Vec<(f64, f64)> {
     curves.flat_map(|curve| curve.into_iter().chain([(f64::NAN, f64::NAN)])).collect()
 }
 
-/// Points of the finite elements, x or x_h against f over `unit`.
+/// Points of the finite elements: x or x_h, and f over `unit`.
 fn points(case: &Case, cycles: &[&Cycle], of_half_space: bool, unit: f64) -> Vec<(f64, f64)> {
     let kappa = case.sphere_compliance();
     let deepest = cycles.last().map_or(0.0, |cycle| cycle.peak.indentation);
@@ -37,7 +37,7 @@ fn points(case: &Case, cycles: &[&Cycle], of_half_space: bool, unit: f64) -> Vec
     thinned(case, deepest).chain(unloading).map(place).collect()
 }
 
-/// The unloading branch in the same form.
+/// The unloading branch of the law: x or x_h, and f over `unit`.
 fn curve(case: &Case, unloading: &Unloading, of_half_space: bool, unit: f64) -> Vec<(f64, f64)> {
     let kappa = if of_half_space { case.sphere_compliance() } else { 0.0 };
     let peak = unloading.peak;

@@ -1,4 +1,4 @@
-//! The crater after unloading, and the circle of Eq. 25 (Fig. 7).
+//! Pictures of the dent after unloading, with the circle of Eq. 25 (Fig. 7).
 
 use super::super::cases::Case;
 use super::super::dents::residual_radius;
@@ -10,7 +10,7 @@ use crate::units::rounded::number;
 pub(super) fn picture(case: &Case) -> Option<Picture> {
     let cycle = case.cycles.iter().find(|cycle| !cycle.dent.is_empty())?;
     let radius = residual_radius(&cycle.peak);
-    // lengths in R: δ_Y/R = (a_Y/R)²
+    // lengths are in units of R, and δ_Y/R = (a_Y/R)²
     let depth = cycle.peak.residual() * powi(case.loading.yield_radius_ratio, 2);
     let points = cycle.dent.iter().map(|[r, z]| (*r, 1e3 * z)).collect();
     let circle =

@@ -1,5 +1,5 @@
-//! Against depth: deviations of force, indentations and contact radius while loading, of the dent, of the force while
-//! unloading, of restitution; and restitution itself.
+//! Pictures against depth: deviations of force, indentations and contact radius during loading, of the dent, of the
+//! force during unloading, and of restitution; and restitution itself.
 
 use super::super::EXPONENTS;
 use super::super::cases::Case;
@@ -61,7 +61,7 @@ fn capital(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Fig. 6.
+/// The deviation of the residual indentation, as in Fig. 6.
 fn residual(cases: &[Case]) -> Picture {
     let series = cases.iter().map(|case| {
         let cycles = case

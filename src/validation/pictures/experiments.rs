@@ -1,4 +1,4 @@
-//! Measured restitution of one's own against speed.
+//! Pictures of the user's measured restitution against speed.
 
 use super::{Picture, log_sampled};
 use crate::plot::{Axis, Series};
@@ -9,7 +9,7 @@ pub(super) fn picture(experiment: &Experiment) -> Picture {
     let slowest = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
     let fastest = points.iter().map(|point| point.0).fold(0.0, f64::max);
     let law = log_sampled(slowest / 1.5, 1.5 * fastest, 300, |speed| (speed, experiment.law_at(speed)));
-    // a point that is no number ends the bar before it
+    // a point of NaN separates the bars
     let bar = |e: f64, sd: f64, speed: f64| [(speed, e - sd), (speed, e + sd), (f64::NAN, f64::NAN)];
     let bars = experiment.rows.iter().filter_map(|row| Some(bar(row.restitution, row.sd?, row.speed)));
     let bars: Vec<(f64, f64)> = bars.flatten().collect();

@@ -1,4 +1,5 @@
-//! Restitution against depth of half-spaces that harden, with the line of the initial yield strength beside each.
+//! Picture of restitution against depth on half-spaces that harden, by the law with the flow curve and with the initial
+//! yield strength.
 
 use super::super::ValidationError;
 use super::super::hardening::{at_energy, law};
@@ -7,7 +8,7 @@ use crate::law::PlmCoefficients;
 use crate::plot::{Axis, Series};
 use crate::reference::hardening::unloadings;
 
-/// The materials that are drawn, and what to call them.
+/// The materials that are drawn, and their names in the picture.
 const DRAWN: [(&str, &str); 3] = [
     ("c3n10", "steel, power law, N = 0.1"),
     ("alvoce", "aluminium, Voce"),

@@ -1,4 +1,4 @@
-//! Whole impacts: force against indentations and against time (Fig. 12).
+//! Pictures of whole impacts: force against indentations and against time (Fig. 12).
 
 use super::super::EXPONENTS;
 use super::super::dynamic::Case;
@@ -7,7 +7,7 @@ use crate::impact::TraceRow;
 use crate::plot::{Axis, Series};
 use crate::reference::impacts::Sample;
 
-/// An indentation: name, of the reference, of the law.
+/// An indentation: its name, its value in the reference, and its value in the law.
 type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
 
 const SHARES: [Share; 3] = [
@@ -24,7 +24,7 @@ fn title(case: &Case) -> String {
     format!("Impact {} (scenarios/dynamic-fe-{}.toml)", case.name, slug(case.name))
 }
 
-/// Restitution by finite elements and under each exponent.
+/// Restitution by the finite elements and by the law with each exponent.
 fn notes(case: &Case) -> Vec<String> {
     let of_law =
         case.impacts.iter().zip(EXPONENTS).map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution));

@@ -1,5 +1,5 @@
-//! Rebound hardness of steels against their tensile strength: what is measured, and the law with two strengths that are often
-//! taken for the one that it wants.
+//! Picture of the rebound hardness of steels against their tensile strength: as measured, and by the law with two
+//! strengths that are often used as yield strength.
 
 use std::sync::Arc;
 
@@ -13,7 +13,8 @@ use crate::reference::measured::{Steel, devices, steels};
 /// 0.2 % yield strength of a structural steel over its tensile strength.
 const YIELD_RATIO: f64 = 0.65;
 
-/// The outline of all lines from end to end: up along the lowest, back along the highest.
+/// The outline of the band between the lowest and the highest hardness of all steels, whose hardness is linear in the
+/// tensile strength.
 fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
     let strengths = || steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength);
     let (weakest, strongest) = (strengths().fold(f64::INFINITY, f64::min), strengths().fold(0.0, f64::max));

@@ -1,4 +1,5 @@
-//! One unloading at a time: its shape (Fig. 5), and force against approach, sphere and half-space indentation (Fig. 8).
+//! Pictures of single unloadings: the shape (Fig. 5), and force against the approach and the indentations of sphere and
+//! half-space (Fig. 8).
 
 use super::super::EXPONENTS;
 use super::super::cases::{Case, Cycle};
@@ -9,12 +10,12 @@ use crate::math::functions::pow;
 use crate::plot::{Axis, Series};
 use crate::units::rounded::number;
 
-/// Unloadings of one picture of shapes.
+/// Largest number of unloadings in a picture of shapes.
 const MOST_SHAPES: usize = 6;
-/// Depths shown with their shares.
+/// Largest number of depths in pictures of force against approach and indentations.
 const DEPTHS: usize = 4;
 
-/// `count` of the items, evenly spread, first and last among them.
+/// `count` of the items at even steps, including the first and the last.
 fn spread<T: Copy>(items: &[T], count: usize) -> Vec<T> {
     if items.len() <= count || count < 2 {
         return items.to_vec();
@@ -22,7 +23,7 @@ fn spread<T: Copy>(items: &[T], count: usize) -> Vec<T> {
     (0..count).map(|i| items[i * (items.len() - 1) / (count - 1)]).collect()
 }
 
-/// Force over peak force against recovered approach over all of it.
+/// Force over peak force against the approach still to be recovered, as a share of all that is recovered.
 pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     let cycles = spread(&case.distinct_cycles(), MOST_SHAPES);
     let mut series: Vec<Series> = cycles
@@ -34,7 +35,7 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         })
         .collect();
     for (exponent, name) in EXPONENTS {
-        // the deepest shows the smallest exponent
+        // the deepest unloading has the smallest exponent
         let Some(cycle) = cycles.last() else { continue };
         let n = branch(case, cycle, coefficients, exponent).exponent;
         let name = if n == 1.5 { name.to_owned() } else { format!("{name}, deepest: n = {}", number(n)) };
@@ -52,7 +53,7 @@ pub(super) fn pictures(case: &Case, coefficients: &PlmCoefficients) -> Vec<Pictu
     spread(&case.distinct_cycles(), DEPTHS).into_iter().map(|cycle| picture(case, cycle, coefficients)).collect()
 }
 
-/// Times which the sphere's indentation is drawn, so that it can be read.
+/// The factor by which the indentation of the sphere is enlarged in the picture.
 fn magnification(share: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0]
         .into_iter()
@@ -93,7 +94,8 @@ fn picture(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients) -> Pictur
     .with_notes(["Law: from the peak", "of the finite elements"])
 }
 
-/// Points x, f, x_s of the loading curve up to a peak, none closer than a twentieth of the way to the next.
+/// Points x, f and x_s of the loading curve below the indentation `up_to`, at distances of at least a twentieth of
+/// `up_to`.
 pub(super) fn thinned(case: &Case, up_to: f64) -> impl Iterator<Item = [f64; 3]> {
     let kappa = case.sphere_compliance();
     let mut last = f64::NEG_INFINITY;

@@ -1,4 +1,4 @@
-//! What the report says of measurements of one's own.
+//! The report of the user's measurements.
 
 use std::fmt::Write as _;
 
@@ -10,10 +10,10 @@ use crate::validation::experiments::{Experiment, Measured};
 /// The columns of the summary.
 const SUMMARY: [&str; 7] = ["measurements", "points", "bias", "rms", "largest", "within 2 sd", "source"];
 
-/// `experiments.csv`: every measured restitution and the law.
+/// The text of `experiments.csv`: every measured restitution, and the restitution by the law.
 ///
 /// # Errors
-/// What the CSV writer reports.
+/// An error of the CSV writer.
 pub fn csv(experiments: &[Experiment]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["file", "line", "speed_m_per_s", "restitution", "restitution_sd", "law", "deviation"])?;
@@ -26,7 +26,7 @@ pub fn csv(experiments: &[Experiment]) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| error.into_error().into())
 }
 
-/// A line for each file, under the names of the columns: bias and rms of law over measurement − 1.
+/// The names of the columns, and a row for each file with bias and rms of law over measurement − 1.
 fn summary(experiments: &[Experiment]) -> Vec<[String; 7]> {
     let of_file = |experiment: &Experiment| {
         let deviations: Vec<f64> = experiment.rows.iter().map(Measured::deviation).collect();
