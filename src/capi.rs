@@ -1,14 +1,15 @@
-//! The contact law for C, C++, Fortran and other languages: an indentation and a memory in, a force out (feature `capi`).
+//! The contact law for C, C++, Fortran and other languages: it computes a force from an indentation and a memory
+//! (feature `capi`).
 //!
 //! ```text
 //! cargo rustc --release --lib --features capi --crate-type staticlib    # or cdylib
 //! ```
 //!
-//! The header is `src/capi/plm_impact.h`. Everything is in SI units. A contact may be used by many threads at once; what a
-//! contact remembers (δ_m \[m\], F_m \[N\], the part of δ_m that is recovered on unloading \[m\]) belongs to the caller, and is
-//! zero for a fresh contact: see [`Memory`].
+//! The header is `src/capi/plm_impact.h`. Everything is in SI units. Many threads may use a contact at the same time.
+//! The memory of a contact (δ_m \[m\], F_m \[N\], the part of δ_m that is recovered on unloading \[m\]) belongs to the
+//! caller. It is zero for a fresh contact: see [`Memory`].
 
-// Raw pointers cross the border here and nowhere else. Every block says why it is sound.
+// Raw pointers are used only in this file. Every unsafe block says why it is sound.
 #![allow(unsafe_code)]
 
 use std::ffi::{CStr, c_char};
@@ -25,14 +26,14 @@ use crate::scenario::Scenario;
 #[allow(non_camel_case_types)] // the name it has in C
 pub struct plm_contact(Contact);
 
-/// The contact of a scenario that is given as a TOML text: the keys are those of a scenario file, and [impact] may be left
-/// out. Files that it names are relative to the working directory.
+/// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and [impact] may be
+/// left out. Paths of files in the text are relative to the working directory.
 ///
-/// Returns NULL for a bad scenario, and writes why into `error`: at most `length` bytes with the final zero. Free the
-/// contact with `plm_contact_free`.
+/// Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
+/// Free the contact with `plm_contact_free`.
 ///
 /// # Safety
-/// `scenario_toml` ends with a zero; `error` is NULL or has `length` bytes.
+/// `scenario_toml` ends with a zero byte; `error` is NULL or has `length` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_new(
     scenario_toml: *const c_char,
@@ -43,7 +44,8 @@ pub unsafe extern "C" fn plm_contact_new(
     unsafe { new(scenario_toml, error, length, |text| Scenario::from_text("scenario", text, &[])) }
 }
 
-/// The contact of a scenario file. As `plm_contact_new`; files that the scenario names are relative to its folder.
+/// The contact of a scenario file. Otherwise as `plm_contact_new`, but paths in the scenario are relative to its
+/// folder.
 ///
 /// # Safety
 /// As `plm_contact_new`.
@@ -60,21 +62,23 @@ pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_cha
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
     if !contact.is_null() {
-        // SAFETY: made by Box::into_raw in `new`, and the caller gives it up
+        // SAFETY: made by Box::into_raw in `new`, and the caller does not use it afterwards
         drop(unsafe { Box::from_raw(contact) });
     }
 }
 
-/// Force [N] at an indentation [m] by the law alone; `memory` (three doubles, zero for a fresh contact) follows.
+/// Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
 ///
 /// The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
-/// (indentation <= 0), not where the force ends. Not a number: the indentation or the memory is none, or a pointer is NULL.
+/// (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or the memory is NaN, or a
+/// pointer is NULL.
 ///
 /// # Safety
-/// `contact` is NULL or lives; `memory` is NULL or has three doubles that no other thread uses meanwhile.
+/// `contact` is NULL or not yet freed; `memory` is NULL or has three doubles that no other thread uses at the same
+/// time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_force(contact: *const plm_contact, indentation: f64, memory: *mut f64) -> f64 {
-    // SAFETY: as the caller promises; a double is any bits
+    // SAFETY: as the caller promises; any bits are a valid double
     let (Some(contact), Some(memory)) = (unsafe { contact.as_ref() }, unsafe { memory.cast::<[f64; 3]>().as_mut() })
     else {
         return f64::NAN;
@@ -83,10 +87,10 @@ pub unsafe extern "C" fn plm_contact_force(contact: *const plm_contact, indentat
 }
 
 /// `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
-/// force[i] belong to indentation[i]. Does nothing where a pointer is NULL.
+/// force[i] belong to indentation[i]. Does nothing if a pointer is NULL.
 ///
 /// # Safety
-/// `contact` lives; the arrays have `n`, 3 `n` and `n` doubles and do not overlap.
+/// `contact` is NULL or not yet freed; the arrays are NULL or have `n`, 3 `n` and `n` doubles, and do not overlap.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_forces(
     contact: *const plm_contact,
@@ -98,7 +102,7 @@ pub unsafe extern "C" fn plm_contact_forces(
     if n == 0 || contact.is_null() || indentation.is_null() || memory.is_null() || force.is_null() {
         return;
     }
-    // SAFETY: not NULL, and as long and as separate as the caller promises
+    // SAFETY: not NULL; length and separation are as the caller promises
     let (contact, indentations, memories, forces) = unsafe {
         (
             &*contact,
@@ -114,11 +118,11 @@ pub unsafe extern "C" fn plm_contact_forces(
     });
 }
 
-/// Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, of the loading
-/// curve beyond it.
+/// Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the
+/// loading curve beyond it.
 ///
 /// # Safety
-/// `contact` is NULL or lives; `memory` is NULL or has three doubles.
+/// `contact` is NULL or not yet freed; `memory` is NULL or has three doubles.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_stiffness(
     contact: *const plm_contact,
@@ -129,11 +133,11 @@ pub unsafe extern "C" fn plm_contact_stiffness(
     unsafe { read(contact, memory, f64::NAN, |contact, memory| contact.stiffness(indentation, memory)) }
 }
 
-/// Where the work of a contact is [J], after `plm_contact_force` gave this force at this indentation and memory: returns what
-/// unloading gives back, and writes into `plastic`, where that is not NULL, what the dent has taken.
+/// Energies of a contact [J], after `plm_contact_force` gave this force and memory at this indentation. Returns the
+/// stored energy, which unloading gives back. Writes the plastic work of the dent into `plastic` if that is not NULL.
 ///
 /// # Safety
-/// As `plm_contact_stiffness`; `plastic` is NULL or a double.
+/// As `plm_contact_stiffness`; `plastic` is NULL or points to a double.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_energy(
     contact: *const plm_contact,
@@ -153,11 +157,11 @@ pub unsafe extern "C" fn plm_contact_energy(
     energy.stored
 }
 
-/// Radius of the sphere [m]. A sphere of another radius r has the same law in r: with s = radius/r its force is
-/// plm_contact_force at s times its indentation, over s squared.
+/// Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
+/// plm_contact_force at s times its indentation, divided by s squared.
 ///
 /// # Safety
-/// `contact` is NULL or lives.
+/// `contact` is NULL or not yet freed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_radius(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
@@ -167,29 +171,29 @@ pub unsafe extern "C" fn plm_contact_radius(contact: *const plm_contact) -> f64 
 /// Mass of the sphere [kg].
 ///
 /// # Safety
-/// `contact` is NULL or lives.
+/// `contact` is NULL or not yet freed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_mass(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
     unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.mass())
 }
 
-/// Speed [m/s] of the slowest impact that yields; not a number for a contact that stays elastic and for a law that yields at
+/// Speed [m/s] of the slowest impact that yields; NaN for a contact that stays elastic and for a law that yields at
 /// once.
 ///
 /// # Safety
-/// `contact` is NULL or lives.
+/// `contact` is NULL or not yet freed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_yield_speed(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
     unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.yield_speed().unwrap_or(f64::NAN))
 }
 
-/// Contact time [s] of the whole impact at a speed [m/s], and the coefficient of restitution into `restitution` where that
-/// is not NULL; not a number where there is none.
+/// Contact time [s] of the whole impact at a speed [m/s]; NaN if there is no result. Writes the coefficient of
+/// restitution into `restitution` if that is not NULL.
 ///
 /// # Safety
-/// `contact` is NULL or lives; `restitution` is NULL or a double.
+/// `contact` is NULL or not yet freed; `restitution` is NULL or points to a double.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f64, restitution: *mut f64) -> f64 {
     // SAFETY: as the caller promises
@@ -216,7 +220,7 @@ fn from_doubles([indentation, force, elastic_approach]: &[f64; 3]) -> Memory {
     Memory { indentation: *indentation, force: *force, elastic_approach: *elastic_approach }
 }
 
-/// What a question to a contact and its memory gives; `nothing` where a pointer is NULL.
+/// Calls `question` with a contact and its memory; returns `nothing` if a pointer is NULL.
 ///
 /// # Safety
 /// As `plm_contact_stiffness`.
@@ -229,7 +233,7 @@ unsafe fn read<T>(
 where
     T: Copy,
 {
-    // SAFETY: as the caller promises; a double is any bits
+    // SAFETY: as the caller promises; any bits are a valid double
     let (Some(contact), Some(memory)) = (unsafe { contact.as_ref() }, unsafe { memory.cast::<[f64; 3]>().as_ref() })
     else {
         return nothing;
@@ -237,7 +241,7 @@ where
     guarded(nothing, || question(&contact.0, &from_doubles(memory)))
 }
 
-/// No panic crosses the border.
+/// Runs `work`; if it panics, returns `otherwise`, so that no panic reaches the caller in C.
 fn guarded<T>(otherwise: T, work: impl FnOnce() -> T) -> T {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or(otherwise)
 }
@@ -271,7 +275,7 @@ unsafe fn new(
     }
 }
 
-/// As much of a text as there is room for, whole characters, and a zero.
+/// Writes as many whole characters of a text as fit, and a final zero.
 ///
 /// # Safety
 /// `to` is NULL or has `length` bytes.

@@ -1,7 +1,8 @@
-//! The Python module `plm_impact` (feature `python`): what the command does, with arrays in and out.
+//! The Python module `plm_impact` (feature `python`): it does what the command does, with arrays as input and output.
 //!
-//! Keys, units, ranges and sentences come from the registries of [`crate::scene`]; a dict is read as the TOML text it stands
-//! for. What takes time runs on threads of its own, with the interpreter released and Ctrl-C heard.
+//! Keys, units, ranges and explanations come from the registries of [`crate::scene`]. A dict is converted to the TOML
+//! text of a scenario. Long computations run on threads of the module; meanwhile the interpreter is free, and Ctrl-C
+//! stops them.
 
 mod cases;
 mod contact;
@@ -58,8 +59,8 @@ mod _core {
         Ok(laws)
     }
 
-    /// The materials that scenarios may name, each as a dict: name, title, note, and for each of its properties the value and
-    /// the range in SI units, the basis and the sources.
+    /// The materials that scenarios may name, each as a dict: name, title, note, and for each of its properties the
+    /// value and the range in SI units, the basis and the sources.
     #[pyfunction]
     fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         let materials = crate::materials::all().iter().map(|entry| {

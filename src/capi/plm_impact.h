@@ -18,21 +18,22 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The contact of a scenario that is given as a TOML text: the keys are those of a scenario file, and [impact] may be left
- * out. Files that it names are relative to the working directory.
+ * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and [impact] may be
+ * left out. Paths of files in the text are relative to the working directory.
  *
- * Returns NULL for a bad scenario, and writes why into `error`: at most `length` bytes with the final zero. Free the
- * contact with `plm_contact_free`.
+ * Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
+ * Free the contact with `plm_contact_free`.
  *
  * # Safety
- * `scenario_toml` ends with a zero; `error` is NULL or has `length` bytes.
+ * `scenario_toml` ends with a zero byte; `error` is NULL or has `length` bytes.
  */
 struct plm_contact *plm_contact_new(const char *scenario_toml,
                                     char *error,
                                     uintptr_t length);
 
 /**
- * The contact of a scenario file. As `plm_contact_new`; files that the scenario names are relative to its folder.
+ * The contact of a scenario file. Otherwise as `plm_contact_new`, but paths in the scenario are relative to its
+ * folder.
  *
  * # Safety
  * As `plm_contact_new`.
@@ -50,13 +51,15 @@ struct plm_contact *plm_contact_open(const char *path,
 void plm_contact_free(struct plm_contact *contact);
 
 /**
- * Force [N] at an indentation [m] by the law alone; `memory` (three doubles, zero for a fresh contact) follows.
+ * Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
  *
  * The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
- * (indentation <= 0), not where the force ends. Not a number: the indentation or the memory is none, or a pointer is NULL.
+ * (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or the memory is NaN, or a
+ * pointer is NULL.
  *
  * # Safety
- * `contact` is NULL or lives; `memory` is NULL or has three doubles that no other thread uses meanwhile.
+ * `contact` is NULL or not yet freed; `memory` is NULL or has three doubles that no other thread uses at the same
+ * time.
  */
 double plm_contact_force(const struct plm_contact *contact,
                          double indentation,
@@ -64,10 +67,10 @@ double plm_contact_force(const struct plm_contact *contact,
 
 /**
  * `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
- * force[i] belong to indentation[i]. Does nothing where a pointer is NULL.
+ * force[i] belong to indentation[i]. Does nothing if a pointer is NULL.
  *
  * # Safety
- * `contact` lives; the arrays have `n`, 3 `n` and `n` doubles and do not overlap.
+ * `contact` is NULL or not yet freed; the arrays are NULL or have `n`, 3 `n` and `n` doubles, and do not overlap.
  */
 void plm_contact_forces(const struct plm_contact *contact,
                         uintptr_t n,
@@ -76,22 +79,22 @@ void plm_contact_forces(const struct plm_contact *contact,
                         double *force);
 
 /**
- * Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, of the loading
- * curve beyond it.
+ * Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the
+ * loading curve beyond it.
  *
  * # Safety
- * `contact` is NULL or lives; `memory` is NULL or has three doubles.
+ * `contact` is NULL or not yet freed; `memory` is NULL or has three doubles.
  */
 double plm_contact_stiffness(const struct plm_contact *contact,
                              double indentation,
                              const double *memory);
 
 /**
- * Where the work of a contact is [J], after `plm_contact_force` gave this force at this indentation and memory: returns what
- * unloading gives back, and writes into `plastic`, where that is not NULL, what the dent has taken.
+ * Energies of a contact [J], after `plm_contact_force` gave this force and memory at this indentation. Returns the
+ * stored energy, which unloading gives back. Writes the plastic work of the dent into `plastic` if that is not NULL.
  *
  * # Safety
- * As `plm_contact_stiffness`; `plastic` is NULL or a double.
+ * As `plm_contact_stiffness`; `plastic` is NULL or points to a double.
  */
 double plm_contact_energy(const struct plm_contact *contact,
                           double indentation,
@@ -100,11 +103,11 @@ double plm_contact_energy(const struct plm_contact *contact,
                           double *plastic);
 
 /**
- * Radius of the sphere [m]. A sphere of another radius r has the same law in r: with s = radius/r its force is
- * plm_contact_force at s times its indentation, over s squared.
+ * Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
+ * plm_contact_force at s times its indentation, divided by s squared.
  *
  * # Safety
- * `contact` is NULL or lives.
+ * `contact` is NULL or not yet freed.
  */
 double plm_contact_radius(const struct plm_contact *contact);
 
@@ -112,25 +115,25 @@ double plm_contact_radius(const struct plm_contact *contact);
  * Mass of the sphere [kg].
  *
  * # Safety
- * `contact` is NULL or lives.
+ * `contact` is NULL or not yet freed.
  */
 double plm_contact_mass(const struct plm_contact *contact);
 
 /**
- * Speed [m/s] of the slowest impact that yields; not a number for a contact that stays elastic and for a law that yields at
+ * Speed [m/s] of the slowest impact that yields; NaN for a contact that stays elastic and for a law that yields at
  * once.
  *
  * # Safety
- * `contact` is NULL or lives.
+ * `contact` is NULL or not yet freed.
  */
 double plm_contact_yield_speed(const struct plm_contact *contact);
 
 /**
- * Contact time [s] of the whole impact at a speed [m/s], and the coefficient of restitution into `restitution` where that
- * is not NULL; not a number where there is none.
+ * Contact time [s] of the whole impact at a speed [m/s]; NaN if there is no result. Writes the coefficient of
+ * restitution into `restitution` if that is not NULL.
  *
  * # Safety
- * `contact` is NULL or lives; `restitution` is NULL or a double.
+ * `contact` is NULL or not yet freed; `restitution` is NULL or points to a double.
  */
 double plm_contact_time(const struct plm_contact *contact,
                         double speed,

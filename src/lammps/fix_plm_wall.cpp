@@ -1,9 +1,9 @@
 /* fix plm/wall: spheres against a flat wall by the contact law of plm-impact.
    SPDX-License-Identifier: GPL-2.0-or-later
 
-   A contact remembers its largest state: three doubles in a slot of each sphere, in the units of the scenario's sphere. A
-   sphere of another radius r has the same law in r, so that one contact serves all radii: with s = R/r its indentation is
-   taken times s, and the force over s^2. */
+   The memory of a contact is three doubles in a slot of each sphere. They belong to the sphere of the scenario, with
+   radius R. The law of a sphere of another radius r follows by scaling, so one scenario serves all radii: with s = R/r,
+   the indentation is multiplied by s and the force is divided by s^2. */
 
 #include "fix_plm_wall.h"
 
@@ -25,11 +25,14 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 
 namespace {
-enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere: ENDED is plastic work of contacts that are over
-// doubles of a slot: number of the wall (0: free), memory, plastic work, indentation; the last two for the contact of the scenario
+enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is the plastic work of ended contacts
+// doubles of a slot: number of the wall (0: no contact), memory (3), plastic work, indentation; the last two belong to
+// the sphere of the scenario
 enum { WALL, MEMORY, TAKEN = 4, NOW, SLOT };
-constexpr double STEPS_FOR_E = 70.0;          // steps a contact for e within 0.1 %: plots/bench/README.md, the worst problem
-constexpr double CURVED = 50.0;               // a region of fewer times a sphere's radius is no plane: the relative radius is off by 2 %
+// steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
+constexpr double STEPS_FOR_E = 70.0;
+// below this radius of a region, over the radius of the sphere, a warning is given: the relative radius is off by 2 %
+constexpr double CURVED = 50.0;
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
@@ -137,7 +140,8 @@ void FixPLMWall::setup(int vflag)
   is_advised = true;
 }
 
-/* Says once which time step the fastest spheres need: by the same similarity their speed counts as v sqrt(density ratio). */
+/* Reports once which time step is needed for the shortest contact. By the same scaling, a speed v is
+   v sqrt(density ratio) for the sphere of the scenario. */
 void FixPLMWall::advise()
 {
   double shortest = HUGE_VAL;
@@ -210,7 +214,7 @@ void FixPLMWall::post_force(int /*vflag*/)
   }
 }
 
-/* A contact: n is the normal of the wall, towards the sphere. */
+/* Adds the force of a contact. n is the normal of the wall, towards the sphere. */
 void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot)
 {
   const plm_contact *contact = laws[atom->type[i]].contact;
@@ -226,20 +230,20 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   f[1] += force * ny;
   f[2] += force * nz;
 
-  // a dent that does not grow takes nothing
+  // the plastic work changes only if the dent grows
   if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
   slot[NOW] = indentation;
   state[i][DENT] = (slot[MEMORY] - slot[MEMORY + 2]) / scale / length_unit;
   state[i][PLASTIC] += slot[TAKEN] / of_energy(scale);
 }
 
-/* Radius of the scenario's sphere over that of a sphere. */
+/* Radius of the sphere of the scenario over the radius of sphere i. */
 double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / atom->radius[i]; }
 
-/* What an energy of the contact of the scenario is divided by for a sphere of another radius, in units of LAMMPS. */
+/* Divides an energy of the scenario's contact, to get the energy of a sphere of another radius in units of LAMMPS. */
 double FixPLMWall::of_energy(double scale) const { return scale * scale * scale * force_unit * length_unit; }
 
-/* The sphere has left the surface: what the dent took stays, the next contact is a fresh one. */
+/* The sphere has left the surface: its plastic work is kept, and the next contact is a fresh one. */
 void FixPLMWall::leave(int i, double *slot)
 {
   const double taken = slot[TAKEN] / of_energy(scale_of(i));
@@ -248,7 +252,7 @@ void FixPLMWall::leave(int i, double *slot)
   std::fill_n(slot, (int) SLOT, 0.0);
 }
 
-/* Energy that is stored in the contacts or has gone into dents. */
+/* Energy stored in the contacts, and plastic work of the dents. */
 double FixPLMWall::compute_scalar() { return compute_vector(0) + compute_vector(1); }
 
 double FixPLMWall::compute_vector(int k)
@@ -294,7 +298,7 @@ int FixPLMWall::unpack_exchange(int i, double *buffer)
   return values;
 }
 
-/* A restart file has the number of doubles first. */
+/* In a restart file the number of doubles comes first. */
 int FixPLMWall::pack_restart(int i, double *buffer)
 {
   buffer[0] = values + 1;

@@ -44,21 +44,21 @@ class FixPLMWall : public Fix {
   double scale_of(int i) const;
   double of_energy(double scale) const;
 
-  double height;                              // of the plane
-  char *region_name;                          // or the region whose surface is the wall
+  double height;                              // height of the plane
+  char *region_name;                          // id of the region whose surface is the wall; null for a plane
   class Region *region;
-  int walls;                                  // contacts that a sphere can have at once
-  int values;                                 // doubles of a sphere: the columns below, and a slot for each of its contacts
-  std::map<int, plm_contact *> contacts;      // by atom type; 0 stands for all others
+  int walls;                                  // largest number of contacts of one sphere at the same time
+  int values;                                 // doubles per sphere: the columns below, and a slot for each contact
+  std::map<int, plm_contact *> contacts;      // by atom type; type 0 stands for all other types
   struct Law {
     const plm_contact *contact;
-    double radius;                            // of the sphere of its scenario
+    double radius;                            // radius of the sphere in the scenario, in units of LAMMPS
   };
-  std::vector<Law> laws;                      // of every atom type
-  double length_unit, force_unit, mass_unit, time_unit;    // of LAMMPS, in SI
-  double **state;                             // dent depth, plastic work of ended contacts, then the slots
-  bool is_advised;
-  bool is_curved;                             // and that was said
+  std::vector<Law> laws;                      // the law of every atom type
+  double length_unit, force_unit, mass_unit, time_unit;    // units of LAMMPS, in SI units
+  double **state;                             // per sphere: dent depth, plastic work, that of ended contacts, slots
+  bool is_advised;                            // whether the time step was reported
+  bool is_curved;                             // whether it was warned of a curved region
 };
 
 }    // namespace LAMMPS_NS

@@ -1,4 +1,4 @@
-/* What LAMMPS asks of a plug-in.
+   /* The interface of the plug-in to LAMMPS.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #include "fix_plm_wall.h"
@@ -8,7 +8,7 @@
 
 namespace {
 
-/* The interface of LAMMPS plug-ins, as its manual describes it (section "Writing plugins"). */
+/* The structure that LAMMPS needs from a plug-in, as in its manual (section "Writing plugins"). */
 struct Plugin {
   const char *version, *style, *name, *info, *author;
   union {
@@ -25,7 +25,7 @@ void *make(void *lmp, int narg, char **arg)
 
 }    // namespace
 
-/* PLM_LAMMPS_VERSION is the number of the LAMMPS whose headers were taken, PLM_LAMMPS_NAME its name; see build.py. */
+/* PLM_LAMMPS_VERSION and PLM_LAMMPS_NAME are number and name of the LAMMPS whose headers were used; see build.py. */
 extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
 {
   const int version = lammps_version(lmp);

@@ -1,4 +1,4 @@
-//! Cases that are given as arrays of keys: what they mean, whether they are allowed, and the plan of their table.
+//! Cases that are given as arrays of keys: finds the keys, checks the values, and makes the plan of their table.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -19,11 +19,11 @@ use crate::run::table::warnings;
 use crate::scenario::Scenario;
 use crate::scene::{KEYS, Key};
 
-/// What a key is given as: numbers in SI, all of them allowed.
+/// A key and its values in SI units, all of them in the allowed range.
 struct Given<'py> {
     key: &'static Key,
     array: PyReadonlyArrayDyn<'py, f64>,
-    /// The smallest and the largest; none without any.
+    /// The smallest and the largest value; `None` if there are no values.
     ends: Option<[f64; 2]>,
 }
 
@@ -46,7 +46,7 @@ impl<'py> Given<'py> {
         Ok(self.array.as_slice()?)
     }
 
-    /// Finds the ends, which are the first to be out of range.
+    /// Finds the smallest and the largest value, and refuses values out of range.
     fn check(&mut self) -> PyResult<()> {
         let values = self.values()?;
         let Some(first) = values.first() else { return Ok(()) };
@@ -72,7 +72,8 @@ fn refused(key: &Key, place: &str, message: &str) -> PyErr {
     PyValueError::new_err(format!("{}{place}: {message}", key.path))
 }
 
-/// The plan of a table in which these keys vary, each between its ends; refused as a scenario with these axes is.
+/// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
+/// same reasons as a scenario with these axes.
 fn plan(scenario: &Scenario, given: &[&Given]) -> PyResult<Plan> {
     let overrides = given.iter().map(|given| {
         let value = given.ends.map_or_else(|| given.key.quantity.example.to_owned(), |[low, _]| format!("{low:?}"));
@@ -91,15 +92,15 @@ fn plan(scenario: &Scenario, given: &[&Given]) -> PyResult<Plan> {
     Ok(plan)
 }
 
-/// The numeric keys that a name of an argument may mean: `impact.speed` by its path, as `impact_speed` or as `speed`.
+/// The numeric keys that the name of an argument may mean. For `impact.speed` the names are `impact.speed`,
+/// `impact_speed` and `speed`.
 fn meant(name: &str) -> Vec<&'static Key> {
     let whole = KEYS.iter().find(|key| key.path == name || key.path.replace('.', "_") == name);
     let last = KEYS.iter().filter(|key| key.path.rsplit('.').next() == Some(name));
     whole.map_or_else(|| last.collect(), |key| vec![key])
 }
 
-/// The arguments with the key that each of them means. Where several keys have the same name, it is the one that changes
-/// something.
+/// The arguments with their keys. If a name fits several keys, the key is used that the scenario allows to vary.
 fn keys<'py>(scenario: &Scenario, arguments: &Bound<'py, PyDict>) -> PyResult<Vec<Given<'py>>> {
     let mut clear = Vec::new();
     let mut unclear = Vec::new();
@@ -135,7 +136,7 @@ fn keys<'py>(scenario: &Scenario, arguments: &Bound<'py, PyDict>) -> PyResult<Ve
         found.extend(fits.pop().map_or_else(|| refusal.map_or(Ok(None), Err), |given| Ok(Some(given)))?);
     }
     clear.extend(found);
-    // the order of the file: what follows from several keys does not depend on the order of arguments
+    // the order of the registry, so that results do not depend on the order of the arguments
     clear.sort_by_key(|given| KEYS.iter().position(|key| key.path == given.key.path));
     Ok(clear)
 }
@@ -166,7 +167,7 @@ pub fn impacts(scenario: &Scenario, arguments: &Bound<'_, PyDict>) -> PyResult<T
     Ok(Table::of_shape(shape, made.table(&plan, columns.into_iter().map(Column::numbers).collect())))
 }
 
-/// e at these speeds, in an array of their shape; a number for one speed.
+/// Restitution at these speeds, in an array of their shape, or as a number for one speed.
 pub fn restitution<'py>(
     scenario: &Scenario,
     key: &'static Key,
@@ -198,7 +199,7 @@ pub fn restitution<'py>(
     if shape.len()? == 0 { array.call_method0("item") } else { Ok(array) }
 }
 
-/// The same in closed form; not a number where there is none.
+/// Restitution in closed form; NaN for a speed without a result.
 fn exact(contact: &impact::Contact, speeds: &[f64], is_cancelled: &AtomicBool) -> Vec<f64> {
     let mut restitutions = vec![0.0; speeds.len()];
     let pieces = restitutions.par_chunks_mut(TOGETHER).zip(speeds.par_chunks(TOGETHER));

@@ -26,10 +26,10 @@ use crate::scene::{KEYS, Key, Scene};
 
 /// The key of the argument `speed`.
 const SPEED: &str = "impact.speed";
-/// What the contact is called in messages.
+/// The name of the contact in messages.
 const NAME: &str = "Contact";
 
-/// What a contact is made of.
+/// The data of a contact.
 #[derive(Debug)]
 pub struct Inner {
     scenario: Scenario,
@@ -62,7 +62,7 @@ impl Contact {
         let scene = if scenario.document.has("impact") {
             scenario.resolve()
         } else {
-            // any speed will do where none is given; it is not used
+            // the scenario needs a speed; any speed is right, because it is not used
             with(&scenario, [format!("{SPEED}=1")])
                 .and_then(|any| any.resolve())
                 .map(|scene| Scene { speed: f64::NAN, ..scene })
@@ -77,7 +77,7 @@ impl Contact {
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         let refused = |message: String| PyValueError::new_err(format!("{SPEED}: {message}"));
         match speed {
-            // says what is missing
+            // the error says what is missing
             None => Ok(self.scenario.resolve().map_err(exception)?.speed),
             Some(speed) => {
                 let quantity = speed_key()?.quantity;
@@ -106,8 +106,8 @@ fn speed_key() -> PyResult<&'static Key> {
 }
 
 /// A table of impacts of a contact. Every other argument is a numeric key with its values, by the last part of its path
-/// (`speed`), by the whole of it (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`). Values are
-/// numbers in SI, arrays of them, or a text with a unit; arrays are broadcast against each other.
+/// (`speed`), by the whole of it (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`). Values
+/// are numbers in SI, arrays of them, or a text with a unit; arrays are broadcast against each other.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
 pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {
@@ -124,13 +124,14 @@ impl Contact {
         Self::of(py, &Source { text, ..Source::default() })
     }
 
-    /// The coefficient of restitution at these speeds, an array or a number, as tables have it: by the closed form where there
-    /// is one, on all cores.
+    /// The coefficient of restitution at these speeds, an array or a number, as tables have it: by the closed form
+    /// where there is one, on all cores.
     fn restitution<'py>(&self, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         cases::restitution(&self.scenario, speed_key()?, speed)
     }
 
-    /// One impact at a speed, a number in m/s or a text with a unit; with a trace of so many rows, if `samples` are given.
+    /// One impact at a speed, a number in m/s or a text with a unit; with a trace of so many rows, if `samples` are
+    /// given.
     #[pyo3(signature = (speed=None, *, samples=None))]
     fn impact(&self, py: Python<'_>, speed: Option<&Bound<'_, PyAny>>, samples: Option<usize>) -> PyResult<Impact> {
         let speed = self.speed(speed)?;
@@ -145,9 +146,10 @@ impl Contact {
         Ok(Impact { contact: self.clone(), impact })
     }
 
-    /// The force of the law \[N\] on n contacts at their indentations \[m\], and their memory afterwards. The memory has a row for
-    /// each contact: largest indentation so far \[m\], force there \[N\], what of that indentation is recovered \[m\]; zeros
-    /// (or no memory at all) are a contact that was never loaded. Neither speed nor damping counts.
+    /// The force of the law \[N\] on n contacts at their indentations \[m\], and their memory afterwards. The memory
+    /// has a row for each contact: largest indentation so far \[m\], force there \[N\], what of that indentation is
+    /// recovered \[m\]; zeros (or no memory at all) are a contact that was never loaded. Neither speed nor damping
+    /// counts.
     #[pyo3(signature = (indentation, memory=None))]
     fn force<'py>(
         &self,
@@ -180,8 +182,8 @@ fn unexpected(error: serde_json::Error) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`, `impact.contact_time_s`,
-/// `impact.energy` (a dict); `dir(impact)` lists them. `None` where a result has no value.
+/// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
+/// `impact.contact_time_s`, `impact.energy` (a dict); `dir(impact)` lists them. `None` where a result has no value.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Impact {
@@ -194,7 +196,7 @@ impl Impact {
         Single { contact: &self.contact.contact, impact: &self.impact }
     }
 
-    /// With a trace, if it was computed without.
+    /// The impact with a trace. If it has none, it is computed again with a trace.
     fn traced(&self) -> PyResult<std::borrow::Cow<'_, impact::Impact>> {
         if self.impact.trace.is_empty() {
             let samples = Some(self.contact.scene.samples);
@@ -253,7 +255,7 @@ impl Impact {
     }
 }
 
-/// Rows of a trace as a table of the results that they have.
+/// The table of a trace, with the columns that have values.
 fn of_rows(results: &[Reported<TraceRow>], rows: &[TraceRow]) -> Table {
     let there = results.iter().filter(|result| rows.first().is_some_and(|row| (result.value)(row).is_some()));
     let columns = there.map(|result| {

@@ -1,4 +1,4 @@
-//! Between Python and the library: dicts to scenarios, JSON to objects, errors and warnings.
+//! Conversions between Python and the library: dicts to scenarios, JSON to objects, errors to exceptions, warnings.
 
 use std::ffi::CString;
 use std::fmt::Write as _;
@@ -12,10 +12,10 @@ use serde_json::Value;
 use crate::error::Error;
 use crate::scenario::{Place, Scenario, ScenarioError};
 
-/// Tables in tables that a scenario may have, and more.
+/// Largest depth of dicts and lists inside of each other; no scenario needs as much.
 const DEEPEST: usize = 16;
 
-/// The TOML text of a scenario that is given as a dict: every table under its name, its keys in the order of the dict.
+/// The TOML text of a scenario that is given as a dict. The tables and their keys keep the order of the dict.
 pub fn scenario_text(tables: &Bound<'_, PyDict>) -> PyResult<String> {
     let (mut text, mut rest) = (String::new(), String::new());
     for (name, value) in tables {
@@ -27,14 +27,14 @@ pub fn scenario_text(tables: &Bound<'_, PyDict>) -> PyResult<String> {
                     let _ = writeln!(rest, "{} = {value}", quoted(&inner));
                 }
             }
-            // before the tables, or they would be taken for a part of one
+            // plain keys come before the tables; after a table they would belong to it
             plain => drop(writeln!(text, "{name} = {plain}")),
         }
     }
     Ok(text + &rest)
 }
 
-/// The name of a key as TOML.
+/// The name of a key in TOML.
 fn key(name: &Bound<'_, PyAny>) -> PyResult<String> {
     let text = name.extract::<String>().map_err(|_| PyTypeError::new_err(format!("a key is a text, not {name}")))?;
     Ok(quoted(&text))
@@ -45,7 +45,7 @@ fn quoted(name: &str) -> String {
     if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { Value::from(name).to_string() }
 }
 
-/// A value of a dict as TOML; `place` is its key, for messages.
+/// A value of a dict in TOML. Messages use `place`, the path of its key.
 pub fn toml_value(value: &Bound<'_, PyAny>, place: &str, depth: usize) -> PyResult<toml::Value> {
     if depth > DEEPEST {
         return Err(PyValueError::new_err(format!("{place}: too many dicts or lists inside of each other")));
@@ -90,7 +90,7 @@ pub fn toml_value(value: &Bound<'_, PyAny>, place: &str, depth: usize) -> PyResu
     Err(found(&format!("found {}, expected a number, a text, a list or a dict", value.get_type().name()?)))
 }
 
-/// Numbers in SI as a NumPy array of doubles in one piece of memory; `place` is what they are, for messages.
+/// Numbers in SI units as a contiguous NumPy array of doubles. Messages use `place`, the name of the numbers.
 pub fn numbers<'py>(value: &Bound<'py, PyAny>, place: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     refuse_lost(value, place)?;
     let numpy = value.py().import("numpy")?;
@@ -99,11 +99,11 @@ pub fn numbers<'py>(value: &Bound<'py, PyAny>, place: &str) -> PyResult<Bound<'p
     if !["i", "u", "f"].contains(&dtype.getattr("kind")?.extract::<String>()?.as_str()) {
         return Err(PyTypeError::new_err(format!("{place}: found the type {dtype}, expected numbers in SI")));
     }
-    // what comes from another process may begin anywhere in memory
+    // arrays from another process may not be aligned in memory
     Ok(numpy.call_method1("require", (array, "float64", ["C", "A"]))?.cast_into::<PyArrayDyn<f64>>()?)
 }
 
-/// Refuses what NumPy would drop in silence: units that an array brings along, and the mask of a masked array.
+/// Refuses arrays with units and masked arrays, because NumPy would drop units and mask without a warning.
 pub fn refuse_lost(value: &Bound<'_, PyAny>, place: &str) -> PyResult<()> {
     for (name, what) in [
         ("units", "a unit of its own; give plain numbers in SI, or a text such as \"5 mm\""),
@@ -141,13 +141,13 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
     })
 }
 
-/// The exception of an error: `ValueError` where the input has to change, `RuntimeError` where a run failed.
+/// The exception of an error: `ValueError` if the input has to change, `RuntimeError` if a run failed.
 pub fn exception(error: impl Into<Error>) -> PyErr {
     let error = error.into();
     if let Error::Scenario(ScenarioError::Refused(refusal)) = &error
         && let Place::Override { .. } = refusal.place
     {
-        // what the command calls `--set` is an argument here
+        // the key is an argument here, so the message must not name the option --set
         let key = refusal.key.strip_prefix("sweep.").unwrap_or(&refusal.key);
         return PyValueError::new_err(format!("{key}: {}", refusal.message));
     }
@@ -165,7 +165,7 @@ pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) ->
     Scenario::from_source(scenario.document.name(), &source)
 }
 
-/// Says what is doubtful.
+/// Issues Python warnings.
 pub fn warn<'a>(py: Python<'_>, warnings: impl IntoIterator<Item = &'a String>) -> PyResult<()> {
     for warning in warnings {
         let text = CString::new(warning.replace('\0', " "))?;

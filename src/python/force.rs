@@ -1,4 +1,4 @@
-//! The law for n contacts at once, for codes that move spheres in Python.
+//! The force of the law for n contacts at once, for programs that move spheres in Python.
 
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
@@ -9,7 +9,7 @@ use super::convert::numbers;
 use super::work::{TOGETHER, interruptible};
 use crate::impact::{self, Memory};
 
-/// Forces and memories of contacts at these indentations.
+/// The forces of contacts at these indentations, and their memories afterwards.
 pub fn force<'py>(
     contact: &impact::Contact,
     indentation: &Bound<'py, PyAny>,
@@ -51,10 +51,10 @@ pub fn force<'py>(
     Ok((forces, memories))
 }
 
-/// How far a memory may be from the law: more than the rounding of a text file with seven digits.
+/// Largest relative difference between a given memory and the law. It allows for a text file with seven digits.
 const ROUNDING: f64 = 1e-6;
 
-/// The force of one contact; its memory is brought up to date.
+/// The force of one contact. Updates its memory `row`.
 fn respond(contact: &impact::Contact, indentation: f64, row: &mut [f64]) -> Result<f64, String> {
     if !indentation.is_finite() {
         return Err(format!("an indentation of {indentation} m is not allowed: it must be finite"));

@@ -1,4 +1,4 @@
-//! How long the library takes without Python, for `src/python/bench/bench.py`.
+//! Measures the time of the library without Python, for `src/python/bench/bench.py`.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -10,7 +10,7 @@ use super::convert::{exception, with};
 use crate::run::table::plan;
 use crate::sweep::throughput::compute_rate;
 
-/// Impacts that are timed together.
+/// Number of impacts that are timed together.
 const BURST: u32 = 20;
 
 /// Seconds of a table of so many speeds, and of one impact at 3 m/s: each once.

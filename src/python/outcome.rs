@@ -1,4 +1,4 @@
-//! A scenario of any kind, run as the command runs it.
+//! Runs a scenario of any kind, as the command does.
 
 use std::path::Path;
 
@@ -35,7 +35,8 @@ pub struct Outcome {
     table: Option<Py<Table>>,
 }
 
-/// Runs a scenario, from a file or from a dict of the same form, with other values for the keys in `set`. Nothing is written.
+/// Runs a scenario, from a file or from a dict of the same form, with other values for the keys in `set`. Nothing is
+/// written.
 #[pyfunction]
 #[pyo3(signature = (scenario, /, *, set=None))]
 pub fn run(py: Python<'_>, scenario: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Outcome> {
@@ -81,7 +82,7 @@ fn run_table(py: Python<'_>, scenario: &Scenario, command: &str) -> PyResult<Out
     Ok(Outcome { warnings, text, files, table: Some(Py::new(py, table)?) })
 }
 
-/// What the rows of a table come to.
+/// Counts of the rows of a table, and the statistics of e.
 fn tally(plan: &Plan, table: &Table, status: &[u8]) -> Tally {
     let mut tally = Tally::of(plan);
     let Some(Column::Numbers(restitutions)) = table.column("restitution") else { return tally };
@@ -159,7 +160,7 @@ impl Outcome {
     }
 }
 
-/// The columns of a CSV file: numbers, unless there is a word among them.
+/// The columns of a CSV file. A column holds numbers if all its fields are numbers or empty, else words.
 fn of_csv(bytes: &[u8]) -> Table {
     let mut reader = csv::Reader::from_reader(bytes);
     let names: Vec<String> =

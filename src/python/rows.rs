@@ -1,4 +1,4 @@
-//! Rows of tables, made on all threads.
+//! Computes the rows of tables on all threads.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -17,17 +17,17 @@ use crate::scene::results::Column as Result;
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
 use crate::sweep::pace::{LONGEST, Pace};
 
-/// Rows that were made.
+/// Computed rows.
 #[derive(Debug)]
 pub struct Made {
-    /// A column for each number of a row.
+    /// The columns of numbers: swept values, then results.
     pub columns: Vec<Vec<f64>>,
-    /// What became of every row: [`failure`].
+    /// The status of every row, as [`code`] numbers it.
     pub status: Vec<u8>,
 }
 
 impl Made {
-    /// The whole table: what `swept` has, the numbers that were made, and the status.
+    /// The whole table: the columns of `swept`, the computed columns, and the status.
     pub fn table(self, plan: &Plan, swept: Vec<Column>) -> Vec<(String, Column)> {
         let words = ["ok"].into_iter().chain(Failure::ALL.map(Failure::name)).map(str::to_owned);
         let status = Column::Words(words.collect(), self.status.iter().map(|code| i32::from(*code)).collect());
@@ -37,7 +37,8 @@ impl Made {
     }
 }
 
-/// Rows of a plan at listed values of these keys, with these results. A yield strength that follows from them comes first.
+/// Rows of a plan at listed values of these keys, with these results. If the yield strength follows from the keys, it
+/// is the first column.
 pub fn listed(py: Python<'_>, plan: &Plan, keys: &[(&Key, &[f64])], rows: usize, results: &[Result]) -> PyResult<Made> {
     interruptible(py, |is_cancelled| {
         let evaluator = Evaluator::new(plan);
@@ -55,7 +56,7 @@ pub fn of_plan(py: Python<'_>, plan: &Plan) -> PyResult<(Made, Vec<Column>)> {
             evaluator.rows(cases.start as u64..cases.end as u64, made);
         })
     })??;
-    // on a grid the first are places on its axes
+    // on a grid the first columns are places on its axes
     let axes = if let Cases::Grid(axes) = &plan.cases { axes.as_slice() } else { &[] };
     let swept =
         axes.iter().zip(made.columns.drain(..axes.len())).map(|(axis, places)| on_axis(axis, &places)).collect();
@@ -75,12 +76,12 @@ fn on_axis(axis: &Axis, places: &[f64]) -> Column {
     }
 }
 
-/// The place of a failure among the statuses; 0 is a row that has its results.
+/// The number of a failure in a status; 0 is a row with results.
 pub fn code(failure: Failure) -> u8 {
     (1..).zip(Failure::ALL).find(|(_, known)| *known == failure).map_or(0, |(code, _)| code)
 }
 
-/// What became of a row.
+/// The failure of a status; `None` for a row with results.
 pub fn failure(status: u8) -> Option<Failure> {
     Failure::ALL.get(usize::from(status).checked_sub(1)?).copied()
 }
@@ -100,7 +101,7 @@ struct Piece<'a> {
     status: &'a mut [u8],
 }
 
-/// Makes rows on all threads: the columns of what is swept, those of results, and the status of every row.
+/// Computes rows on all threads: the columns of swept values, the columns of results, and the status of every row.
 fn fill(
     rows: usize,
     n_swept: usize,
@@ -109,7 +110,7 @@ fn fill(
     make: impl Fn(Range<usize>, &mut Rows) + Sync,
 ) -> PyResult<Made> {
     let width = n_swept + results.len();
-    // one column more for the status
+    // one more column for the status
     let cells = rows.saturating_mul(width + 1);
     if Vec::<f64>::new().try_reserve_exact(cells).is_err() {
         return Err(PyMemoryError::new_err(format!("a table of {rows} rows does not fit into memory; divide it")));

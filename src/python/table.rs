@@ -1,4 +1,4 @@
-//! A table: columns by name, as NumPy arrays and as Arrow, which share their memory.
+//! A table of named columns, as NumPy arrays and as Arrow data. Both share the memory of the numbers.
 
 use std::sync::Arc;
 
@@ -14,14 +14,14 @@ use pyo3::types::{PyCapsule, PyDict, PyIterator, PyList, PyTuple};
 /// A column of a table.
 #[derive(Debug, Clone)]
 pub enum Column {
-    /// Numbers; not a number where a row has none.
+    /// Numbers; NaN if a row has none.
     Numbers(Float64Array),
-    /// Words, each by its place among those that there are.
+    /// The different words, and for every row the place of its word.
     Words(Vec<String>, Vec<i32>),
 }
 
 impl Column {
-    /// Numbers, among which those that are none are missing.
+    /// A column of numbers. NaN is a missing value.
     pub fn numbers(values: Vec<f64>) -> Self {
         let array = Float64Array::from(values);
         let is_known = array.values().iter().map(|value| !value.is_nan());
@@ -32,7 +32,7 @@ impl Column {
         Self::Numbers(Float64Array::new(array.values().clone(), Some(known)))
     }
 
-    /// The words of the rows.
+    /// A column of words, one for each row.
     pub fn words<'a>(rows: impl Iterator<Item = &'a str>) -> Self {
         let mut words: Vec<String> = Vec::new();
         let codes = rows.map(|word| {
@@ -70,7 +70,7 @@ impl Column {
         }
     }
 
-    /// As a NumPy array of that shape; numbers are only to be read, as Arrow has the same memory.
+    /// The column as a NumPy array of this shape. Numbers are read-only, because Arrow shares their memory.
     fn numpy<'py>(&self, py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyAny>> {
         let numpy = py.import("numpy")?;
         let flat = match self {
@@ -97,14 +97,14 @@ impl Shared {
         interface.set_item("version", 3)?;
         interface.set_item("shape", (values.len(),))?;
         interface.set_item("typestr", if cfg!(target_endian = "little") { "<f8" } else { ">f8" })?;
-        // the second says: only to be read
+        // `true` makes the array read-only
         interface.set_item("data", (values.as_ptr().addr(), true))?;
         Ok(interface)
     }
 }
 
-/// A table: columns by name. `table["restitution"]` is a NumPy array, which is only to be read; `to_dict` gives all of them.
-/// The table itself is Arrow data, which polars, pandas, pyarrow and DuckDB take without a copy.
+/// A table: columns by name. `table["restitution"]` is a NumPy array, which is only to be read; `to_dict` gives all of
+/// them. The table itself is Arrow data, which polars, pandas, pyarrow and DuckDB take without a copy.
 #[pyclass(frozen, mapping, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Table {
@@ -113,7 +113,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of these columns, each of as many rows.
+    /// A table of these columns, which all have the same number of rows.
     pub fn new(columns: Vec<(String, Column)>) -> Self {
         Self { shape: vec![columns.first().map_or(0, |(_, column)| column.len())], columns }
     }
@@ -122,7 +122,7 @@ impl Table {
         self.columns.iter().find(|(known, _)| known == name).map(|(_, column)| column)
     }
 
-    /// The same in another shape, of as many rows.
+    /// A table whose columns have this shape.
     pub fn of_shape(shape: Vec<usize>, columns: Vec<(String, Column)>) -> Self {
         Self { shape, columns }
     }
@@ -211,7 +211,7 @@ impl Table {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        // the standard lets a producer keep its own types
+        // the Arrow standard allows a producer to ignore the requested types
         drop(requested_schema);
         let batch = self.batch().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         let schema = batch.schema();

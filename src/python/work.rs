@@ -1,4 +1,4 @@
-//! What takes time: done by threads of the module, while the interpreter is free and Ctrl-C is heard.
+//! Long computations: they run on threads of the module. Meanwhile the interpreter is free, and Ctrl-C stops them.
 
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,12 +11,13 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Numbers that a thread does at a time.
+/// Number of values that a thread computes at a time.
 pub const TOGETHER: usize = 4096;
-/// How often it is looked for signals.
+/// Time between two checks for signals.
 const SOON: Duration = Duration::from_millis(50);
 
-/// The threads, with the process that they belong to: a child of `fork` has none of its parent's, and gets its own.
+/// The thread pool and the id of its process. A process made by `fork` does not have the threads of its parent, and
+/// gets a pool of its own.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
 fn pool() -> PyResult<Arc<ThreadPool>> {
@@ -29,12 +30,13 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
     }
     let pool = ThreadPoolBuilder::new().build().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let pool = Arc::new(pool);
-    // to end threads that are not there would wait for ever
+    // a pool of the parent process is not dropped: dropping waits for its threads, which do not exist in this process
     mem::forget(slot.replace((process, Arc::clone(&pool))));
     Ok(pool)
 }
 
-/// What `work` gives. It is told to stop by the flag when Python has a signal to handle, such as that of Ctrl-C.
+/// Runs `work` and returns its result. When Python receives a signal such as Ctrl-C, the flag given to `work` is set,
+/// and `work` has to stop.
 pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
     let pool = py.detach(pool)?;
     let is_cancelled = AtomicBool::new(false);

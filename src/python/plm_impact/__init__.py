@@ -46,7 +46,7 @@ def calibrate(
     """
     if data is None:
         return run(scenario, set=set)
-    # here and not above: the import of the module stays short
+    # imported here, so that the import of the module is fast
     from pathlib import Path
     from tempfile import TemporaryDirectory
 
@@ -55,6 +55,6 @@ def calibrate(
     columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float)) for column in data.values()))
     with TemporaryDirectory() as folder:
         file = Path(folder) / "data.csv"
-        # as many digits as give the same number back
+        # 17 digits, so that reading gives the same number
         np.savetxt(file, np.column_stack(columns), "%.17g", ",", header=",".join(data), comments="")
         return run(scenario, set={**(set or {}), "calibrate.data": str(file)})

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 __version__: str
 __all__: list[str]
 
-# a table of a scenario: keys with numbers in SI, texts with a unit, or tables inside
+# a table of a scenario: its values are numbers in SI units, texts with a unit, or inner tables
 _Keys = Mapping[str, Any]
 
 class Contact:
