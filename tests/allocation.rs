@@ -1,4 +1,4 @@
-//! An impact is computed without the heap.
+//! Computing an impact allocates no memory on the heap.
 
 #![allow(clippy::unwrap_used)]
 
@@ -13,7 +13,7 @@ use plm_impact::integrate::Integrator;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
 
-/// Elastic; deep, over every knot of the law; an unloading exponent that is none of the simple ones.
+/// Three cases: elastic; deep, beyond every knot of the law; an unloading exponent without a simple formula.
 fn cases() -> [(&'static str, Law, f64); 3] {
     let pressure_shape = Scene { exponent: UnloadingExponent::PressureShape, ..Scene::steel() };
     [
@@ -61,7 +61,7 @@ fn gravity_and_damping_allocate_nothing() {
         for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
             let forces = ScaledForces { weight, damping };
             let mut stepper = Rk8::new(1e-9);
-            // the nodes of the quadrature are computed once for the whole process, by who asks first
+            // the nodes of the quadrature are computed at the first use in the process
             black_box(closed_form::solve_with(&law, speed, &forces));
             let counted = measure(|| {
                 black_box(closed_form::solve_with(black_box(&law), speed, &forces));

@@ -1,8 +1,9 @@
-//! Which file of `src` uses which: the folders stand in one order, and no files form a circle.
+//! Checks which files of `src` use each other: the folders have one order, and no files use each other in a circle.
 //!
-//! A use is a path that begins with `crate::`, `super::` or `self::`, or with the name of a file below, in a `use` line or in
-//! the code. It points at the file that defines the name: a re-export (`pub use`) of a folder's front file is followed to
-//! where it leads, and is no use itself, unless the front file names it again. Tests inside of a file do not count.
+//! A use is a path that begins with `crate::`, `super::` or `self::`, or with the name of a file in the same folder, in
+//! a `use` line or in the code. The used file is the one that defines the name: a re-export (`pub use`) in the front
+//! file of a folder is followed to its definition. A re-export itself is not a use, unless the front file uses the name
+//! in its code. Tests inside of a file are ignored.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,8 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders (and single files) of `src`, lowest first: each may use those before it and itself. Names on one line stand
-/// side by side and do not use each other. Every folder has its place here.
+/// The folders (and single files) of `src`, the lowest first. Each may use itself and those on lines before it. Names
+/// on one line do not use each other. Every folder has to be listed here.
 const ORDER: &[&[&str]] = &[
     &["math", "progress", "provenance"],
     &["units", "output"],
@@ -34,10 +35,10 @@ const ORDER: &[&[&str]] = &[
 /// A module path such as `["impact", "course"]`; empty for the root of the crate.
 type Module = Vec<String>;
 
-/// One file of `src`: its module and what it says.
+/// One file of `src`: its module and its code.
 struct Source {
     module: Module,
-    /// Without comments, strings and tests.
+    /// The code without comments, strings and tests.
     code: String,
 }
 
@@ -54,7 +55,7 @@ fn sources() -> Vec<Source> {
             if module == ["lib"] {
                 module.clear();
             }
-            // the command names the library from outside
+            // the command uses the library by the name of its crate
             let text = fs::read_to_string(path).unwrap().replace("plm_impact::", "crate::");
             Source { module, code: stripped(&text) }
         })
@@ -202,7 +203,7 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
     let mut graph = BTreeMap::new();
     for (module, (statements, code)) in &parsed {
         let named = statements.iter().filter(|(public, _)| !public).flat_map(|(_, tree)| leaves(tree));
-        // a plain name may be one that the file re-exports
+        // a plain name may be a name that the file re-exports
         let own = |path: String| match exports.get(&[module.as_slice(), std::slice::from_ref(&path)].concat()) {
             Some(target) => Some(target.clone()),
             None if path.contains("::") => absolute(module, &path),
@@ -246,7 +247,7 @@ fn folders_use_only_what_stands_below_them() {
 #[test]
 fn no_files_form_a_circle() {
     let graph = graph();
-    // files that reach each other are of one circle
+    // files that reach each other are in one circle
     let reach: BTreeMap<&Module, BTreeSet<&Module>> = graph
         .keys()
         .map(|start| {
@@ -272,7 +273,7 @@ fn no_files_form_a_circle() {
     assert!(circles.is_empty(), "circles of files:\n{}", circles.join("\n"));
 }
 
-/// The test itself: a made-up tree is read as the compiler would.
+/// A test of the reader of `use` trees itself.
 #[test]
 fn a_use_tree_is_read_to_its_leaves() {
     assert_eq!(

@@ -1,4 +1,5 @@
-//! The functions for C: the header is the one that cbindgen makes, and a C program prints the same bits as the library.
+//! The functions for C: the header in the repository is what cbindgen makes, and a C program gets the same bits as a
+//! Rust program.
 
 #![cfg(feature = "capi")]
 #![allow(clippy::unwrap_used)]
@@ -14,7 +15,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// `PLM_IMPACT_HEADER=write cargo test --features capi --test capi` renews it.
+/// `PLM_IMPACT_HEADER=write cargo test --features capi --test capi` renews the header.
 #[test]
 fn the_header_is_that_of_the_source() {
     let source = root().join("src/capi.rs");
@@ -38,13 +39,13 @@ fn the_header_is_that_of_the_source() {
     assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
 }
 
-/// The static library of this crate, made by the same cargo.
+/// Builds the static library of this crate and returns its path.
 fn library() -> PathBuf {
     let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
         .args(["rustc", "--quiet", "--lib", "--crate-type", "staticlib", "--features"])
-        // those of this build, so that what it uses is there already
+        // the features of this build, so that the dependencies are built already
         .args([if cfg!(feature = "parquet") { "parquet,capi" } else { "capi" }, "--target-dir"])
         .arg(&target)
         .output()
@@ -102,7 +103,7 @@ fn a_c_program_prints_the_bits_of_the_library() {
     expected.extend(along_the_path(&contact));
     let printed: Vec<_> = printed.lines().collect();
     assert_eq!(printed[..expected.len()], expected);
-    // what the program tried of bad scenarios, in its order
+    // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");
     for words in [
         "scenario:1:21: sphere.radius: \"-5 mm\"",

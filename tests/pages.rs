@@ -1,5 +1,5 @@
-//! The pages of the repository: the commands that they show run and leave git clean, what they print is what is printed, their
-//! links lead somewhere, and the pictures they show are those that the program draws.
+//! The pages of the repository: the commands in them run and leave git clean, the output in them is the output of the
+//! commands, their links are valid, and their pictures are those that the program draws.
 
 #![allow(clippy::unwrap_used)]
 
@@ -60,7 +60,7 @@ impl Clone {
         self.0.path()
     }
 
-    /// What a command line prints; it has to end with this code.
+    /// The output of a command line, which has to end with this exit code.
     fn shell(&self, line: &str, code: i32) -> String {
         let path = format!("{}:{}", self.path().join(".git/bin").display(), std::env::var("PATH").unwrap());
         let output = Command::new("sh").args(["-c", line]).current_dir(self.path()).env("PATH", path).output().unwrap();
@@ -124,14 +124,14 @@ fn every_link_within_the_repository_leads_somewhere() {
     assert!(count > 60, "{count}");
 }
 
-/// Pictures of the gallery: those of one scenario, or the folders of all.
+/// Paths in the gallery: the pictures of one scenario, or the folders of all scenarios.
 fn gallery(scenario: &str) -> Vec<PathBuf> {
     let folder = Path::new(ROOT).join("plots/gallery").join(scenario);
     fs::read_dir(folder).into_iter().flatten().map(|entry| entry.unwrap().path()).collect()
 }
 
-/// The pictures of the gallery are those that a run has just drawn. `PLM_IMPACT_GALLERY=write` puts the drawn ones into the
-/// gallery; look at them then.
+/// The pictures of the gallery have to be those that a run has just drawn. `PLM_IMPACT_GALLERY=write` copies the drawn
+/// ones into the gallery; look at them then.
 fn compare_with_gallery(scenario: &str, clone: &Clone) {
     let shown = read("README.md") + &read("scenarios/README.md");
     for picture in gallery(scenario) {
@@ -154,7 +154,7 @@ fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery()
     for page in PAGES {
         for block in blocks(&read(page), "sh") {
             if block.contains("big.toml") || block.contains("--partition-by") {
-                // recipes for clusters, which `tests/cluster` runs; a data set, which `tests/python` reads
+                // `tests/cluster` runs the recipes for clusters, and `tests/python` reads the data set
                 continue;
             }
             for line in block.lines().filter(|line| *line != "cargo test") {

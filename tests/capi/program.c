@@ -1,4 +1,4 @@
-/* Asks the contact law for a path of indentations and prints the bits of the answers; see tests/capi.rs. */
+/* Calls the contact law along a path of indentations and prints the bits of the results; see tests/capi.rs. */
 #include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
@@ -17,7 +17,7 @@ static uint64_t bits(double number) {
     return word;
 }
 
-/* In to 30 um, out to 26 um, in to 35 um, out. */
+/* Indentation: to 30 um, back to 26 um, to 35 um, and out. */
 static double path(int step) {
     const double turns[] = {0.0, 30e-6, 26e-6, 35e-6, -1e-6};
     int leg = step / (STEPS / 4);
@@ -25,7 +25,7 @@ static double path(int step) {
     return turns[leg] + share * (turns[leg + 1] - turns[leg]);
 }
 
-/* The forces along the path; the argument is where they go. */
+/* Writes the forces along the path to its argument. */
 static void *along(void *forces) {
     double memory[3] = {0.0, 0.0, 0.0};
     for (int step = 0; step < STEPS; step++) {
@@ -73,7 +73,7 @@ int main(int count, char **arguments) {
     printf("%g %g %g\n", fabs(plm_contact_force(NULL, 1.0, memory)), fabs(plm_contact_force(contact, 1.0, NULL)),
            fabs(plm_contact_force(contact, NAN, memory)));
 
-    /* many threads on one contact, and many contacts at once */
+    /* several threads use one contact, then one call for many contacts */
     double alone[STEPS], beside[4][STEPS];
     along(alone);
     pthread_t threads[4];

@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 STEEL = (ROOT / "scenarios" / "steel-on-steel.toml").read_text().split("[solver]")[0]
-# the steps of a DEM code, and many of them, so that few rows take some seconds
+# velocity Verlet with many steps, so that a few rows take some seconds
 SWEEP = """
 [solver]
 method = "verlet"
@@ -29,7 +29,7 @@ def recipe(containing: str) -> str:
 
 class Desk:
     def __init__(self, folder: Path, points: int) -> None:
-        # as .ci/run builds it, so that nothing is built twice
+        # the same build as in .ci/run, so that nothing is built twice
         build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
         subprocess.run(build, cwd=ROOT, check=True)
         self.folder = folder

@@ -18,7 +18,7 @@ def test_the_snakefile_makes_the_table_and_goes_on_where_it_was_stopped(tmp_path
     desk.environment["PATH"] = f"{Path(sys.executable).parent}:{desk.environment['PATH']}"
     desk.run(line)
     assert desk.is_whole()
-    # as after a stop: without one shard and the table, only these are made
+    # as after an interrupted run: one shard and the table are missing, and only these are made
     before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "shards").glob("*.csv")}
     assert len(before) == 16
     (tmp_path / "shards" / "table-5-of-16.csv").unlink()

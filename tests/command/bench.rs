@@ -1,4 +1,4 @@
-//! `plm-impact bench` through a real process: what it writes, not how fast it was.
+//! `plm-impact bench` as a process: its files, not the measured times.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -26,7 +26,7 @@ struct Row {
     problem: String,
     method: String,
     tolerance: Option<f64>,
-    /// Of restitution, contact time, separation as it is seen, peak force.
+    /// Errors of restitution, contact time, observed separation and peak force.
     errors: [f64; 4],
     force_evaluations: u64,
     steps: u64,
@@ -67,11 +67,11 @@ fn assert_is_picture(bytes: &[u8]) {
 fn bench_writes_the_whole_report() {
     let directory = TempDir::new().unwrap();
     let out = directory.path().join("out");
-    // a directory of somebody else, where tables used to be measured
+    // a directory of the user, with the name that the bench used earlier for its tables
     fs::create_dir_all(out.join("throughput")).unwrap();
     fs::write(out.join("throughput/notes"), "mine").unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_plm-impact"))
-        // as on a machine of one core, where two tables in turn take the thread at hand
+        // as on a machine with one core, where two tables share the only thread in turn
         .env("RAYON_NUM_THREADS", "1")
         .args(["bench", "--quick", "--out"])
         .arg(&out)
@@ -94,7 +94,7 @@ fn bench_writes_the_whole_report() {
     }
 
     let report = fs::read_to_string(out.join("README.md")).unwrap();
-    // but for what was measured, and how finely, the page of the repository is what the command writes
+    // without the measured numbers, the page in the repository is what the command writes
     let kept = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/plots/bench/README.md")).unwrap();
     assert_eq!(words(&kept), words(&report), "plots/bench/README.md is stale");
     assert_eq!(String::from_utf8(output.stdout).unwrap().trim_end(), report.trim_end());
@@ -119,8 +119,8 @@ fn check_rows(rows: &[Row]) {
         assert_eq!(row.tolerance.is_some(), is_adaptive, "{} {}", row.problem, row.method);
         let [_, contact_time, separation, _] = row.errors;
         if row.method == "verlet" {
-            // phases of 0.1 and 0.9 of a step are among those tried: whole steps are off by most of one, and no more than one
-            // beyond the motion itself
+            // the bench tries several phases of the step, 0.1 to 0.9 among them: the separation observed at whole steps
+            // is late by up to one step, beyond the error of the motion
             let (steps, printed) = (f64::from(u32::try_from(row.steps).unwrap()), 1e-2 * separation);
             assert!(separation > 0.5 / steps && separation < 1.0 / (steps - 2.0) + contact_time + printed);
             assert!(contact_time < 0.5 * separation, "{}: {contact_time} {separation}", row.problem);

@@ -1,4 +1,5 @@
-//! `plm-impact calibrate`: keys from measurements, against independent fits, data of known strength, and measured hardness.
+//! `plm-impact calibrate`: compares the found keys with independent fits, with data of known strength, and with
+//! measured hardness.
 
 mod coverage;
 mod files;
@@ -7,12 +8,12 @@ use serde_json::Value;
 
 use crate::common::command::{Desk, column, text};
 
-/// A steel ball of 10 mm on steel, with `[calibrate]` below.
+/// A steel ball of 10 mm diameter on steel, with these lines of `[calibrate]`.
 fn scenario(calibrate: &str) -> String {
     crate::common::STEEL.split("[impact]").next().unwrap().to_owned() + "[calibrate]\n" + calibrate
 }
 
-/// Runs a calibration of these data; it has to end with this code.
+/// Runs a calibration of these data, which has to end with this exit code.
 fn calibrated(scenario: &str, data: &str, more: &[&str], code: i32) -> (Desk, Value) {
     let desk = Desk::with(scenario);
     std::fs::write(desk.path("d.csv"), data).unwrap();
@@ -22,7 +23,7 @@ fn calibrated(scenario: &str, data: &str, more: &[&str], code: i32) -> (Desk, Va
     (desk, summary)
 }
 
-/// Whether a number of a summary is this one.
+/// Asserts that a number of a summary is this one.
 fn near(value: &Value, wanted: f64, tolerance: f64) {
     let value = value.as_f64().unwrap_or(f64::NAN);
     assert!((value / wanted - 1.0).abs() < tolerance, "{value} instead of {wanted}");
@@ -32,24 +33,25 @@ fn ends(interval: &Value) -> [&Value; 2] {
     [&interval["low"], &interval["high"]]
 }
 
-/// Made data: e and peak force at a yield strength of 345 MPa with normal scatter of 0.01 and 2 %.
+/// Synthetic data: e and peak force at a yield strength of 345 MPa with normal scatter of 0.01 and 2 %.
 const MADE: &str = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd
 0.2,0.7569,57.08,1.1416\n0.3,0.7275,86.99,1.7398\n0.5,0.6623,157.5,3.15\n0.8,0.6306,269.5,5.39\n1.2,0.5753,402.5,8.05
 1.8,0.5484,638.6,12.772\n2.5,0.527,928.9,18.578\n3.2,0.4845,1177,23.54\n4,0.4871,1482,29.64\n5,0.4297,1830,36.6\n";
 
-/// The same without the force.
+/// The synthetic data without the force.
 fn restitutions() -> String {
     let line = |line: &str| line.split(',').take(2).collect::<Vec<_>>().join(",") + "\n";
     MADE.lines().map(line).collect()
 }
 
-/// One key.
+/// A calibration with one key.
 const STRENGTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"3 GPa\" } }\n";
 const BOTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"3 GPa\" }, \"half_space.youngs_modulus\" = { from = \"50 GPa\", to = \"500 GPa\" } }\n";
 
-// The numbers of the next three tests come from a Python program that has the law anew from its equations. Estimate and sd
-// are by lmfit 1.3 (leastsq), intervals and posterior by brute force: chi-square on 8000 strengths from 300 to 410 MPa, and
-// for two keys by scipy's bounded search at each value of one of them, and on a plane of 121 by 121.
+// The numbers of the next three tests come from a Python program that implements the law again from its equations.
+// Estimate and sd are from lmfit 1.3 (leastsq). Intervals and posterior are from brute force: chi-square at 8000
+// strengths from 300 to 410 MPa; for two keys, the bounded search of scipy at each value of one key, and a plane of 121
+// by 121 values.
 
 #[test]
 fn with_a_known_noise_one_key_agrees_with_lmfit_and_a_brute_force_grid() {
@@ -66,7 +68,7 @@ fn with_a_known_noise_one_key_agrees_with_lmfit_and_a_brute_force_grid() {
     near(&key["posterior_95"][1], 355.6057e6, 3e-5);
     near(&summary["chi_square"], 15.910_44, 1e-6);
     near(&summary["p"], 0.068_776, 1e-4);
-    // the share of the posterior below a strength rises from 0 to 1
+    // the probability of the posterior below a strength rises from 0 to 1
     let below = column(&desk.read("o/posterior.csv"), "probability_below");
     let below: Vec<f64> = below.iter().map(|field| field.parse().unwrap()).collect();
     assert!(below.is_sorted() && below[0] == 0.0 && (below.last().unwrap() - 1.0).abs() < 1e-9);
@@ -121,7 +123,7 @@ fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
     for key in summary["keys"].as_array().unwrap() {
         assert!(key["interval_95"].is_null() && key["sd"].is_null());
     }
-    // e depends on strength^5/modulus^4 and a little on the shares of the bodies
+    // e depends on strength^5/modulus^4, and a little on the compliances of the two bodies
     let known = summary["identifiability"]["best_known_combination"].as_str().unwrap();
     assert!(known.starts_with("half_space.yield_strength x half_space.youngs_modulus^-0."), "{known}");
     assert!(desk.path("o/posterior.png").exists());
@@ -129,8 +131,8 @@ fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
 
 #[test]
 fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
-    // rebound hardness of two blocks: nominal HLD 760 and 530; strengths, and the hardness on scales C and E, as the law
-    // gives them by an independent program: 2606 MPa, 0.836 and 0.731; 1081 MPa, 0.608 and 0.511
+    // rebound hardness of two blocks, nominal HLD 760 and 530. An independent program of the law gives the strength,
+    // and e of the devices C and E: 2606 MPa, 0.836 and 0.731; 1081 MPa, 0.608 and 0.511
     let text = "[sphere]\nradius = \"1.5 mm\"\nyoungs_modulus = \"600 GPa\"\npoissons_ratio = 0.23\nmass = \"5.5 g\" # the body\n\
                 [half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\ndensity = \"7850 kg/m^3\"\n\
                 [law.plm]\nunloading_exponent = \"pressure-shape\"\n";
@@ -175,19 +177,19 @@ fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
         "summary.json",
     ];
     assert_eq!(desk.files("o"), wanted);
-    // without a noise that is given, a law that is off by much and in a regular way
+    // no noise is given, and the law deviates much and systematically
     let rising =
         (1..13).fold("speed_m_per_s,restitution\n".to_owned(), |data, i| data + &format!("{i},0.{}\n", 40 + 3 * i));
     let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), &rising, &[], 3);
     assert!(summary["contradiction"].as_str().unwrap().contains("keep their signs"));
-    // a restitution that no strength of the range has
+    // no strength in the range gives this restitution
     let (_, summary) = calibrated(crate::common::STEEL, "", &["--restitution", "0.02"], 3);
     assert!(summary["contradiction"].as_str().unwrap().contains("no value of half_space.yield_strength"));
 }
 
 #[test]
 fn two_materials_in_one_file_are_two_basins() {
-    // half of the impacts at 200 MPa, half at 800 MPa: with long tails each half takes the other for outliers
+    // half of the impacts at 200 MPa, half at 800 MPa: with long tails, each half sees the other as outliers
     let data = made(&["200e6", "800e6"]);
     let text =
         scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}\nrobust = \"student-t\""));
@@ -199,7 +201,7 @@ fn two_materials_in_one_file_are_two_basins() {
         (strengths[0] / 200e6 - 1.0).abs() < 0.02 && (strengths.last().unwrap() / 800e6 - 1.0).abs() < 0.02,
         "{strengths:?}"
     );
-    // the interval has both in it
+    // the interval includes both strengths
     let interval = &summary["keys"][0]["interval_95"];
     assert!(interval["low"].as_f64().unwrap() < 201e6 && interval["high"].as_f64().unwrap() > 799e6, "{interval}");
 }
@@ -218,7 +220,7 @@ fn made(strengths: &[&str]) -> String {
 
 #[test]
 fn an_interval_that_reaches_its_bound_is_not_bounded() {
-    // below first yield every strength that is high enough gives e = 1
+    // these impacts stay below first yield for every high strength, which gives e = 1
     let data = "speed_m_per_s,restitution,restitution_sd\n0.01,1,0.01\n0.02,0.99,0.01\n";
     let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), data, &[], 0);
     let interval = &summary["keys"][0]["interval_95"];
@@ -243,10 +245,10 @@ fn outliers_do_not_move_the_robust_estimate_by_more_than_its_sd() {
     let sd = robust["keys"][0]["sd"].as_f64().unwrap();
     assert!((estimate(&clean) - estimate(&robust)).abs() < sd, "{clean} {robust}");
     assert_eq!(robust["outliers"], 2);
-    // least squares are moved by many, and do not fit
+    // least squares are moved by many standard deviations, and do not fit
     let normal = of(&outliers, "none", 3);
     assert!((estimate(&clean) - estimate(&normal)).abs() > 5.0 * sd);
-    // an estimated noise is robust too
+    // with an estimated noise the estimate is robust too
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\"\nrobust = \"student-t\""));
     let found = calibrated(&text, &outliers, &[], 0).1;
     assert!((estimate(&clean) - estimate(&found)).abs() < 2.0 * found["keys"][0]["sd"].as_f64().unwrap());

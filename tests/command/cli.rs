@@ -1,4 +1,4 @@
-//! The command through a real process: outputs, messages, exit codes, and nothing written where the input is wrong.
+//! The command as a process: outputs, messages and exit codes. If the input is wrong, nothing is written.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use crate::common::command::{Desk, text};
 const STEEL: &str = include_str!("../../scenarios/steel-on-steel.toml");
 const FILES: [&str; 4] = ["force_indentation.png", "history.png", "summary.json", "trace.csv"];
 
-/// Refused with exit code 2, a message that holds all of `wants`, and nothing but the scenario in the directory.
+/// Asserts that the command refuses with exit code 2 and a message that has all of `wants`, and writes no file.
 fn assert_refused(desk: &Desk, arguments: &[&str], wants: &[&str]) {
     let before = desk.files("");
     let output = desk.call(arguments);
@@ -29,7 +29,7 @@ fn run_writes_all_outputs_and_prints_the_table_alone() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_eq!(desk.files("plots/s"), FILES);
     let table = text(&output.stdout);
-    // the oracle's e = 0.49246
+    // src/reference/oracle.csv: e = 0.49246
     assert!(table.starts_with("restitution") && table.contains("0.4925"), "{table}");
     assert!(text(&output.stderr).contains("wrote summary.json"));
 
@@ -86,7 +86,7 @@ fn an_elastic_scene_reports_nothing_plastic() {
     let desk = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"", ""));
     let output = desk.call(&["run", "s.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(0));
-    // the scenario names an exponent, which then has no effect
+    // the exponent in the scenario has no effect on an elastic scene
     assert!(text(&output.stderr).contains("warning: law.plm.unloading_exponent is not used"));
     let summary = fs::read_to_string(desk.path("out/summary.json")).unwrap();
     assert!(!summary.contains("dent_radius") && !summary.contains("plastic_J"), "{summary}");
@@ -98,7 +98,7 @@ fn an_elastic_scene_reports_nothing_plastic() {
 #[test]
 fn a_reader_who_has_left_is_no_failure() {
     let desk = Desk::with(STEEL);
-    // warnings, and where the files are
+    // the first command prints results and warnings, the second an error
     for arguments in [&["run", "s.toml", "--set", "impact.speed=200 m/s"][..], &["check", "none.toml"]] {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
@@ -113,7 +113,7 @@ fn a_reader_who_has_left_is_no_failure() {
 #[test]
 fn strict_makes_warnings_errors_and_writes_nothing() {
     let desk = Desk::with(STEEL);
-    // far beyond a/R = 0.45
+    // the contact is far beyond a/R = 0.45
     let arguments = ["run", "s.toml", "--out", "out", "--set", "impact.speed=200 m/s"];
     let output = desk.call(&arguments);
     assert_eq!(output.status.code(), Some(0));
@@ -128,7 +128,7 @@ fn strict_makes_warnings_errors_and_writes_nothing() {
 
 #[test]
 fn wrong_scenarios_are_refused_by_both_commands() {
-    // what is changed, into what, what the message holds
+    // old text, new text, parts of the message
     let table: &[(&str, &str, &[&str])] = &[
         ("[impact]\nspeed = \"3 m/s\"", "", &["s.toml: the table [impact] is missing", "speed = \"3 m/s\""]),
         ("\"5 mm\"", "\"5 MPa\"", &["s.toml:7:10: sphere.radius: \"5 MPa\" is a pressure", "such as \"5 mm\""]),
@@ -171,7 +171,7 @@ fn wrong_scenarios_are_refused_by_both_commands() {
 
 #[test]
 fn no_number_is_called_extreme_where_none_stands_out() {
-    // the speed that underflows is one of a list
+    // the speed that underflows is one value of a list
     let shots = "[repeat]\nspot = \"same\"\nspeeds = [\"1 m/s\", \"1e-200 m/s\"]\n";
     let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", shots));
     assert_refused(&desk, &["run", "s.toml"], &["s.toml: kinetic energy", "choose a less extreme radius"]);
@@ -199,7 +199,7 @@ fn almost_a_megabyte_is_read_or_refused_in_few_words() {
     assert_refused(&Desk::with(&long_line), &["check", "s.toml"], &["s.toml:1:"]);
     let many_lines = "sped = 3\n".repeat(SIZE / 9);
     assert_refused(&Desk::with(many_lines), &["check", "s.toml"], &["s.toml:2:1", "duplicate"]);
-    // a value or a key that long is shown by its ends
+    // of such a long value or key only both ends are shown
     let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
     assert_refused(
         &Desk::with(digits),
@@ -219,11 +219,11 @@ fn outputs_that_cannot_be_written_are_refused_before_anything_runs() {
     assert_refused(&desk, &["run", "s.toml", "--out", "file"], &["file: cannot be written", "--out"]);
     assert_refused(&desk, &["run", "s.toml", "--out", "file/below"], &["file/below: cannot be written", "--out"]);
     assert_eq!(fs::read_to_string(desk.path("file")).unwrap(), "mine");
-    // where even root may not write
+    // a folder in which not even root may write
     if Path::new("/proc/self").exists() {
         assert_refused(&desk, &["run", "s.toml", "--out", "/proc/plm"], &["/proc/plm: cannot be written"]);
     }
-    // one of the outputs is a directory: none is replaced
+    // if one of the outputs is a directory, no output is replaced
     fs::create_dir_all(desk.path("out/trace.csv")).unwrap();
     assert_refused(&desk, &["run", "s.toml", "--out", "out"], &["out/trace.csv: cannot be written"]);
     assert_eq!(desk.files("out"), ["trace.csv"]);

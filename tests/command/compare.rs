@@ -1,4 +1,4 @@
-//! Laws through the command: scenarios, sweeps over laws, the comparison of Figure 10, the list.
+//! Laws in the command: scenarios, sweeps over laws, the comparison of Figure 10, the list of laws.
 
 use std::path::Path;
 use std::process::Output;
@@ -31,7 +31,7 @@ fn run(scenario: &Path, out: &Path) -> Output {
     command.arg("run").arg(scenario).arg("--out").arg(out).output().unwrap()
 }
 
-/// The message of a scenario that is refused with exit code 2, and nothing written.
+/// The message for a scenario that is refused with exit code 2; nothing may be written.
 fn refusal(text: &str) -> String {
     let directory = tempfile::tempdir().unwrap();
     let out = directory.path().join("out");
@@ -73,7 +73,7 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
     let summary: serde_json::Value = serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
     assert_eq!(summary["outside_law"], outside);
     assert_eq!(summary["failures"], 0);
-    // the rows of the PLM have the bits of a table of the PLM alone
+    // the rows of the PLM have the same bits as in a table of the PLM alone
     let alone = "[impact]\nspeed = 1\n[sweep]\n\"impact.speed\" = { logspace = [1e-3, 10], points = 9 }";
     let other = directory.path().join("alone");
     assert!(run(&scenario(directory.path(), alone), &other).status.success());
@@ -135,7 +135,8 @@ fn mistakes_in_laws_are_explained() {
 #[test]
 fn figure_10_compares_every_law_with_the_finite_elements() {
     let directory = tempfile::tempdir().unwrap();
-    // e of the paper's own law against finite elements of the same peak: theory of the exponent says −0.9 to −4.5 %
+    // e by the law of the paper against finite elements with the same peak: expected from the exponent are −0.9 to −4.5
+    // %
     for (name, depth) in [("13", 13.4969), ("105", 105.086), ("843", 843.257)] {
         let out = directory.path().join(name);
         let output = run(&shipped(&format!("figure-10-at-{name}-yield-indentations.toml")), &out);
@@ -152,7 +153,7 @@ fn figure_10_compares_every_law_with_the_finite_elements() {
         let of_plm = number("restitution_deviation", "plm");
         assert!((-0.045..-0.009).contains(&of_plm), "{name}: {of_plm}");
         assert!(number("residual_deviation", "plm").abs() < 0.01);
-        // the file gives the finite elements' own peak, so that their energies are the table's
+        // the file gives the peak of the finite elements, so the energies are those of their table
         assert!(
             (number("restitution", "finite_elements").powi(2) * spent(&out)
                 / number("recovered_energy_J", "finite_elements")
@@ -163,7 +164,7 @@ fn figure_10_compares_every_law_with_the_finite_elements() {
         let summary: serde_json::Value =
             serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
         assert!((summary["peak"]["indentation_over_yield"].as_f64().unwrap() / depth - 1.0).abs() < 1e-12);
-        // F(δ_m) = F_m and the sphere's own share: R_e of Eq. 24 through the residual of Eq. 23
+        // the residual indentation by Eq. 23, from the peak and the indentation of the sphere
         let peak = &summary["peak"];
         let residual =
             peak["indentation_m"].as_f64().unwrap() - peak["sphere_indentation_m"].as_f64().unwrap() / sphere_share();
@@ -193,7 +194,7 @@ fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
     assert!(run(&path, &out).status.success());
     let table = std::fs::read_to_string(out.join("comparison.csv")).unwrap();
     let e: f64 = column(&table, "restitution")[1].parse().unwrap();
-    // theory's table for case 3: δ_r/δ_m = 0.700834, e = 0.5160391763
+    // independent table for case 3: δ_r/δ_m = 0.700834, e = 0.5160391763
     assert!((e - 0.516_039_176_3).abs() < 1e-9, "{e}");
     let share: f64 = column(&table, "residual_share")[1].parse().unwrap();
     assert!((share - 0.700_834).abs() < 1e-6, "{share}");
@@ -249,7 +250,7 @@ fn check_says_what_is_compared_and_for_which_bodies() {
     let output =
         Command::new(program).arg("check").arg(shipped("figure-10-at-13-yield-indentations.toml")).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    // case 3 of the paper's Table 1: delta_Y of Eq. 17
+    // case 3 of Table 1 of the paper: delta_Y by Eq. 17
     for wanted in [
         "peak as given",
         "0.035 m (35 mm)",

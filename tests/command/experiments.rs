@@ -1,4 +1,5 @@
-//! `validate --experiments`: measured restitution of one's own beside the law; and what is said of rebound hardness.
+//! `validate --experiments`: restitution measured by the user, compared with the law; and the statements on rebound
+//! hardness.
 
 use std::fs;
 
@@ -12,7 +13,7 @@ use tempfile::TempDir;
 use crate::common::command::{call, column, text};
 use crate::common::off;
 
-/// Device D on 300 HV, as in scenarios/leeb-d.toml; the measured numbers are made up.
+/// Device D on 300 HV, as in scenarios/leeb-d.toml; the measured numbers are invented.
 const LEEB: &str = "\u{feff}# free words, such as x = 3
 # sphere.diameter = 3 mm
 # sphere.youngs_modulus = \"600 GPa\"
@@ -50,7 +51,7 @@ fn measured_restitution_stands_beside_the_law() {
     assert_eq!(column(&table, "file"), ["a", "a", "a", "b", "b", "b"]);
     assert_eq!(column(&table, "line")[..3], ["13", "14", "15"]);
     assert_eq!(column(&table, "restitution_sd")[..3], ["0.01", "", "0.2"]);
-    // the law is that of a scenario with the same keys, with waves
+    // the law gives the same as a scenario with the same keys, with waves
     let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml");
     let law: Vec<f64> = column(&table, "law").iter().map(|text| text.parse().unwrap()).collect();
     for (got, speed) in law.iter().zip([2.0, 1.0, 0.5]) {
@@ -58,7 +59,7 @@ fn measured_restitution_stands_beside_the_law() {
         let want = scene.contact().unwrap().closed_form(speed).unwrap().restitution_with_waves().unwrap();
         assert!(off(*got, want) < 1e-14, "{got} {want}");
     }
-    // bias, rms, largest by hand, in the line of the file
+    // bias, rms and largest deviation, computed by hand, are in the line of the file
     let deviations = [law[0] / 0.54 - 1.0, law[1] / 0.6 - 1.0, law[2] / 0.7 - 1.0];
     let bias = 100.0 * deviations.iter().sum::<f64>() / 3.0;
     let rms = 100.0 * (deviations.iter().map(|one| one * one).sum::<f64>() / 3.0).sqrt();
@@ -112,8 +113,9 @@ fn files_that_are_no_measurement_are_refused_by_line() {
     }
 }
 
-/// What the pages say of strengths that are taken for the one that the law wants, against measured rebound hardness: the
-/// tensile strength makes e 4 to 14 % low, the 0.2 % strength of a structural steel about 30 %.
+/// The statements of the pages on strengths that are often used as yield strength, checked with measured rebound
+/// hardness: with the tensile strength e is 4 to 14 % too low, with the 0.2 % strength of a structural steel about 30
+/// %.
 #[test]
 fn e_is_as_low_as_documented_with_the_strengths_that_people_have() {
     let device = devices().unwrap().remove(0);

@@ -1,5 +1,5 @@
-//! `plm-impact export`: the springs have the e and the contact time of the law when they are integrated, tables are those of
-//! the closed form, and what cannot be exported is refused. Runs in LAMMPS and LIGGGHTS are in tests/lammps.
+//! `plm-impact export`: the springs, when integrated, have the e and the contact time of the law; tables are those of
+//! the closed form; scenes that cannot be exported are refused. Runs in LAMMPS and LIGGGHTS are in tests/lammps.
 
 use std::path::Path;
 use std::process::Output;
@@ -31,8 +31,8 @@ fn steel() -> Contact {
         .unwrap()
 }
 
-/// e, contact time and peak force of a force law F(δ, δ', δ_max), in steps of a millionth of `time`; the contact ends where
-/// `is_over` says so of δ and the force.
+/// e, contact time and peak force of a force law F(δ, δ', δ_max), integrated in steps of a millionth of `time`. The
+/// contact ends when `is_over` is true for δ and the force.
 fn integrated(
     (mass, speed, time): (f64, f64, f64),
     force: impl Fn(f64, f64, f64) -> f64,
@@ -62,10 +62,10 @@ fn the_springs_rebound_as_the_law_does() {
         let (m, e) = (contact.mass(), impact.restitution);
         for equal in [Equal::ContactTime, Equal::PeakForce] {
             let Springs { damped, loading, unloading } = Springs::of(&contact, &impact, equal);
-            // damping of a linear spring for e (a textbook: logarithmic decrement); contact ends where the overlap does
+            // damping of a linear spring with this e, from the logarithmic decrement; the contact ends with the overlap
             let share = -e.ln() / (std::f64::consts::PI.powi(2) + e.ln().powi(2)).sqrt();
             let damping = 2.0 * share * (m * damped).sqrt();
-            // such a spring pulls before it parts: only the end of the overlap counts
+            // such a spring pulls before separation: only the end of the overlap counts
             let spring = |x: f64, v: f64, _: f64| damped * x + damping * v;
             let of_impact = (m, speed, impact.contact_time);
             let (rebound, lasted, _) = integrated(of_impact, spring, |x, _| x <= 0.0);

@@ -1,4 +1,4 @@
-//! Fitting PLM coefficients: the finite-element curves, curves of a known law, the forms of a file, files that are refused.
+//! Fits of PLM coefficients: to the finite-element curves and to curves of a known law; forms of a file; refused files.
 
 mod command;
 mod files;
@@ -31,13 +31,13 @@ fn the_fit_to_the_finite_elements_is_as_good_as_the_built_in_table() {
         fitted.coefficients.check().unwrap();
         for (curve, case) in curves.iter().zip(&fitted.cases) {
             let before = case_fit(curve, built_in);
-            // no case may lose more than 0.2 %; documented of the built-in table: at most 1.4 % and 1.2 %
+            // no case may get worse by more than 0.2 %; documented for the built-in table: at most 1.4 % and 1.2 %
             assert!(case.force.rms < before.force.rms.min(0.014) + 0.002, "{}: {}", case.name, case.force.rms);
             assert!(case.approach.rms < before.approach.rms.min(0.012) + 0.002, "{}: {}", case.name, case.approach.rms);
-            // allowed is 0.03 %; what is beyond is penalised, not forbidden
+            // a rise of 0.03 % is allowed; a larger rise is penalised, not forbidden
             assert!(case.restitution_rise < 4e-4, "{}: {}", case.name, case.restitution_rise);
-            // a curve that was not fitted is met worse than one that was, but met: the worst is the rigid sphere, to which the
-            // others only extrapolate
+            // the fit is worse for a curve that was left out, but still good. The worst is the rigid sphere, to which
+            // the other curves only extrapolate
             let (force, approach) = case.left_out.unwrap();
             assert!(force.rms > case.force.rms && force.rms < 0.03, "{}: {}", case.name, force.rms);
             assert!(approach.rms < 0.02, "{}: {}", case.name, approach.rms);
@@ -49,7 +49,7 @@ fn the_fit_to_the_finite_elements_is_as_good_as_the_built_in_table() {
 fn scatter_of_the_curves_does_not_keep_the_fit_from_converging() {
     let mut curves = finite_elements();
     for (i, curve) in (1..).zip(&mut curves) {
-        // 1.5 % rms without any pattern
+        // 1.5 % rms of scatter without a pattern
         let scatter = |point: &LoadingPoint, j: u32| 0.021 * (f64::from(i * 7 + j) * 1e4 * point.indentation).sin();
         for point in &mut curve.points {
             point.elastic_approach *= 1.0 + scatter(point, 1);
@@ -58,12 +58,12 @@ fn scatter_of_the_curves_does_not_keep_the_fit_from_converging() {
     }
     let fitted = fit::fit(&curves, &plan(PlmCoefficients::built_in().clone())).unwrap();
     for case in &fitted.cases {
-        // 1.5 % of scatter and 1.1 % of the form, added as squares, with a little left for chance
+        // 1.5 % of scatter and 1.1 % from the form of the law, added as squares, with a small margin
         assert!(case.force.rms < 0.022 && case.approach.rms < 0.022, "{case:?}");
     }
 }
 
-/// A law unlike the built-in one in every number.
+/// A law that differs from the built-in law in every number.
 fn other() -> PlmCoefficients {
     let mut table = PlmCoefficients::built_in().clone();
     for (i, (slope, per_kappa)) in table.force.slope.iter_mut().zip(&mut table.force.slope_kappa_squared).enumerate() {
@@ -83,7 +83,7 @@ fn other() -> PlmCoefficients {
     table
 }
 
-/// Curves of that law for pairs from a hard to a very soft sphere, dense enough for points on every piece.
+/// Curves of this law for pairs from a hard to a very soft sphere, with points on every piece of the law.
 fn curves_of(table: &PlmCoefficients) -> Vec<LoadingCurve> {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     // modulus of the sphere over that of the half-space, σ_Y/E_h, largest a/R
@@ -153,7 +153,7 @@ fn the_coefficients_of_a_known_law_are_found_again() {
 
 #[test]
 fn what_the_curves_do_not_decide_stays_as_it_was() {
-    // one curve that ends at x = 20: nothing is known of the slopes beyond
+    // one curve that ends at x = 17: it does not determine the slopes beyond
     let mut curve = finite_elements().remove(2);
     curve.points.retain(|point| point.indentation < 17.0);
     let built_in = PlmCoefficients::built_in();

@@ -1,4 +1,4 @@
-//! What is written about impacts under gravity and damping, and tables of them.
+//! Output of impacts under gravity and damping, and of their tables.
 
 use plm_impact::impact::{Method, Solver};
 use plm_impact::plot::Pictures;
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::common::STEEL;
 
-/// The steel sphere falls.
+/// The steel sphere falls from 0.5 m.
 fn drop() -> String {
     STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"") + "\n[gravity]\nacceleration = \"9.81 m/s^2\"\n"
 }
@@ -20,7 +20,7 @@ fn scenario(more: &str, overrides: &[&str]) -> Scenario {
     Scenario::from_text("drop.toml", &(drop() + more), &overrides).unwrap()
 }
 
-/// One impact, run.
+/// Runs one impact.
 fn run(scenario: &Scenario) -> Outcome {
     let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
     run(scenario, &Order { command: "test", pictures: Pictures::None, progress: &Counter::default() }).unwrap()
@@ -58,7 +58,8 @@ fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     let energy = |key: &str| summary["energy"][key].as_f64().unwrap();
     let put_in = energy("kinetic_in_J") + energy("gravity_work_J");
     let gone = energy("recovered_J") + energy("plastic_J") + energy("damping_J") + energy("stored_at_separation_J");
-    // the law's own force at separation holds elastic energy: (2/5) F (δ − δ_r) on the branch of exponent 3/2
+    // at separation the force of the law alone is not zero, and elastic energy is left: (2/5) F (δ − δ_r) on the branch
+    // of exponent 3/2
     let (_, _, impact) = impact::compute(&scenario("[damping]\nviscous = 0.1\n", &[]), Some(400)).unwrap();
     let last = impact.trace.last().unwrap();
     let held = 0.4 * last.elastic_force.unwrap() * (last.indentation - impact.residual_indentation);
@@ -76,7 +77,7 @@ fn a_captured_sphere_has_no_contact_time_and_one_at_rest_no_restitution() {
     assert_eq!((&summary["outcome"], &summary["restitution"]), (&"captured".into(), &0.0.into()));
 }
 
-/// What the table of an impact says of its accuracy, and its warnings.
+/// The line on accuracy in the table of an impact, and the warnings.
 fn accuracy_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
     let run = run(scenario);
     let line = run.text.lines().find(|line| line.starts_with("accuracy")).unwrap().to_owned();
@@ -85,10 +86,11 @@ fn accuracy_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
 
 #[test]
 fn without_a_closed_form_the_energy_ledger_stands_in_for_it() {
-    // a law of other curves than powers has none under gravity
+    // a law whose curves are not powers has no closed form under gravity
     let (line, _) = accuracy_and_warnings(&scenario("[law.jackson_green]\n", &[]));
     assert!(line.contains("energy drift; this scene has no closed form"), "{line}");
-    // an exponent of 1.2 near yield gives back no more than was spent, also without a closed form to hold it against
+    // with an exponent of 1.2 near yield, unloading gives back no more than the work of loading, also without closed
+    // form
     let soft = "[law.plm]\nunloading_exponent = 1.2\n[damping]\nhunt_crossley = 1e-6\n";
     let (line, warnings) = accuracy_and_warnings(&scenario(soft, &["impact.drop_height=10 um"]));
     assert!(line.contains("no closed form"), "{line}");

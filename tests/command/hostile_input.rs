@@ -1,11 +1,12 @@
-//! Input that is too long, that is more than it says, or that a terminal or a spreadsheet would obey: through real processes.
+//! Hostile input, given to the command as a process: too long texts, overrides that set several keys, and texts that a
+//! terminal or a spreadsheet would execute.
 
 use std::fs;
 
 use crate::common::STEEL;
 use crate::common::command::{Desk, text};
 
-/// What the command says of arguments that it refuses.
+/// The message of the command for arguments that it refuses.
 fn refusal(desk: &Desk, arguments: &[&str]) -> String {
     let output = desk.call(arguments);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
@@ -44,7 +45,7 @@ fn the_last_of_many_overrides_holds_and_a_bad_one_is_shown() {
     assert!(text(&output.stdout).contains("3000 m/s") || text(&output.stdout).contains("3 km/s"), "{output:?}");
     let says = text(&call(&["--set", "solver.tolerance=7", "--set", "impact.speed=2"]).stderr);
     assert!(says.contains("--set solver.tolerance=7: ") && says.contains("<= 0.01"), "{says}");
-    // also where the bad value is deep in a list
+    // also if the bad value is inside of a list
     let says = text(&call(&["--set", "sweep={\"impact.speed\"=[1, -2]}", "--set", "impact.speed=2"]).stderr);
     assert!(says.contains("--set sweep={") && says.contains("sweep.impact.speed"), "{says}");
 }
@@ -61,7 +62,7 @@ fn control_characters_do_not_reach_the_terminal() {
         output.status.code() == Some(2) && says.contains("\\u{1b}[31m.toml:") && !says.contains('\u{1b}'),
         "{says:?}"
     );
-    // and of a run that goes well
+    // also in the output of a successful run
     fs::write(desk.path(&name), STEEL).unwrap();
     let output = desk.call(&["run", &name, "--out", escape]);
     let says = text(&output.stdout) + &text(&output.stderr);

@@ -1,4 +1,4 @@
-//! `[indentation]` through a real process: outputs, messages, exit codes, and nothing written where the input is wrong.
+//! `[indentation]` as a process: outputs, messages and exit codes. If the input is wrong, nothing is written.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use crate::common::command::{Desk, text};
 const CYCLES: &str = include_str!("../../scenarios/indentation-cycles.toml");
 const ALLOYS: &str = include_str!("../../scenarios/indentation-ti-nb.toml");
 
-/// Runs the scenario; the standard output.
+/// Runs the scenario and returns the standard output.
 fn run(desk: &Desk) -> String {
     let output = desk.call(&["run", "s.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
@@ -28,13 +28,13 @@ fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
     let steps = half_space["steps"].as_array().unwrap();
     assert_eq!(steps.len(), 8);
     let number = |step: usize, key: &str| steps[step][key].as_f64().unwrap();
-    // lifted off and pressed in again
+    // the sphere is lifted off and pressed in again
     assert_eq!((number(5, "force_N"), number(5, "indentation_m")), (0.0, 2e-6));
     assert!(steps[5]["branch"] == "separated" && steps[6]["branch"] == "plastic" && steps[4]["branch"] == "reloading");
     assert_eq!(number(7, "indentation_m"), number(7, "residual_indentation_m"));
     let plastic: f64 = (0..8).map(|step| number(step, "plastic_work_J")).sum();
     assert!((half_space["plastic_work_J"].as_f64().unwrap() / plastic - 1.0).abs() < 1e-14);
-    // unloaded at the end: all the work is plastic
+    // unloaded at the end, so all work is plastic
     assert!((half_space["work_J"].as_f64().unwrap() / plastic - 1.0).abs() < 1e-12);
     assert_eq!(summary["provenance"]["law"], "plm");
     assert!(half_space.get("name").is_none());
@@ -42,7 +42,8 @@ fn cycles_give_a_table_a_summary_a_trace_and_a_picture() {
     let trace = desk.read("out/trace.csv");
     let header = "step,indentation_m,sphere_indentation_m,half_space_indentation_m,force_N,branch";
     assert_eq!(trace.lines().next().unwrap(), header);
-    // 400 rows a step, and more where branches meet: at two old peaks, and where the surfaces part and meet again
+    // 400 rows for each step, and one more where branches meet: at two earlier peaks, at separation and at renewed
+    // contact
     assert_eq!(trace.lines().count(), 1 + 8 * 400 + 4, "{}", trace.lines().count());
     let image = fs::read(desk.path("out/force_indentation.png")).unwrap();
     assert!(image.starts_with(b"\x89PNG"));
@@ -73,7 +74,7 @@ fn several_half_spaces_are_told_apart_by_name() {
     }
 }
 
-/// The same cycles under other laws: the dents are those of their printed formulas.
+/// The same cycles with other laws: the dents follow from the published formulas of these laws.
 #[test]
 fn other_laws_leave_their_own_dents() {
     let under = |table: &str| Desk::with(CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", table));
@@ -89,7 +90,8 @@ fn other_laws_leave_their_own_dents() {
     let (half_space, law) = steps(&under("[law.thornton]"));
     assert_eq!(law, "thornton");
     let modulus = number(&half_space["effective_modulus_Pa"]);
-    // R_p = (4E*/(3 F_m)) ((2 F_m + F_y)/(2π p_y))^1.5, δ_m − δ_r = (3 F_m/(4 E* √R_p))^(2/3), p_y from F_y = π³ R² p_y³/(6 E*²)
+    // R_p = (4E*/(3 F_m)) ((2 F_m + F_y)/(2π p_y))^1.5, δ_m − δ_r = (3 F_m/(4 E* √R_p))^(2/3), p_y from F_y = π³ R²
+    // p_y³/(6 E*²)
     let yield_force = number(&half_space["yield_force_N"]);
     let pressure = (6.0 * modulus * modulus * yield_force / (pi.powi(3) * radius * radius)).cbrt();
     for step in half_space["steps"].as_array().unwrap() {
@@ -116,7 +118,7 @@ fn other_laws_leave_their_own_dents() {
     assert_eq!(law, "hertz");
     assert!(!half_space.to_string().contains("residual") && !half_space.to_string().contains("plastic"));
 
-    // and where a law has no answer, the steps are pointed at
+    // if the steps leave the range of a law, the message names the steps
     let desk = Desk::with(
         CYCLES
             .replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", "[law.mesarovic_johnson]")
@@ -133,7 +135,7 @@ fn other_laws_leave_their_own_dents() {
 fn an_elastic_half_space_has_nothing_plastic() {
     let desk = Desk::with(CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", ""));
     let output = desk.call(&["run", "s.toml", "--out", "out"]);
-    // the scenario names an exponent, which then has no effect
+    // the exponent in the scenario has no effect on an elastic half-space
     assert!(text(&output.stderr).contains("law.plm.unloading_exponent is not used"), "{}", text(&output.stderr));
     let summary = summary(&desk).to_string();
     assert!(!summary.contains("plastic_work") && !summary.contains("residual"), "{summary}");
@@ -166,7 +168,7 @@ fn strict_makes_a_deep_dent_an_error() {
 #[test]
 fn wrong_indentations_are_refused_by_both_commands() {
     const STEPS: &str = "steps = [{ load = \"30 N\" }, { load = \"0 N\" }]";
-    // what is changed in the scenario of the alloys, into what, what the message holds
+    // old text in the scenario of the alloys, new text, parts of the message
     let table: &[(&str, &str, &[&str])] = &[
         (STEPS, "steps = []", &["s.toml:12:", "indentation.steps: there is no step"]),
         (STEPS, "", &["indentation: the key `steps` is missing"]),
@@ -183,7 +185,7 @@ fn wrong_indentations_are_refused_by_both_commands() {
         (STEPS, "steps = [{ load = 1 }, { load = \"1 N\" }]", &["\"Ti-5Nb\", step 2 ends where it begins"]),
         (STEPS, "steps = [{ load = 0 }]", &["\"Ti-5Nb\", step 1 ends where it begins"]),
         (STEPS, "steps = [{ load = \"1 MN\" }]", &["step 1 presses the sphere in by", "its radius of 2.5000e-4 m"]),
-        // only the softest and weakest corner of the uncertainties goes deeper than the radius
+        // only with the softest and weakest values of the uncertainties the sphere goes deeper than its radius
         (
             STEPS,
             "steps = [{ load = \"680 N\" }]",

@@ -1,4 +1,5 @@
-//! Scenarios to begin with: each runs as it is, its comments are the sentences of the registry, and no file is overwritten.
+//! Scenarios made by `init`: each runs unchanged, its comments are the sentences of the registry, and no file is
+//! overwritten.
 
 use crate::common::command::{Desk, text};
 use plm_impact::scenario::Kind;
@@ -6,7 +7,7 @@ use plm_impact::scene::keys::KEYS;
 use plm_impact::scene::other_keys::OTHER_KEYS;
 use plm_impact::scene::schema::schema;
 
-/// A scenario without its comments: lines that can be put in are put in.
+/// A scenario in which all optional lines are active, without other comments.
 fn all_put_in(scenario: &str) -> String {
     let is_comment = |line: &&str| line.starts_with("# ");
     let lines = scenario.lines().filter(|line| !is_comment(line)).map(|line| line.trim_start_matches('#'));
@@ -74,7 +75,7 @@ fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
             comment.clear();
         }
     }
-    // seven for the bodies of seven kinds, but for two densities, and more
+    // at least the seven keys of the bodies for each of seven kinds, without two densities
     assert!(told > 7 * 7 - 2, "{told}");
 }
 
@@ -88,7 +89,7 @@ fn a_file_that_is_there_is_kept_and_another_name_can_be_given() {
     assert_eq!(desk.call(&["init", "sweep", "--out", "t.toml"]).status.code(), Some(0));
     let printed = desk.call(&["init", "sweep", "--out", "-"]);
     assert_eq!(text(&printed.stdout), desk.read("t.toml"));
-    // one impact, if nothing else is said
+    // without an argument it is one impact
     assert_eq!(desk.call(&["init"]).status.code(), Some(0));
     assert!(desk.read("impact.toml").contains("\n[impact]\n"));
     assert_eq!(desk.files(""), ["impact.toml", "s.toml", "t.toml"]);

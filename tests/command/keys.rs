@@ -1,4 +1,4 @@
-//! The registry of keys: its schema and its reference page say what the program reads.
+//! The registry of keys: its schema and its reference page agree with what the program reads.
 
 use plm_impact::scenario::Scenario;
 use plm_impact::scene::keys::forms;
@@ -17,7 +17,7 @@ fn json(text: &str) -> Value {
 
 #[test]
 fn every_scenario_of_the_repository_keeps_to_the_schema() {
-    // by the crate jsonschema, which knows nothing of this program
+    // checked by the crate jsonschema, which is independent of this program
     let schema = jsonschema::validator_for(&schema()).unwrap();
     let mut count = 0;
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios")).unwrap() {

@@ -1,4 +1,4 @@
-//! The command and its files: scenarios, messages, reports, pictures, evaluations of measurements.
+//! Tests of the command and its files: scenarios, messages, reports, pictures, evaluation of measurements.
 
 #![allow(clippy::unwrap_used)]
 

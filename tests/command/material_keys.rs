@@ -1,4 +1,5 @@
-//! `material` in a scenario: what a body takes from it, what goes before it, and tables over materials.
+//! `material` in a scenario: the values that a body takes from it, the keys that replace them, and tables over
+//! materials.
 
 use plm_impact::law::LawChoice;
 use plm_impact::materials::{Property, all, find};
@@ -45,12 +46,12 @@ fn every_material_makes_an_impact_as_ball_and_as_plate() {
             let yields = find(half_space).unwrap().is_metal();
             assert_eq!(scene.half_space.yield_strength.is_some(), yields, "{half_space}");
             if !yields {
-                // brittle plates and polymers stay elastic
+                // plates of brittle materials and of polymers stay elastic
                 assert!(off(restitution, 1.0) < 1e-12, "{sphere} on {half_space}: {restitution}");
             } else if sphere == "alumina-99.5" {
                 assert!(restitution > 0.02 && restitution < 1.0, "{sphere} on {half_space}: {restitution}");
             } else {
-                // a soft and light ball may leave steel elastic
+                // under a soft and light ball, steel may stay elastic
                 assert!(restitution > 0.5 && restitution <= 1.0, "{sphere} on {half_space}: {restitution}");
             }
         }
@@ -68,7 +69,8 @@ fn a_material_says_what_keys_would_say() {
     assert_eq!(by_name.half_space, by_keys.half_space);
     assert_eq!(by_name.law, by_keys.law);
     assert_eq!((by_name.sphere.material, by_name.sphere.density), (by_keys.sphere.material, by_keys.sphere.density));
-    // the ball's own strength only warns: 63 HRC is 773 HV in ISO 18265 (61.8 HRC 740 HV, 63.3 HRC 780 HV), 3.647 MPa each
+    // the strength of the ball is used for a warning only: 63 HRC is 773 HV in ISO 18265 (61.8 HRC is 740 HV, 63.3 HRC
+    // is 780 HV), 3.647 MPa each
     assert!(off(by_name.sphere.yield_strength.unwrap(), 3.647e6 * 772.0) < 1e-3, "{:?}", by_name.sphere);
 }
 
@@ -79,7 +81,7 @@ fn a_key_beside_the_material_goes_before_its_value() {
     };
     assert_eq!(with("youngs_modulus = 2e11").half_space.material.youngs_modulus, 2e11);
     assert_eq!(with("density = 7900").half_space.density, Some(7900.0));
-    // another hardness keeps the exponent; a yield strength takes the place of both
+    // another hardness keeps the exponent; a yield strength replaces hardness and exponent
     let harder = with("hardness = \"200 HV\"");
     assert!(off(harder.hardness.unwrap(), 9.806_65e6 * 200.0 / 0.9272) < 1e-14);
     assert_eq!(harder.law.flow(), Some(&FlowCurve::Power { exponent: 0.45 }));
@@ -87,7 +89,7 @@ fn a_key_beside_the_material_goes_before_its_value() {
     assert_eq!((own.half_space.yield_strength, own.hardness, own.law.flow()), (Some(300e6), None, None));
     let hardening = with("hardness = \"200 HV\"\nflow_stress.power.exponent = 0.2");
     assert_eq!(hardening.law.flow(), Some(&FlowCurve::Power { exponent: 0.2 }));
-    // a mass in place of the density, a rigid sphere, and the command line
+    // a mass instead of the density, a rigid sphere, and overrides on the command line
     let hammer =
         scene(&steel().replace("radius = \"5 mm\"", "radius = \"5 mm\"\nmass = \"5.5 g\"\nyoungs_modulus = \"rigid\""));
     assert_eq!((hammer.mass, hammer.sphere.material.youngs_modulus), (Some(5.5e-3), f64::INFINITY));
@@ -121,7 +123,7 @@ fn an_unknown_material_is_refused_with_the_nearest() {
     assert!(message.contains("s.toml:3") && message.contains("did you mean \"steel-52100-hardened\"?"), "{message}");
     let message = refused(&steel().replace("material = \"steel-s235\"", "material = 3"));
     assert!(message.contains("s.toml:5") && message.contains("a text in quotes"), "{message}");
-    // what a material does not know is still missing
+    // a key without a value in the material is still missing
     let message = refused(&steel().replace("radius = \"5 mm\"\n", ""));
     assert!(message.contains("radius"), "{message}");
 }
@@ -168,13 +170,13 @@ fn materials_are_an_axis() {
         let exact = single.contact().unwrap().closed_form(row[speed].parse().unwrap()).unwrap();
         assert!(off(row[e].parse().unwrap(), exact.restitution) < 1e-12, "{row:?}");
     }
-    // the ball is shared, the plate is not
+    // all cases have the same ball, but not the same plate
     assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
     assert!(
         inputs["half_space_youngs_modulus_Pa"].is_null() && inputs["half_space_yield_strength_Pa"].is_null(),
         "{inputs}"
     );
-    // the half-space needs no table of its own beside the axis, and a key of it still goes before
+    // a material can also be the axis of the sphere
     let balls = "[sphere]\nradius = \"5 mm\"\n[impact]\nspeed = 3\n[half_space]\nmaterial = \"steel-s355\"\n\
                  [sweep]\n\"sphere.material\" = [\"glass-soda-lime\", \"steel-52100-hardened\", \"silicon-nitride\"]\n";
     assert_eq!(table(balls).0.lines().filter(|line| !line.starts_with('#')).count(), 4);
@@ -205,7 +207,7 @@ fn one_line_draws_from_the_ranges_of_a_material() {
     let plan = Scenario::from_text("s.toml", &random, &[]).unwrap().plan().unwrap().unwrap();
     let Cases::MonteCarlo { variables, .. } = &plan.cases else { panic!("{plan:?}") };
     let drawn: Vec<&str> = variables.iter().map(|variable| variable.key.path).collect();
-    // S235: one density and one Poisson's ratio
+    // S235 has one density and one Poisson's ratio, so they are not drawn
     assert_eq!(drawn, ["half_space.youngs_modulus", "half_space.hardness", "impact.speed"]);
     let ends = |place: usize| (variables[place].value(0.0), variables[place].value(1.0));
     assert!(off(ends(0).0, 207e9) < 1e-12 && off(ends(0).1, 210e9) < 1e-12);
@@ -213,7 +215,7 @@ fn one_line_draws_from_the_ranges_of_a_material() {
     let vickers = |pressure: f64| pressure * 0.9272 / 9.806_65e6;
     assert!((vickers(ends(1).0) - 109.4).abs() < 0.1 && (vickers(ends(1).1) - 161.7).abs() < 0.1);
     assert_eq!(plan.scene.half_space.density, Some(value("steel-s235", Property::Density)));
-    // the same as the keys written out
+    // the table is the same as with the keys written out
     let lines = "\"half_space.youngs_modulus\" = { uniform = [\"207 GPa\", \"210 GPa\"] }\n\"half_space.hardness\" = { uniform = [\"104 HB\", \"154 HB\"] }";
     let spelled = random.replace("\"half_space.material\" = \"uniform\"", lines);
     let table = |text: &str| {

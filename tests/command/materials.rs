@@ -1,4 +1,4 @@
-//! The materials: numbers against what is published, and the command that lists them.
+//! The materials: their numbers against published values, and the command that lists them.
 
 use std::collections::BTreeSet;
 
@@ -54,13 +54,13 @@ fn value(name: &str, property: Property) -> f64 {
 #[test]
 fn values_are_those_that_are_published() {
     use Property::{Density, HardeningExponent, Hardness, PoissonsRatio, YoungsModulus};
-    // HV in Pa of mean pressure
+    // mean pressure \[Pa\] of a Vickers hardness
     let vickers = |hv: f64| 9.806_65e6 * hv / 0.9272;
     let published = [
         // EN 1993-1-1, 3.2.6
         ("steel-s235", YoungsModulus, 210e9, 0.0),
         ("steel-s355", PoissonsRatio, 0.3, 0.0),
-        // EN 10025-2: 360 to 510 MPa; hardness after ISO 18265 of the middle: 136 HV = 129 HB
+        // EN 10025-2: 360 to 510 MPa; the middle is 136 HV = 129 HB by ISO 18265
         ("steel-s235", Hardness, vickers(136.0), 0.02),
         // Callister, tables B.1 to B.3
         ("steel-304-annealed", Density, 8000.0, 0.0),
@@ -74,7 +74,7 @@ fn values_are_those_that_are_published() {
         ("ptfe", PoissonsRatio, 0.46, 0.0),
         ("glass-soda-lime", Density, 2500.0, 0.0),
         ("silica-fused", PoissonsRatio, 0.17, 0.0),
-        // MatWeb: 107 HV, 175 HV; ASM: 349 HV; SSAB: 450 HB, of which ISO 18265 makes 474 HV
+        // MatWeb: 107 HV, 175 HV; ASM: 349 HV; SSAB: 450 HB, which is 474 HV by ISO 18265
         ("aluminium-6061-t6", Hardness, vickers(107.0), 1e-12),
         ("aluminium-7075-t6", Hardness, vickers(175.0), 1e-12),
         ("titanium-6al-4v-annealed", Hardness, vickers(349.0), 1e-12),
@@ -91,8 +91,9 @@ fn values_are_those_that_are_published() {
 
 #[test]
 fn hardness_and_hardening_from_tension_say_the_same_strength() {
-    // K [MPa] and n of stress = K strain^n, measured in tension (Kalpakjian and Schmid; Callister). At the plastic strain of
-    // a hardness test the stress is that of the hardness, which is good to 10 %, and n of one batch to another
+    // K [MPa] and n of stress = K strain^n, measured in tension (Kalpakjian and Schmid; Callister). At the plastic
+    // strain of a hardness test this stress has to agree with the stress of the hardness, which is accurate to 10 %. n
+    // varies from batch to batch
     let measured = [
         ("steel-304-annealed", 1275.0, 0.45),
         ("steel-304-annealed", 1400.0, 0.44),
@@ -151,7 +152,7 @@ fn the_command_lists_all_and_prints_one() {
         assert_eq!(one.contains("no strength"), !entry.is_metal(), "{one}");
     }
     let (steel, _) = materials(&["steel-304-annealed"], 0);
-    // 3.65 x 145 MPa; begun from 61 MPa, 193 GPa and N = 0.45 it is reached at a strain of 0.08
+    // 3.65 x 145 MPa; a power law with 61 MPa, 193 GPa and N = 0.45 has this stress at a strain of 0.08
     assert!(steel.contains("flow stress 528.8 MPa; the power law begins at "), "{steel}");
 }
 

@@ -6,7 +6,7 @@ use assert_cmd::Command;
 use rayon::prelude::*;
 use tempfile::TempDir;
 
-/// What is compared, with the column of the reference; the summary has the same names.
+/// The quantities that are compared, by their names in the summary, and their columns in the reference.
 const QUANTITIES: [(&str, usize); 5] = [
     ("restitution", 10),
     ("contact_time_s", 11),
@@ -15,7 +15,7 @@ const QUANTITIES: [(&str, usize); 5] = [
     ("yield_speed_m_per_s", 19),
 ];
 
-/// A scenario of a row, with the text of its numbers: SI without units, and no table of the solver.
+/// The scenario of a row: its numbers as they are written, in SI units, without a table of the solver.
 fn scenario(row: &csv::StringRecord) -> String {
     let exponent = match &row[9] {
         name @ "pressure-shape" => format!("{name:?}"),
@@ -58,7 +58,7 @@ fn the_command_reproduces_the_oracle_at_its_defaults() {
         for (name, column) in QUANTITIES {
             let got = summary[name].as_f64().unwrap_or_else(|| panic!("{}: no number {name}", &row[0]));
             let want: f64 = row[column].parse().unwrap();
-            // a row without a dent: exactly 0
+            // in a row without a dent the difference has to be exactly 0
             let miss = (got - want).abs();
             assert!(miss <= 1e-8 * want, "{} ({}): {name} = {got:e}, not {want:e}", &row[0], &row[9]);
         }

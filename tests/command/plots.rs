@@ -1,4 +1,4 @@
-//! Pictures are decoded and measured: what is drawn, and where.
+//! Pictures are decoded, and the colours at known places are checked.
 
 use plm_impact::impact::{Contact, Impact, Solver};
 use plm_impact::law::Plm;
@@ -41,13 +41,13 @@ impl Picture {
         self.pixels[y * self.width + x]
     }
 
-    /// Places of a colour.
+    /// All pixels with a colour.
     fn places(&self, color: Rgb) -> Vec<(usize, usize)> {
         let index = |i: usize| (i % self.width, i / self.width);
         self.pixels.iter().enumerate().filter(|(_, pixel)| **pixel == color).map(|(i, _)| index(i)).collect()
     }
 
-    /// The box with the axes: left, top, right, bottom. Its outline is the only long line in ink.
+    /// The box with the axes: left, top, right, bottom. Its outline is the only long black line.
     fn axes(&self) -> [f64; 4] {
         let mut columns = vec![0; self.width];
         let mut rows = vec![0; self.pixels.len() / self.width];
@@ -114,7 +114,7 @@ fn force_against_indentation_shows_three_loops_that_fill_the_axes() {
         #[allow(clippy::cast_precision_loss)]
         let (wide, high) = { (extent(&inside(BLUE)).0 as f64, extent(&inside(BLUE)).1 as f64) };
         assert!(wide > 0.9 * (right - left) && high > 0.85 * (bottom - top), "{wide} x {high}");
-        // the peak, in ink, where the axes' ranges put it: 1/1.06 and 1/1.08 of the box
+        // the black marker of the peak is at 1/1.06 and 1/1.08 of the box, from the ranges of the axes
         assert!(picture.shows(INK, (1.0 / 1.06, 1.0 / 1.08)));
         if impact.has_dent() {
             let residual = impact.residual_indentation / (1.06 * impact.peak_indentation);
@@ -130,7 +130,7 @@ fn history_shows_force_indentations_and_speed() {
         for color in [PURPLE, BLUE, VERMILLION, GREEN, ORANGE] {
             assert!(picture.places(color).len() > 300, "{color:?}");
         }
-        // three boxes below each other: force above, speed below
+        // three boxes one below the other: force at the top, speed at the bottom
         let highest = |color| picture.places(color).iter().map(|place| place.1).min().unwrap();
         assert!(highest(PURPLE) < 360 && highest(BLUE) < 620 && highest(ORANGE) < 900);
     }
@@ -196,7 +196,7 @@ fn curves_and_guides_are_cut_at_the_axes() {
     #[allow(clippy::cast_precision_loss)]
     for (x, y) in picture.places(BLUE).into_iter().chain(picture.places(VERMILLION)) {
         let (x, y) = (x as f64, y as f64);
-        // what is right of the axes is the key
+        // points to the right of the axes belong to the key
         assert!(x > right || (x >= left - 4.0 && y >= top - 4.0 && y <= bottom + 4.0), "{x} {y}");
     }
 }
@@ -230,7 +230,7 @@ fn a_heat_map_has_each_cell_in_its_colour() {
         color: Axis::linear("e", "").between(0.0, 1.0),
     };
     let picture = Picture::decoded(&map.draw().unwrap().to_png().unwrap());
-    // both ends of viridis (van der Walt and Smith 2015): 440154 and fde725; shares of the way to the colour bar's end
+    // both ends of viridis (van der Walt and Smith 2015): 440154 and fde725; places as shares of the axes
     let [left, top, right, bottom] = picture.axes();
     let cells = [((0.2, 0.25), [0x44, 0x01, 0x54]), ((0.65, 0.25), [0xfd, 0xe7, 0x25]), ((0.2, 0.9), [0xe2; 3])];
     for ((x, y), color) in cells {

@@ -1,4 +1,4 @@
-//! No picture cuts its text: what would leave the sheet shows as ink at its border.
+//! No picture cuts off its text: text beyond the picture would leave dark pixels at the border.
 
 use std::path::Path;
 
@@ -132,7 +132,7 @@ fn pictures_of_the_repository_keep_their_text() {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                // what Matplotlib draws of a run in LAMMPS is no picture of this program
+                // the picture of a run in LAMMPS is drawn by Matplotlib, not by this program
                 if !path.ends_with("plots/lammps") {
                     folders.push(path);
                 }

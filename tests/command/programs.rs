@@ -1,5 +1,5 @@
-//! What programs and shells get: summaries and errors as JSON, standard input, completions, manual pages, and examples that
-//! run.
+//! The interface to programs and shells: summaries and errors as JSON, standard input, completions, manual pages, and
+//! the examples of the help.
 
 use std::fs;
 use std::process::{Command, Output};
@@ -11,13 +11,13 @@ use serde_json::{Value, json};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 
-/// The command in a directory, with a text on standard input.
+/// Calls the command in a directory, with a text on standard input.
 fn fed(desk: &Desk, arguments: &[&str], input: &str) -> Output {
     let mut command = assert_cmd::Command::new(PROGRAM);
     command.current_dir(desk.path("")).args(arguments).write_stdin(input).output().unwrap()
 }
 
-/// A line for a shell, in a directory, where `plm-impact` is the program.
+/// Runs a line in a shell in a directory, where `plm-impact` is the program.
 fn shell(desk: &Desk, line: &str) -> Output {
     let script = format!("plm-impact() {{ '{PROGRAM}' \"$@\"; }}; {line}");
     Command::new("bash").args(["-c", &script]).current_dir(desk.path("")).env("HOME", desk.path("")).output().unwrap()
@@ -39,12 +39,12 @@ fn json_prints_the_summary_that_is_written_and_nothing_else() {
         assert!(serde_json::from_slice::<Value>(&output.stdout).unwrap().is_object());
         assert!(output.stderr.is_empty(), "{kind}: {}", text(&output.stderr));
     }
-    // warnings are elsewhere
+    // warnings go to standard error
     let desk = Desk::with(STEEL);
     let output = desk.call(&["run", "s.toml", "--json", "--set", "impact.speed=200 m/s"]);
     assert_eq!(serde_json::from_slice::<Value>(&output.stdout).unwrap()["inputs"]["impact_speed_m_per_s"], 200.0);
     assert!(text(&output.stderr).starts_with("warning: "));
-    // a part of a table has no summary
+    // a shard has no summary
     assert_eq!(desk.call(&["init", "sweep"]).status.code(), Some(0));
     let output = desk.call(&["run", "sweep.toml", "--json", "--shard", "0/2", "--out", "out"]);
     assert_eq!(output.status.code(), Some(2));
@@ -87,11 +87,11 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
             assert_eq!(&said[key], value, "{key} of {arguments:?}: {said}");
         }
     }
-    // a name that is no text
+    // a file name that is not valid UTF-8
     let odd = shell(&desk, "plm-impact run $'\\xff.toml' --no-such-option --error-format=json");
     assert_eq!(odd.status.code(), Some(2), "{}", text(&odd.stderr));
     assert_eq!(objects(&odd.stderr)[0]["level"], "error");
-    // what is not known is not there
+    // fields without a value are left out
     let output = desk.call(&["check", "name.toml", "--error-format", "json"]);
     let said = &objects(&output.stderr)[0];
     assert!(said.get("value").is_none() && said.get("allowed").is_none(), "{said}");
@@ -120,14 +120,14 @@ fn a_dash_reads_the_scenario_from_standard_input() {
     assert!(
         run(&["calibrate", "-", "--restitution", "0.49", "--out", "c"], STEEL).contains("half_space.yield_strength")
     );
-    // a table, and files beside the current directory
+    // a table, and a file relative to the current directory
     let sweep = text(&desk.call(&["init", "sweep", "--out", "-"]).stdout);
     run(&["run", "-", "--out", "t"], &sweep);
     assert!(desk.path("t/table.csv").exists());
     fs::write(desk.path("flow.csv"), "plastic_strain,stress_Pa\n0,3.45e8\n0.1,5e8\n").unwrap();
     let flow = STEEL.replace("[impact]", "flow_stress.table = \"flow.csv\"\n[impact]");
     run(&["check", "-"], &flow);
-    // messages name it
+    // messages name standard input
     let bad = fed(&desk, &["check", "-"], &STEEL.replace("5 mm", "5 mn"));
     assert_eq!(bad.status.code(), Some(2));
     assert!(text(&bad.stderr).starts_with("error: stdin:2:10: sphere.radius: "), "{}", text(&bad.stderr));
@@ -157,7 +157,7 @@ fn completions_and_manual_pages_know_every_command() {
         }
         assert!(script.contains("--error-format") || script.contains("error-format"), "{shell}");
     }
-    // bash takes them, and completes an option
+    // bash loads the completions and completes an option
     let line = "eval \"$(plm-impact completions bash)\"; COMP_WORDS=(plm-impact run --pic); COMP_CWORD=2; \
                 complete -p plm-impact | sed 's/.*-F //; s/ .*//' > name; $(cat name) plm-impact --pic run; echo \"${COMPREPLY[@]}\"";
     assert_eq!(text(&shell(&desk, line).stdout).trim(), "--pictures");
@@ -180,7 +180,7 @@ fn completions_and_manual_pages_know_every_command() {
 #[test]
 fn the_examples_of_every_help_run() {
     let desk = Desk::with("");
-    // what the examples take for given
+    // files that the examples need
     let prepared = "plm-impact init; plm-impact init sweep; mkdir -p scenarios measurements .local/share/bash-completion/completions; \
                     for i in 0 1; do plm-impact run sweep.toml --shard $i/2 --out shards --quiet; done";
     assert!(shell(&desk, prepared).status.success());
@@ -199,7 +199,7 @@ fn the_examples_of_every_help_run() {
         for example in examples.lines() {
             let example = example.trim_start();
             assert!(example.starts_with("plm-impact "), "{command}: {example}");
-            // these measure time, need a reader of pages, or measurements: that they parse is a test of the command line
+            // these examples measure time, open a pager or need measurements; another test parses them
             if command == "bench" || example.contains("man -l") || example.contains("measurements") {
                 continue;
             }
@@ -233,7 +233,7 @@ fn messages_are_coloured_on_a_terminal_alone() {
     }
     let piped = text(&desk.call(&["check", "none.toml"]).stderr);
     assert!(piped.starts_with("error: none.toml: "), "{piped:?}");
-    // as other tools do where colour is asked for
+    // as in other tools, an environment variable can ask for colours
     let forced = text(&shell(&desk, "CLICOLOR_FORCE=1 plm-impact run s.toml --set impact.speed=200").stderr);
     assert!(forced.starts_with("\u{1b}[1m\u{1b}[33mwarning:\u{1b}[0m "), "{forced:?}");
 }

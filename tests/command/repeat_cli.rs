@@ -1,4 +1,4 @@
-//! `[repeat]` as text and through a real process: what is refused, what is written.
+//! `[repeat]` as text and as a process: refusals and outputs.
 
 use plm_impact::math::power::max_or_nan;
 use plm_impact::repeat::{Drive, Place};
@@ -69,7 +69,7 @@ fn bad_tables_are_refused_with_the_way_out() {
             &["repeat.until", "unknown key `height`", "speed"],
         ),
         (table("spot = \"same\"\nspeeds = []"), &["repeat.speeds", "is empty"]),
-        // a shot of speed zero is refused, where it stands
+        // a shot with zero speed is refused with its place in the file
         (
             table("spot = \"same\"\nspeeds = [\"1 m/s\", \"0 m/s\"]"),
             &["s.toml:12", "repeat.speeds", "0 m/s", "> 0 m/s", "does not touch: leave it out"],
@@ -184,7 +184,7 @@ fn overrides_strict_and_check_work_as_for_one_impact() {
     let said = text(&check.stdout);
     assert!(said.contains("all on the same spot") && said.contains("there were 7 impacts"), "{said}");
     assert!(said.contains("impact.drop_height") && said.contains("yield speed"), "{said}");
-    // a deep dent is a doubt, and with --strict nothing is written
+    // a deep dent gives a warning, and with --strict nothing is written
     let fast = ["run", "s.toml", "--set", "impact.drop_height=2 km"];
     let loose = desk.call(&fast);
     assert_eq!(loose.status.code(), Some(0), "{}", text(&loose.stderr));
@@ -213,7 +213,7 @@ fn one_result_whatever_the_method() {
     assert_eq!(e("closed_form"), exact);
     for method in ["rk8", "dop853", "dopri5"] {
         for (got, want) in e(method).into_iter().zip(&exact) {
-            // four impacts, each to a few hundred times the tolerance 1e-10
+            // four impacts, each with an error of up to a few hundred times the tolerance 1e-10
             assert!((got / want - 1.0).abs() < 1e-7, "{method}: {got} {want}");
         }
     }

@@ -1,4 +1,4 @@
-//! What is written about an impact says what the impact says: keys, values, rows.
+//! The files of an impact agree with the computed impact: keys, values, rows.
 
 use plm_impact::impact::{Contact, Event, Impact, Solver};
 use plm_impact::law::Plm;
@@ -26,7 +26,7 @@ fn impact(contact: &Contact, speed: f64) -> Impact {
     contact.impact(speed, &Solver::default(), Some(SAMPLES)).unwrap()
 }
 
-/// Of the scene that the contact belongs to.
+/// The inputs of the scene of a contact.
 fn inputs(contact: &Contact, speed: f64) -> Inputs {
     let scene = Scenario::from_text("steel", STEEL, &[]).unwrap().resolve().unwrap();
     Inputs(of_scene(&Scene { sphere: *contact.sphere(), half_space: *contact.half_space(), speed, ..scene }))
@@ -168,7 +168,7 @@ fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
     let number = |row: &csv::StringRecord, column: usize| row[column].parse::<f64>().unwrap();
     let inner =
         impact.trace.iter().filter(|row| matches!(row.event, Some(Event::Yield | Event::Knot | Event::Peak))).count();
-    // touch and separation are samples, the events between them are rows of their own
+    // first touch and separation are samples; the events between them are additional rows
     assert_eq!(rows.len(), SAMPLES + inner);
     for (row, expected) in rows.iter().zip(&impact.trace) {
         let got: Vec<f64> = (0..6).map(|column| number(row, column)).collect();

@@ -1,4 +1,4 @@
-//! Scenarios as text: what they resolve to, and how bad ones are refused.
+//! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
 use plm_impact::impact::{Damping, Method, Warning};
 use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
@@ -106,7 +106,7 @@ fn keys_without_effect_are_warned_about_not_refused() {
 #[test]
 fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     for key in KEYS {
-        // inside of every range
+        // a value inside of the range of the key
         let value = match key.path {
             "solver.tolerance" => 1e-3,
             "half_space.hardness" => 1.25e9,
@@ -117,15 +117,15 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let value = if is_share { 0.25 } else { value };
         let text = STEEL.replace("radius = \"5 mm\"\n", "");
         let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
-        // a drop height stands in the place of the speed, and needs gravity
+        // a drop height replaces the speed, and needs gravity
         let is_height = key.path == "impact.drop_height";
-        // so does a mass for the density, and a hardness for the yield strength
+        // a mass replaces the density, and a hardness replaces the yield strength
         let text = match key.path {
             "sphere.mass" => text.replace("density = \"7850 kg/m^3\"\n", ""),
             "half_space.hardness" => text.replace("yield_strength = \"345 MPa\"\n", ""),
             _ => text,
         };
-        // a number of a flow curve is there only in a curve of its form
+        // a key of a flow curve needs a curve of its form
         let curve = match key.path.strip_prefix("half_space.flow_stress.").and_then(|rest| rest.split('.').next()) {
             Some("power") => vec!["half_space.flow_stress.power.exponent=0.1"],
             Some("voce") => vec!["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"],
@@ -141,7 +141,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         };
         let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
         let by_file = given(&[&format!("{}={value}", key.path)]);
-        // a key of a law is there only under that law
+        // a key of a law needs this law
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
         let any = if is_height { "impact.drop_height=7" } else { "sphere.diameter=1" };
         let mut by_key = given(&[any, &format!("law.{law}={{}}")]);
@@ -204,7 +204,7 @@ fn damping_is_one_of_two_and_gravity_pulls_down() {
 
 #[test]
 fn bad_values_are_shown_with_line_value_range_and_way_out() {
-    // line to change, into what, what the message holds
+    // line to change, new line, parts of the message
     let table: &[(&str, &str, &[&str])] = &[
         (
             "radius = \"5 mm\"",
@@ -306,7 +306,7 @@ fn errors_of_overrides_say_so() {
         assert!(message.starts_with(&format!("--set {given}: ")), "{message}");
         assert!(message.contains(want), "{message}");
     }
-    // the second override is at fault, not the first
+    // the second override is wrong, not the first
     let message = refusal(STEEL, &["output.samples=3", "impact.speed=0"]);
     assert!(message.starts_with("--set impact.speed=0: impact.speed:"), "{message}");
 }
@@ -329,7 +329,7 @@ fn the_hash_is_of_text_overrides_and_coefficients() {
     assert_ne!(plain, hash(&format!("{STEEL}\n"), &[], built_in));
     assert_ne!(plain, hash(STEEL, &["impact.speed=3"], built_in));
     assert_ne!(hash(STEEL, &["impact.speed=3"], built_in), hash(STEEL, &["impact.speed=4"], built_in));
-    // a file of coefficients counts where it is named, and only there
+    // a file of coefficients changes the hash only if the scenario names it
     let changed = format!("# mine\n{built_in}");
     assert_eq!(plain, hash(STEEL, &[], &changed));
     let named = format!("{STEEL}\n[law.plm]\ncoefficients = \"my.toml\"\n");

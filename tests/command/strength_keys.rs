@@ -1,4 +1,5 @@
-//! `sphere.mass`, `half_space.hardness` and `[half_space.flow_stress]`: what a scenario with them comes to, and what is refused.
+//! `sphere.mass`, `half_space.hardness` and `[half_space.flow_stress]`: the scenes of scenarios with them, and
+//! refusals.
 
 use std::fs;
 
@@ -42,7 +43,7 @@ fn a_mass_is_a_density_said_otherwise() {
     let by_mass = scene(&with_mass(&format!("\"{grams} g\"")));
     assert!(off(restitution(&by_mass), restitution(&scene(STEEL))) < 1e-14);
     assert!(off(by_mass.contact().unwrap().mass(), 1e-3 * grams) < 1e-14);
-    // the mass stays what it is, whatever the radius
+    // the mass does not change with the radius
     let text = format!("{}[sweep]\n\"sphere.radius\" = [\"1 mm\", \"5 mm\"]\n", with_mass("0.004"));
     let plan =
         Scenario::from_text("s.toml", &text.replace("radius = \"5 mm\"\n", ""), &[]).unwrap().plan().unwrap().unwrap();
@@ -91,7 +92,7 @@ fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
     let scene = scene(&text);
     let strength = scene.half_space.yield_strength.unwrap();
     assert!(off(strength * (1.0 + 210e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
-    // whichever number is changed last
+    // the same after a change of the modulus
     let mut changed = scene.clone();
     changed.set_half_space_modulus(100e9);
     let strength = changed.half_space.yield_strength.unwrap();
@@ -189,14 +190,14 @@ fn every_number_is_an_axis_and_can_be_drawn() {
     }
 }
 
-/// The scenario of the Leeb device against an energy balance in Python that shares no code with this program: the law of
-/// section 4 and n(Λ), 11 mJ on a yield strength of 9.80665 × 300/0.9272/2.9 MPa.
+/// The scenario of the Leeb device against an energy balance in an independent Python program, with the law of section
+/// 4 and n(Λ): 11 mJ on a yield strength of 9.80665 × 300/0.9272/2.9 MPa.
 #[test]
 fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml"));
     let leeb = Scenario::load(file, &[]).unwrap().resolve().unwrap();
     assert!(off(restitution(&leeb), 0.536_819_556_289_484_6) < 1e-8, "{}", restitution(&leeb));
-    // the same with the exponent 0.1 of a metal that hardens
+    // the same for a metal that hardens with the exponent 0.1
     let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
     let hardening = scene(&text);
     assert!(off(hardening.half_space.yield_strength.unwrap(), 803_547_686.070_280_6) < 1e-10);

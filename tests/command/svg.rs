@@ -1,4 +1,5 @@
-//! Pictures as SVG: text stays text, a curve lies where its values are, and a run writes what it is asked for.
+//! Pictures as SVG: text is text, a curve is at the place of its values, and a run writes the pictures that are asked
+//! for.
 
 use crate::common::command::{Desk, text};
 use plm_impact::plot::{Axis, Canvas, Lines, Series};
@@ -17,7 +18,7 @@ fn points(node: Node) -> Vec<(f64, f64)> {
     pairs.map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap())).collect()
 }
 
-/// The parts of a picture with this name.
+/// The elements of a picture with this name.
 fn parts<'a, 'i>(svg: &'a Document<'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
     svg.descendants().filter(move |node| node.has_tag_name(name))
 }
@@ -50,7 +51,7 @@ fn a_curve_lies_where_its_values_are() {
     let root = svg.root_element();
     assert_eq!((number(root, "width"), number(root, "height")), (1600.0, 1000.0));
     assert_eq!(root.attribute("viewBox"), Some("0 0 16000 10000"));
-    // the box of the axes is closed, in ink; the first series is blue (Okabe and Ito)
+    // the outline of the axes is a closed black line; the first series is blue (Okabe and Ito)
     let of = |color| parts(&svg, "polyline").filter(move |node| node.attribute("stroke") == Some(color));
     let outline = of("#222222").map(points).find(|points| points.len() == 5).unwrap();
     let (left, top) = outline[0];

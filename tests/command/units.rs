@@ -1,4 +1,4 @@
-//! Tables of spellings that are understood and of those that are refused, with their messages.
+//! Spellings of quantities that are understood, and spellings that are refused with their messages.
 
 use plm_impact::units::{Dimension, describe, human, parse, si};
 use proptest::prelude::*;
@@ -6,7 +6,7 @@ use proptest::prelude::*;
 #[test]
 fn every_spelling_gives_the_number_that_si_digits_give() {
     use Dimension::{Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed};
-    // the right-hand sides are the decimal value written in SI: equality is exact
+    // the expected numbers are the decimal values in SI units, and equality is exact
     let table = [
         ("5 mm", Length, 0.005),
         ("5mm", Length, 0.005),

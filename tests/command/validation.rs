@@ -1,5 +1,5 @@
-//! `plm-impact validate`: through a real process, against a doctored law, and its rows against a second implementation of the
-//! law that shares no code with the first.
+//! `plm-impact validate` as a process, also for a law that is made wrong on purpose. Its rows are compared with a
+//! second, independent implementation of the law.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -37,7 +37,7 @@ fn a_clean_checkout_passes_and_shows_it() {
     assert_eq!(output.status.code(), Some(0), "{table}{}", text(&output.stderr));
     assert!(table.starts_with("quantity") && !table.contains("MISS"), "{table}");
     assert!(table.lines().all(|line| line.len() < 400), "{table}");
-    // what is off is said where it cannot be missed
+    // the known deviation is printed
     assert!(table.contains("known of the built-in law: load cycle: residual"), "{table}");
 
     let read = |name: &str| fs::read_to_string(directory.path().join("v").join(name)).unwrap();
@@ -60,7 +60,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             "{row:?}"
         );
     }
-    // what is kept in the repository is what the command writes
+    // the files in the repository are those that the command writes
     for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/plots/validate")).unwrap() {
         let (name, kept) = (entry.as_ref().unwrap().file_name(), fs::read(entry.unwrap().path()).unwrap());
         let written = fs::read(directory.path().join("v").join(&name)).unwrap();
@@ -77,7 +77,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             let info = reader.next_frame(&mut pixels).unwrap();
             assert_eq!((info.width, info.height), (1600, 1000));
             assert!(has_free_border(&fs::read(&path).unwrap()), "{}", path.display());
-            // blue points of the reference, or of the first case
+            // there are blue points of the reference or of the first case
             let blue = pixels.chunks(3).filter(|pixel| *pixel == [0x00, 0x72, 0xb2]).count();
             assert!(blue > 100 || path.ends_with("error-restitution.png"), "{}: {blue}", path.display());
             pictures += 1;
@@ -89,7 +89,7 @@ fn a_clean_checkout_passes_and_shows_it() {
 #[test]
 fn another_law_misses_and_the_exit_code_says_so() {
     let directory = TempDir::new().unwrap();
-    // straight pieces a tenth too steep
+    // the straight pieces are a tenth too steep
     let steeper = BUILT_IN.replace(
         "slope = [2.00, 2.29, 2.62, 3.04, 3.66, 4.32, 4.84, 5.60, 6.51]",
         "slope = [2.20, 2.52, 2.88, 3.34, 4.03, 4.75, 5.32, 6.16, 7.16]",
@@ -102,10 +102,10 @@ fn another_law_misses_and_the_exit_code_says_so() {
     assert_eq!(output.status.code(), Some(3), "{table}{message}");
     assert!(table.contains("MISS: loading: force, rms over the curve: case 3"), "{table}");
     assert!(message.contains("checks missed their tolerance: see v/validation.csv"), "{message}");
-    // the tables are there to look at, and what tests the program alone still passes
+    // the tables are written, and the checks of the program alone still pass
     let checks = rows(&fs::read_to_string(directory.path().join("v/validation.csv")).unwrap());
     assert!(checks.iter().any(|row| row["verdict"] == "MISS"));
-    // what is on record is so of the built-in law, and excuses no other
+    // deviations that are known for the built-in law are misses for another law
     assert!(checks.iter().all(|row| row["verdict"] != "known"), "{table}");
     assert!(!table.contains("built-in law"), "{table}");
     let of_program = |row: &&Row| row["quantity"].starts_with("program") || row["quantity"].starts_with("Hertz");
@@ -168,8 +168,8 @@ fn a_row_passes_up_to_its_tolerance_and_is_known_up_to_what_is_on_record() {
     assert!(table.contains("MISS: 1") && table.contains("1 of 2 checks MISSED"), "{table}");
 }
 
-/// The PLM of theory written down a second time: plain sums, bisection instead of roots, the trapezoidal rule instead of
-/// closed forms.
+/// A second implementation of the PLM: plain sums, bisection instead of formulas for roots, the trapezoidal rule
+/// instead of closed forms.
 struct Second {
     table: toml::Table,
     kappa: f64,
@@ -177,7 +177,7 @@ struct Second {
 }
 
 impl Second {
-    /// From the comment lines of a loading curve.
+    /// The law of the bodies in the comment lines of a loading curve.
     fn of(curve: &str) -> Self {
         let value = |key: &str| -> f64 {
             let line = curve.lines().find_map(|line| line.strip_prefix(&format!("# {key} = "))).unwrap();
@@ -299,7 +299,7 @@ fn rows_of_load_cycles_follow_from_a_second_implementation() {
         let row = |quantity: &str| {
             let is_this = |check: &&Check| {
                 let (run, depth) = check.case.split_once(", x = ").unwrap_or(("", ""));
-                // four digits; rows that are no cycle's have none
+                // the depth has four digits; rows that belong to no cycle have none
                 let depth: f64 = depth.parse().unwrap_or(0.0);
                 check.quantity == quantity && run == cycle["run"] && (depth / x - 1.0).abs() < 1e-3
             };
@@ -308,7 +308,7 @@ fn rows_of_load_cycles_follow_from_a_second_implementation() {
         for (quantity, is_paper) in
             [("load cycle: restitution, exponent 3/2", true), ("load cycle: restitution, pressure-shape", false)]
         {
-            // only where the reference has one
+            // not all rows of the reference have a restitution
             let Ok(expected) = cycle["restitution"].parse::<f64>() else { continue };
             let check = row(quantity).unwrap();
             assert_eq!(check.expected, Some(expected));
@@ -316,7 +316,7 @@ fn rows_of_load_cycles_follow_from_a_second_implementation() {
             assert_relative_eq!(check.got.unwrap(), second.restitution(x, is_paper), max_relative = 2e-6);
             compared += 1;
         }
-        // Eq. 23 with the reference's own peak
+        // Eq. 23 with the peak of the reference
         let dent = row("unloading: residual indentation from the reference's peak (Eq. 23)").unwrap();
         let residual = x * (1.0 - number(&cycle, "sphere_share") / second.kappa);
         assert_relative_eq!(dent.got.unwrap(), residual, max_relative = 1e-9);
@@ -363,13 +363,14 @@ fn rows_of_loading_follow_from_a_second_implementation() {
 
 #[test]
 fn whole_impacts_are_those_of_the_scenarios() {
-    // e by the balance of energy of the second implementation, for the bodies of D1 (scenarios/dynamic-fe-d1.toml)
+    // e from the energy balance of the second implementation, for the bodies of D1 (scenarios/dynamic-fe-d1.toml)
     let second = Second {
         kappa: 210.0 / (208.0 + 210.0),
         a_y: std::f64::consts::PI * 1.613_160_7 * 0.345 / (2.0 * 208.0 * 210.0 / 0.91 / (208.0 + 210.0)),
         table: toml::from_str(BUILT_IN).unwrap(),
     };
-    // ρ v² against the yield point: (1/2)(4/3)π R³ ρ v² = W F_Y δ_Y, F_Y δ_Y = (2/3) E* a_Y^5 R³ × 2, a_Y in R
+    // kinetic energy in units of first yield: (1/2)(4/3)π R³ ρ v² = W F_Y δ_Y, F_Y δ_Y = (2/3) E* a_Y^5 R³ × 2, a_Y in
+    // units of R
     let e_star = 208e9 * 210e9 / 0.91 / (208e9 + 210e9);
     let kinetic = 0.5 * 4.0 / 3.0 * std::f64::consts::PI * 7850.0 * 9.0 / (4.0 / 3.0 * e_star * second.a_y.powi(5));
     let (mut low, mut high) = (1.0, 1e4);

@@ -1,4 +1,4 @@
-//! What the program says to a person: warnings, refusals and the inputs in a summary, through the command as a process.
+//! Texts for the user: warnings, refusals and the inputs in a summary, from the command as a process.
 
 mod inputs;
 mod types;

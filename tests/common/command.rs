@@ -1,4 +1,4 @@
-//! The command as a process: a directory to call it in, and what it says and writes.
+//! The command as a process: a directory to call it in, its output and its files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ impl Desk {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// Names of what is in a directory, but for the list that the program keeps there.
+    /// The sorted names of the files in a directory, without the list that the program keeps there.
     pub fn files(&self, directory: &str) -> Vec<String> {
         let entries = fs::read_dir(self.path(directory)).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
@@ -39,7 +39,7 @@ impl Desk {
     }
 }
 
-/// The command in a directory.
+/// Calls the command in a directory.
 pub fn call(directory: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
     command.current_dir(directory).args(arguments).output().unwrap()

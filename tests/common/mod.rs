@@ -1,4 +1,4 @@
-//! What several test files share: methods, scenes, relative errors.
+//! Methods, scenes and relative errors that several test files use.
 #![allow(dead_code)]
 
 pub mod command;
@@ -12,7 +12,7 @@ use plm_impact::math::power::max_or_nan;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed};
 
-/// 5 mm sphere of steel on the same steel, at 3 m/s: a scenario that others add tables to.
+/// A sphere of steel with 5 mm radius on the same steel, at 3 m/s: a scenario to which tests add tables.
 pub const STEEL: &str = r#"[sphere]
 radius = "5 mm"
 youngs_modulus = "210 GPa"
@@ -28,13 +28,13 @@ yield_strength = "345 MPa"
 speed = "3 m/s"
 "#;
 
-/// Every adaptive stepping method, with the largest error at the end of an impact in units of its tolerance: a controller
-/// holds the error of a step, and the sum over an impact depends on the method. Measured over the hard cases and the
-/// random scenes (tolerances 1e-6 to 1e-13), rounded up.
+/// Every adaptive stepping method, with the largest error at the end of an impact in units of its tolerance. The step
+/// control limits the error of one step; the sum over an impact depends on the method. Measured for the hard cases and
+/// the random scenes (tolerances 1e-6 to 1e-13), rounded up.
 pub const STEPPING: [(Method, f64); 3] = [(Method::Rk8, 10.0), (Method::Dopri5, 100.0), (Method::Dop853, 100.0)];
 
-/// How a property is tried: on `count` random cases, the same ones in every run, so that one commit gives one verdict.
-/// `PROPTEST_RNG_SEED` draws others and `PROPTEST_CASES` sets how many, for a wider search.
+/// Settings of a property test: `count` random cases, which are the same in every run. For a wider search, set other
+/// cases by `PROPTEST_RNG_SEED` and their number by `PROPTEST_CASES`.
 pub fn cases(count: u32) -> Config {
     let from_environment = Config::default();
     let rng_seed = match from_environment.rng_seed {
@@ -45,7 +45,7 @@ pub fn cases(count: u32) -> Config {
     Config { cases, rng_seed, failure_persistence: None, ..from_environment }
 }
 
-/// A solver.
+/// A solver with this method and tolerance.
 pub fn solver(method: Method, tolerance: f64) -> Solver {
     Solver { method, tolerance, ..Solver::default() }
 }
@@ -61,7 +61,7 @@ pub fn off(got: f64, want: f64) -> f64 {
     (got / want - 1.0).abs()
 }
 
-/// The worst of restitution, contact time, loading time and peak force.
+/// The largest relative error among restitution, contact time, loading time and peak force.
 pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
     [
         off(got.restitution, want.restitution),
@@ -98,7 +98,7 @@ impl Scene {
         }
     }
 
-    /// 5 mm sphere of steel on the same steel.
+    /// A sphere of steel with 5 mm radius on the same steel.
     pub fn steel() -> Self {
         let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
         Self { radius: 5e-3, sphere: steel, half_space: steel, ..Self::case_3() }
@@ -130,7 +130,7 @@ impl Scene {
     }
 }
 
-/// Any half-space that PLM is asked about: κ from a rigid to a very soft sphere, a_Y/R from 1e-6 to 0.1.
+/// Random scenes: κ from a rigid to a very soft sphere, a_Y/R from 1e-6 to 0.1.
 pub fn any_scene() -> impl Strategy<Value = Scene> {
     (-4.0..4.0_f64, -6.0..-1.0_f64, 0.0..0.49_f64, 0.0..0.49_f64).prop_map(
         |(ratio, a_over_r, of_sphere, of_half_space)| {

@@ -1,6 +1,6 @@
-//! Pictures decoded.
+//! Checks of decoded pictures.
 
-/// Pixels that must stay white around a picture: a text that is cut reaches into them.
+/// Width of the border of a picture that must be white \[px\]. A text that is cut off would reach into it.
 const BORDER: usize = 3;
 
 /// Whether the border of a PNG is white.

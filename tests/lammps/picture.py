@@ -28,7 +28,7 @@ def main() -> None:
         of_size = np.flatnonzero(radius == size)[::8]
         label = f"LAMMPS, radius {1e3 * size:g} mm"
         left.plot(speed[of_size], rows[of_size, 4] / speed[of_size], ".", ms=4, color=colour, label=label)
-    # the row between the two halves is there twice
+    # the output has the row between the two halves twice
     kinetic, _, stored, plastic = np.delete(energies(output), 17, axis=0).T
     time = 1e6 * 4e-8 * 50 * np.arange(kinetic.size)
     parts = [kinetic, stored, plastic]

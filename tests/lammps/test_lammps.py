@@ -64,7 +64,7 @@ def closed_form(**changes: dict) -> "plm.Contact":
     return plm.Contact(**bodies)
 
 
-# the errors that velocity Verlet has at these steps: second order, until the closed form's digits are reached
+# the errors of velocity Verlet at these steps: second order, down to the accuracy of the closed form
 @pytest.mark.parametrize(("dt", "steps", "within"), [("1e-6", 100, 1e-3), ("1e-7", 1000, 1e-5), ("1e-9", 60_000, 1e-8)])
 def test_restitution_is_that_of_the_closed_form(plugin: Path, dt: str, steps: int, within: float) -> None:
     output = lammps(plugin, "one.in", dt=dt, n=steps, scenario=STEEL)
@@ -83,7 +83,7 @@ def write_rain(path: Path, count: int, seed: int = 1) -> tuple:
     side = int(np.ceil(np.sqrt(count)))
     place = np.arange(count)
     x, y = 0.011 * (place % side + 0.5), 0.011 * (place // side + 0.5)
-    # touches within the first two thirds of the first half of the run: some are in mid-contact at the restart
+    # all touch within the first two thirds of the first half of the run, so some are in contact at the restart
     z = radius + speed * random.uniform(0.0, 20e-6, count)
     lines = ["rain", "", f"{count} atoms", "1 atom types", "", f"0 {0.011 * side} xlo xhi", f"0 {0.011 * side} ylo yhi"]
     lines += ["-0.001 0.05 zlo zhi", "", "Atoms # sphere", ""]
@@ -107,7 +107,7 @@ def energies(output: str) -> "np.ndarray":
 def test_a_rain_of_three_sizes(plugin: Path, tmp_path: Path) -> None:
     data, out = tmp_path / "rain.data", tmp_path / "rain"
     radius, speed = write_rain(data, 100_000)
-    # 3/10000 of a contact of the smallest: Verlet's error of e is then below 1e-6
+    # the step is 3/10000 of a contact of the smallest sphere; the error of e by Verlet is then below 1e-6
     output = lammps(plugin, "rain.in", data=data, out=out, scenario=STEEL, dt="4e-8", half=800, wall="plane 0")
     rows = table(Path(f"{out}.dump"))
     restitution = rows[:, 4] / speed
@@ -121,7 +121,7 @@ def test_a_rain_of_three_sizes(plugin: Path, tmp_path: Path) -> None:
     start = ledger[0, 0]
     assert np.abs(ledger[:, 0] + ledger[:, 1] - start).max() < 1e-4 * start
     assert ledger[:, 2].max() > 0.01 * start and ledger[-1, 2] == 0.0, "energy is stored meanwhile, and none at the end"
-    # the plastic work of each sphere is what it has lost
+    # the plastic work of each sphere is the kinetic energy that it has lost
     mass = 7850 * 4 / 3 * np.pi * radius**3
     lost = 0.5 * mass * speed**2 - 0.5 * mass * rows[:, 4] ** 2
     assert np.abs(rows[:, 6] / lost - 1.0).max() < 1e-3
@@ -155,7 +155,7 @@ def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
     lammps(plugin, str(made), out=tmp_path / "region", wall="region cup", **run)
     lammps(plugin, "rain.in", out=tmp_path / "plane", wall="plane 0", **run)
     of_region, of_plane = table(tmp_path / "region.dump"), table(tmp_path / "plane.dump")
-    # the distance to a region is rounded another way than to a plane
+    # rounding of the distance differs between a region and a plane
     assert np.abs(of_region[:, 4:] / of_plane[:, 4:] - 1.0).max() < 1e-9
 
 
@@ -165,7 +165,7 @@ def test_a_curved_region_is_warned_of(plugin: Path, tmp_path: Path, radius: floa
     made = tmp_path / "curved.in"
     made.write_text((INPUTS / "one.in").read_text().replace("fix wall all plm/wall plane 0", region))
     output = lammps(plugin, str(made), dt="1e-7", n=100, scenario=STEEL)
-    # LAMMPS counts a cylinder as a sphere of twice its radius
+    # LAMMPS takes a cylinder as a sphere of twice its radius
     assert output.count(f"region cup is curved like a sphere of radius {2 * radius:g} where") == count
 
 
@@ -209,7 +209,7 @@ def test_units_of_lammps_are_converted(plugin: Path, tmp_path: Path) -> None:
 
 def test_another_lammps_is_refused(tmp_path: Path) -> None:
     build("--into", tmp_path, "--lammps-version", "20200101")
-    # the plug-in of the module may be there too
+    # the plug-in of the Python module may be loaded too
     output = lammps(tmp_path, "one.in", fails=None, dt="1e-7", n=1, scenario=STEEL)
     assert "this plug-in is for LAMMPS 20200101" in output and "src/lammps/build.py" in output
 
@@ -222,7 +222,7 @@ def test_lmp_finds_the_plugin_of_the_module() -> None:
     assert f"Loaded 1 plugins from {Path(plm.__file__).parent / 'lammps'}" in output
 
 
-# --- exported lines: e within 1 % of the law's in the codes that are there
+# --- exported lines: e is within 1 % of that of the law, in the codes that are installed
 
 
 def exported(code: str, *arguments: str) -> str:

@@ -1,4 +1,4 @@
-//! Synthetic data of known strength: how often the interval has the truth in it.
+//! Synthetic data of known strength: how often the interval contains the true value.
 
 use plm_impact::calibrate::Fit;
 use plm_impact::calibrate::data::{Data, Row, Value};
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 const TRUTH: f64 = 345e6;
 const SD: f64 = 0.01;
 
-/// Normal numbers of mean 0 and sd 1; the same for every run of the test.
+/// Normally distributed numbers with mean 0 and sd 1, the same in every run of the test.
 fn normals(set: u64, count: usize) -> Vec<f64> {
     let mut state = set.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(99);
     let mut next = || {
@@ -27,7 +27,7 @@ fn normals(set: u64, count: usize) -> Vec<f64> {
     (0..count).map(|_| next()).collect()
 }
 
-/// The share of the sets whose 68 % and 95 % intervals have the truth in them.
+/// The shares of the sets whose 68 % and 95 % intervals contain the true value.
 fn covered(sets: u64, is_estimated: bool) -> [f64; 2] {
     let scene = Scenario::from_text("steel", crate::common::STEEL, &[]).unwrap().resolve().unwrap();
     let contact = scene.contact().unwrap();
@@ -62,7 +62,7 @@ fn covered(sets: u64, is_estimated: bool) -> [f64; 2] {
 fn intervals_cover_the_truth_as_often_as_they_say() {
     for (sets, is_estimated) in [(2000, false), (1000, true)] {
         let [narrow, wide] = covered(sets, is_estimated);
-        // the share of 1000 sets has a standard deviation of 0.7 % at 95 %, and of 1.5 % at 68 %
+        // with 1000 sets the share has a standard deviation of 0.7 % at 95 %, and of 1.5 % at 68 %
         assert!((wide - 0.95).abs() < 0.03, "{is_estimated}: {wide}");
         assert!((narrow - 0.6827).abs() < 0.05, "{is_estimated}: {narrow}");
     }

@@ -1,4 +1,4 @@
-//! What a calibration reads and writes: columns, units, curves, refusals, files.
+//! Input and output of a calibration: columns, units, curves, refusals, files.
 
 use std::fmt::Write as _;
 
@@ -89,7 +89,7 @@ fn every_bad_table_is_refused() {
     assert!(text(&output.stderr).contains("there is nothing to calibrate"));
 }
 
-/// What one table of the program says of 12 impacts, in these columns.
+/// These columns of a table of 12 impacts that the program computes.
 fn made(sweep: &str, columns: &[&str]) -> Vec<Vec<f64>> {
     let text = crate::common::STEEL.split("[impact]").next().unwrap().to_owned() + sweep;
     let desk = Desk::with(text);
@@ -116,7 +116,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
             .to_owned();
     for (row, radius) in table[0].iter().enumerate() {
         let [speed, time, dent, depth, force] = [1, 2, 3, 4, 5].map(|column: usize| table[column][row]);
-        // a field that was not measured is empty
+        // the field is empty if the quantity was not measured
         let depth = if row == 3 { String::new() } else { (depth * 1e9).to_string() };
         let (radius, speed, time, dent) = (radius * 1e3, speed * 1e2, time * 1e6, 2e6 * dent);
         writeln!(data, "a,{radius},{speed},{time},{dent},{depth},{}", force * 1e-3).unwrap();
@@ -126,7 +126,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
     let key = &summary["keys"][0];
     near(&key["estimate"], 345e6, 1e-7);
     assert_eq!(summary["values"], 47);
-    // an error that is common to all values of a quantity does not average out
+    // averaging does not reduce an error that is common to all values of a quantity
     let (own, common) = (key["sd"].as_f64().unwrap(), key["sd_if_model_error_is_common"].as_f64().unwrap());
     assert!(common > 1.5 * own, "{own} {common}");
     let residuals = column(&desk.read("o/residuals.csv"), "residual_over_sd");
@@ -148,7 +148,7 @@ fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
     near(&summary["keys"][0]["estimate"], 345e6, 1e-5);
     near(&summary["keys"][1]["estimate"], 210e9, 1e-5);
     assert!(summary["keys"][1]["interval_95"]["low"].as_f64().unwrap() > 150e9);
-    // the new scenario presses as deep as the data
+    // the new scenario indents as deep as the data
     assert_eq!(desk.call(&["run", "o/calibrated.toml", "--out", "p"]).status.code(), Some(0));
     let again: Value = serde_json::from_str(&desk.read("p/summary.json")).unwrap();
     assert!(again.to_string().contains("unloading_stiffness"), "{again}");
@@ -208,7 +208,7 @@ fn nothing_that_is_there_is_overwritten() {
     let output = desk.call(&["calibrate", "s.toml", "--out", "o"]);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
     assert_eq!((desk.read("o/residuals.csv").as_str(), desk.files("o")), ("mine", vec!["residuals.csv".to_owned()]));
-    // the data as an argument, from another folder than that of the scenario; `run` does the same as `calibrate`
+    // the data are given as an argument, in another folder than the scenario; `run` gives the same as `calibrate`
     std::fs::create_dir(desk.path("data")).unwrap();
     std::fs::rename(desk.path("d.csv"), desk.path("data/e.csv")).unwrap();
     assert_eq!(desk.call(&["calibrate", "s.toml", "data/e.csv", "--out", "p"]).status.code(), Some(0));

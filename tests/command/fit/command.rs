@@ -1,4 +1,4 @@
-//! `fit-plm` as a command: the file it writes, files and requests that it refuses.
+//! `fit-plm` as a command: the file that it writes, and the files and requests that it refuses.
 
 use std::fs;
 
@@ -30,7 +30,7 @@ fn the_command_writes_a_file_that_a_scenario_takes() {
     assert_eq!(table.provenance.name, "PLM of mine");
     assert!(table.provenance.source.contains("5 loading curves: plm-impact fit-plm case1.csv"), "{toml}");
     assert!(table.provenance.range.contains("0.48"), "{toml}");
-    // what is written is what was fitted, to ten digits
+    // the file has the fitted coefficients to ten digits
     let fitted = fit::fit(&finite_elements(), &plan(PlmCoefficients::built_in().clone())).unwrap().coefficients;
     assert_relative_eq!(table.force.slope[4], fitted.force.slope[4], max_relative = 1e-9);
 

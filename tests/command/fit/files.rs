@@ -1,4 +1,4 @@
-//! The forms a file of a curve may have, and curves that are nonsense.
+//! The forms of a file of a loading curve, and curves without sense.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -68,7 +68,7 @@ fn ratios_in_a_comment_do_for_the_keys() {
     assert_relative_eq!(curve.yield_radius_ratio, want.yield_radius_ratio, max_relative = 1e-5);
     assert_relative_eq!(curve.points[30].elastic_approach, want.points[30].elastic_approach, max_relative = 1e-5);
     assert!(curve.points[30].contact_radius.is_none());
-    // as a spreadsheet writes it
+    // as a spreadsheet writes the file
     let text = fs::read_to_string(reference(3)).unwrap();
     let with_mark = LoadingCurve::parse("mark", &format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
     assert_eq!(with_mark.points, want.points);

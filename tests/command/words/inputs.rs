@@ -1,4 +1,4 @@
-//! `inputs` of a summary: all that the scenario came to.
+//! `inputs` of a summary: all values that follow from the scenario.
 
 use serde_json::{Value, json};
 
@@ -19,7 +19,7 @@ fn holds(inputs: &Value, wanted: &Value) {
     }
 }
 
-/// Tables that turn the scene into each kind that has impacts.
+/// Tables that make the scene a scenario of each kind with impacts.
 const KINDS: [&str; 4] = [
     "",
     "[sweep]\n\"sphere.density\" = [7000, 8000]\n",
@@ -39,7 +39,7 @@ fn every_kind_lists_the_parameters_of_its_law() {
         let shape = inputs(&format!("{STEEL}[law.plm]\nunloading_exponent = \"pressure-shape\"\n{kind}"));
         holds(&shape, &json!({ "law_plm_unloading_exponent": "pressure-shape" }));
         assert!(shape["law_plm_coefficients"].is_string(), "{shape}");
-        // what is not given is the default: 1.1 of the law's documentation
+        // a parameter that is not given has its default: 1.1 in the documentation of the law
         holds(&inputs(&format!("{STEEL}[law.stronge]\n{kind}")), &json!({ "law_stronge_yield_pressure_ratio": 1.1 }));
     }
 }
@@ -72,7 +72,7 @@ fn a_table_of_laws_lists_the_parameters_of_each_and_of_no_other() {
     holds(&got, &json!({ "law_thornton_yield_pressure_Pa": 7e8, "law_stronge_unloading_factor": 1.0 }));
     let names: Vec<&String> = got.as_object().unwrap().keys().filter(|key| key.starts_with("law")).collect();
     assert!(!names.iter().any(|name| *name == "law" || name.contains("plm")), "{names:?}");
-    // what varies is in the table, not here
+    // keys that vary are in the table, not in the inputs
     let got = inputs(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [1.5, 1.6]\n"));
     assert!(got.get("law_plm_unloading_exponent").is_none() && got["law"] == "plm", "{got}");
 }

@@ -1,11 +1,11 @@
-//! Values of a wrong type: the refusal is in the words of a scenario, not in those of the parser.
+//! Values of a wrong type: the refusal uses the words of a scenario, not those of the parser.
 
 use plm_impact::integrate::IntegrationError;
 use plm_impact::scenario::{Kind, Scenario, ScenarioError};
 
 use crate::common::STEEL;
 
-/// Words of the parser, which no scenario has.
+/// Words of the parser that do not occur in scenarios.
 const FOREIGN: [&str; 32] = [
     "untagged",
     "enum",
@@ -64,7 +64,7 @@ const WRONG: [&str; 20] = [
     "[1979-05-27]",
 ];
 
-/// All that a scenario says of itself before it is run.
+/// Reads all parts of a scenario, without running it.
 fn understood(text: &str, change: &str) -> Result<(), ScenarioError> {
     let scenario = Scenario::from_text("steel.toml", text, &[change.to_owned()])?;
     match scenario.kind()? {
@@ -77,7 +77,7 @@ fn understood(text: &str, change: &str) -> Result<(), ScenarioError> {
     }
 }
 
-/// Tries every wrong value in place of `@`; how many were refused.
+/// Tries every wrong value in place of `@`, and returns how many were refused.
 fn tried(text: &str, key: &str) -> usize {
     let mut refused = 0;
     for wrong in WRONG {
@@ -85,7 +85,7 @@ fn tried(text: &str, key: &str) -> usize {
         let Err(error) = understood(text, &change) else { continue };
         refused += 1;
         let message = error.to_string();
-        // what was given is quoted and is no word of the parser
+        // the quoted input does not count as a word of the parser
         let own = message.replace(&change, "");
         for word in FOREIGN {
             assert!(!own.contains(word), "{change}: \"{word}\" in\n{message}");
@@ -94,7 +94,7 @@ fn tried(text: &str, key: &str) -> usize {
     refused
 }
 
-/// Keys that are read in a scene of one impact.
+/// Keys that a scenario of one impact reads.
 const OF_ONE_IMPACT: [&str; 47] = [
     "sphere=@",
     "half_space=@",
@@ -251,12 +251,12 @@ fn an_override_takes_the_place_of_the_law_of_the_file() {
         assert_eq!(law(own, &["law={ thornton = { yield_pressure = 7e8 } }"]).unwrap(), in_file(thornton), "{own}");
         let combined = in_file("[law.combined]\nloading = \"jackson_green\"\nunloading = \"brake\"\n");
         assert_eq!(law(own, &["law=jackson_green + brake"]).unwrap(), combined, "{own}");
-        // the last word counts
+        // the last override counts
         assert_eq!(law(own, &["law=stronge", "law=hertz"]).unwrap(), in_file("[law.hertz]\n"), "{own}");
     }
-    // keys of the same law stay
+    // keys of the same law are kept
     assert_eq!(law(thornton, &["law=thornton"]).unwrap(), in_file(thornton));
-    // and what is no law is refused where it was given
+    // an unknown law is refused with the place where it was given
     let message = law(plm, &["law=thorton"]).unwrap_err();
     assert!(
         message.starts_with("--set law=thorton: law.thorton: unknown law `thorton`, did you mean `thornton`?"),

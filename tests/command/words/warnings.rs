@@ -1,4 +1,4 @@
-//! The same warnings wherever they are said: terminal, `summary.json`, `check`, `--strict`.
+//! Warnings are the same everywhere: terminal, `summary.json`, `check`, `--strict`.
 
 use serde_json::Value;
 
@@ -12,7 +12,7 @@ fn summary(desk: &Desk) -> Value {
     serde_json::from_str(&desk.read("out/summary.json")).unwrap()
 }
 
-/// The lines of standard error that begin with `warning: `, without it.
+/// The lines of standard error that begin with `warning: `, without this word.
 fn warned(stderr: &[u8]) -> Vec<String> {
     text(stderr).lines().filter_map(|line| line.strip_prefix("warning: ")).map(str::to_owned).collect()
 }
@@ -30,7 +30,7 @@ fn a_key_of_the_law_is_used_where_only_the_axis_gives_a_yield_strength() {
         assert_eq!(output.status.code(), Some(0), "{axis}: {}", text(&output.stderr));
         assert!(warned(&output.stderr).is_empty(), "{}", text(&output.stderr));
     }
-    // without any yield strength the key still has no effect, and every place says so
+    // without any yield strength the key has no effect, and every place says so
     let desk = Desk::with(format!("{soft}{law}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let output = desk.call(&RUN);
     assert_eq!(output.status.code(), Some(1));
@@ -47,7 +47,7 @@ fn the_table_of_a_law_that_no_case_is_under_is_named() {
     assert_eq!(Desk::with(sweep("\"hertz\", \"thornton\"")).call(&RUN).status.code(), Some(0));
 }
 
-/// Scenes of every kind that can be doubted, each with a doubt.
+/// Scenarios of every kind that can have warnings, each with a warning.
 fn doubtful() -> Vec<(&'static str, String)> {
     let fast = STEEL.replace("3 m/s", "60 m/s");
     let elastic = STEEL.replace(NO_STRENGTH, "");
