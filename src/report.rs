@@ -15,13 +15,13 @@ pub mod rows;
 pub mod strength;
 pub mod summary;
 pub mod sweep;
-pub mod table;
+mod terminal;
 
 use thiserror::Error;
 
 pub use rows::trace;
 pub use summary::summary;
-pub use table::table;
+pub use terminal::impact as table;
 
 /// Why a report could not be made.
 #[derive(Debug, Error)]

@@ -17,7 +17,7 @@ use crate::impact::{self, TraceRow};
 use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
-use crate::report::table::table;
+use crate::report::table;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::quantity::SAMPLES;
 use crate::scene::results::impact::{Single, results, trace};

@@ -6,16 +6,16 @@ use serde::Serialize;
 
 use super::ReportError;
 use super::inputs::Inputs;
-use super::overview;
 use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::summary::pretty;
+use super::{overview, terminal};
 use crate::compare::{Comparison, Origin};
 use crate::law::LawChoice;
 use crate::plan::YIELD_STRENGTH;
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scene::Key;
-use crate::scene::results::compare::{self as results, Row, rows};
+use crate::scene::results::compare::{self as results, Row};
 use crate::scene::results::{Fields, fields};
 use crate::units::aligned::aligned;
 use crate::units::rounded::{number, quantity};
@@ -50,29 +50,8 @@ pub fn state(comparison: &Comparison) -> String {
 }
 
 /// For the terminal.
-pub fn table(comparison: &Comparison) -> String {
-    let percent = |share: f64| format!("{:+.1} %", 100.0 * share);
-    let mut lines =
-        vec![["law", "residual", "share", "recovered", "e", "residual", "energy", "e against FE"].map(str::to_owned)];
-    lines.extend(rows(comparison).into_iter().map(|Row { law, branch }| {
-        let Some(branch) = branch else {
-            let [none, empty] = ["-", ""].map(str::to_owned);
-            let remark = "no answer here".to_owned();
-            return [law, none.clone(), none.clone(), none.clone(), none, empty.clone(), empty, remark];
-        };
-        let [share, energy, e] = branch.deviations.map_or_else(Default::default, |all| all.map(percent));
-        [
-            law,
-            quantity(branch.residual_indentation, "m"),
-            format!("{:.4}", branch.residual_share),
-            quantity(branch.recovered_energy, "J"),
-            format!("{:.4}", branch.restitution),
-            share,
-            energy,
-            e,
-        ]
-    }));
-    state(comparison) + &aligned(&lines, |_| true)
+pub fn table(comparison: &Comparison, rows: &[Row]) -> String {
+    state(comparison) + &terminal::table(&results::row(), rows)
 }
 
 /// `comparison.csv`.

@@ -4,17 +4,16 @@ use super::ReportError;
 use serde::Serialize;
 
 use super::inputs::Inputs;
-use super::overview;
 use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::rows::csv;
-use crate::indentation::{Span, Spans, Step, Target, Tested};
+use super::{overview, terminal};
+use crate::indentation::{Target, Tested};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scene::results::indentation::{self as results, half_space, steps};
+use crate::scene::results::indentation::{self as results, half_space, stepped};
 use crate::scene::results::{Fields, fields};
 use crate::units::aligned::aligned;
-use crate::units::rounded::{number, quantity};
 use crate::units::{self, Dimension, describe, human};
 
 #[derive(Serialize)]
@@ -40,8 +39,11 @@ pub fn summary(
     inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, ReportError> {
-    let list = half_space();
-    let half_space = |one| HalfSpace { results: fields(&list, one), steps: steps(one) };
+    let (list, of_step) = (half_space(), results::step());
+    let half_space = |one| {
+        let steps = stepped(one).iter().map(|step| fields(&of_step, step)).collect();
+        HalfSpace { results: fields(&list, one), steps }
+    };
     let half_spaces = tested.iter().map(half_space).collect();
     super::summary::of(Results { half_spaces, warnings }, inputs, provenance)
 }
@@ -67,54 +69,9 @@ pub fn table(tested: &[Tested]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        let can_yield = one.can_yield;
-        let mut head = vec!["step", "to", "indentation", "force", "stiffness S", "contact radius", "work"];
-        if can_yield {
-            head.extend(["residual", "plastic work"]);
-        }
-        let mut rows = vec![head.into_iter().map(str::to_owned).collect::<Vec<_>>()];
-        for (i, step) in one.indentation.steps.iter().enumerate() {
-            let spans = one.spans.as_ref().and_then(|spans| spans.get(i));
-            rows.push(row(i + 1, step, can_yield, spans));
-        }
-        text.push_str(&aligned(&rows, |_| true));
+        text.push_str(&terminal::table(&results::step(), &stepped(one)));
     }
     text
-}
-
-fn row(number: usize, step: &Step, can_yield: bool, spans: Option<&Spans>) -> Vec<String> {
-    let with = |value: f64, span: Option<Span>, unit: &str| with_span(value, span, unit);
-    let memory = &step.memory;
-    let target = match step.target {
-        Target::Load(load) => quantity(load, "N"),
-        Target::Indentation(indentation) => quantity(indentation, "m"),
-    };
-    let mut cells = vec![
-        number.to_string(),
-        target,
-        with(step.indentation, spans.map(|spans| spans.indentation), "m"),
-        with(step.force, spans.map(|spans| spans.force), "N"),
-        with(memory.unloading_stiffness, spans.map(|spans| spans.unloading_stiffness), "N/m"),
-        quantity(memory.contact_radius, "m"),
-        quantity(step.work, "J"),
-    ];
-    if can_yield {
-        cells.push(with(memory.residual_indentation, spans.map(|spans| spans.residual_indentation), "m"));
-        cells.push(quantity(step.plastic_work, "J"));
-    }
-    cells
-}
-
-/// "12.3 µm (11.9 to 12.7)", the span in the unit of the value.
-fn with_span(value: f64, span: Option<Span>, unit: &str) -> String {
-    let text = quantity(value, unit);
-    match span.filter(|span| span.high - span.low > 1e-9 * span.high.abs()) {
-        Some(Span { low, high }) => {
-            let factor = crate::units::rounded::Prefix::of(value).factor;
-            format!("{text} ({} to {})", number(low / factor), number(high / factor))
-        }
-        None => text,
-    }
 }
 
 /// What an indentation came to, but for its steps and half-spaces.

@@ -2,14 +2,14 @@
 
 use std::fmt::Write as _;
 
-use super::ReportError;
 use super::rows::csv;
+use super::{ReportError, terminal};
 use crate::repeat::flight::Flight;
-use crate::repeat::{Drive, End, Place, Repeat, Sequence};
+use crate::repeat::{Drive, Hit, Place, Repeat, Sequence};
 use crate::scene::results::impact::event_name;
-use crate::scene::results::series::{self as results, TraceRow, end_text};
+use crate::scene::results::series::{self as results, Series, TraceRow};
 use crate::units::aligned::aligned;
-use crate::units::rounded::{number, quantity};
+use crate::units::rounded::quantity;
 
 /// `impacts.csv`: one row per impact.
 ///
@@ -66,80 +66,15 @@ fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>)
 const SHOWN: (usize, usize) = (12, 5);
 
 /// A few lines about the series, and one for each impact.
-pub fn table(repeat: &Repeat, sequence: &Sequence) -> String {
-    let mut text = String::new();
-    let mut line = |name: &str, value: String| {
-        let _ = writeln!(text, "{name:<15}  {value}");
-    };
-    let place = match repeat.place {
-        Place::Same => "all on the same spot",
-        Place::Fresh => "each on fresh surface",
-    };
-    line("impacts", format!("{}, {place}", sequence.hits.len()));
-    line("ended", end_text(repeat, sequence));
-    if let Some(last) = sequence.hits.last() {
-        if let Some(time) = last.separation_time() {
-            line("time", format!("{} to the last separation", quantity(time, "s")));
-            let rest = match (sequence.remaining_time, sequence.end) {
-                (Some(rest), _) => {
-                    format!(
-                        "{} of bouncing left if the last e held, 2 v/(g (1 - e)); more if e rises",
-                        quantity(rest, "s")
-                    )
-                }
-                (None, End::Impacts | End::Until) => {
-                    format!("bounces without end: the last impact had e = {}", number(last.restitution))
-                }
-                (None, _) => "none".to_owned(),
-            };
-            line("remaining", rest);
-        }
-        if let Some(static_indentation) = last.forced(|forces| forces.static_indentation) {
-            line("rests at", format!("{} below the original surface", quantity(static_indentation, "m")));
-        }
-        if last.energy.plastic.is_some() {
-            line("deepest dent", quantity(sequence.deepest_dent(), "m"));
-        }
-        line("energy drift", format!("{:.1e}, the largest of all impacts", sequence.drift()));
+pub fn table(of: &Series) -> String {
+    let hits: Vec<(usize, Hit)> = (1..).zip(of.sequence.hits.iter().copied()).collect();
+    let is_shown = |number: usize| number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let shown: Vec<_> = hits.iter().filter(|hit| is_shown(hit.0)).copied().collect();
+    let mut rows = terminal::columns(&results::impacts(), &shown);
+    if shown.len() < hits.len() {
+        rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
     }
-    text.push('\n');
-    text.push_str(&rows(sequence));
-    text
-}
-
-fn rows(sequence: &Sequence) -> String {
-    let hits = &sequence.hits;
-    let (is_timed, can_yield) =
-        (hits.iter().any(|hit| hit.time.is_some()), hits.iter().any(|hit| hit.energy.plastic.is_some()));
-    let mut lines: Vec<Vec<String>> = Vec::new();
-    let mut head = vec!["impact"];
-    head.extend(is_timed.then_some("time"));
-    head.extend(["speed", "e", "rebound", "peak force", "peak depth"]);
-    head.extend(can_yield.then_some(["dent", "growth"]).into_iter().flatten());
-    head.push("contact");
-    lines.push(head.into_iter().map(str::to_owned).collect());
-    for (i, hit) in hits.iter().enumerate() {
-        if i >= SHOWN.0 && i + SHOWN.1 < hits.len() && hits.len() > SHOWN.0 + SHOWN.1 + 1 {
-            if i == SHOWN.0 {
-                lines.push(vec!["...".to_owned()]);
-            }
-            continue;
-        }
-        let mut cells = vec![(i + 1).to_string()];
-        cells.extend(hit.time.map(|time| quantity(time, "s")));
-        cells.push(quantity(hit.speed, "m/s"));
-        cells.push(number(hit.restitution));
-        cells.push(quantity(hit.rebound_speed, "m/s"));
-        cells.push(quantity(hit.peak_force, "N"));
-        cells.push(quantity(hit.peak_indentation, "m"));
-        if can_yield {
-            cells.push(quantity(hit.residual_indentation, "m"));
-            cells.push(quantity(hit.dent_growth, "m"));
-        }
-        cells.push(if hit.is_captured() { "captured".to_owned() } else { quantity(hit.contact_time, "s") });
-        lines.push(cells);
-    }
-    aligned(&lines, |_| false)
+    aligned(&terminal::lines(&results::results(), of), |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
 /// Speeds of a list that are shown one by one.

@@ -27,7 +27,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         file("comparison.csv", report::csv(&rows)?),
     ];
     files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison)?)]))?);
-    Ok(Outcome::done(warnings, report::table(&comparison), files))
+    Ok(Outcome::done(warnings, report::table(&comparison, &rows), files))
 }
 
 fn texts(comparison: &Comparison) -> Vec<String> {

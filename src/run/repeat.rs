@@ -71,6 +71,6 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         drawn.extend(plot::repeat::height(&repeat, &sequence).transpose()?.map(|height| ("height", height)));
         Ok(drawn)
     })?);
-    let text = report::table(&repeat, &sequence);
+    let text = report::table(&series);
     Ok(Outcome::done(warnings, text, files))
 }

@@ -1,10 +1,15 @@
 //! The registry of results: every number and word that the program reports, once. Summaries, the columns of tables and
-//! traces, and the reference page come from here.
+//! traces, the terminal and the reference page come from here.
 //!
-//! An entry of a list gives, in this order: what the result means; its name, with the unit at its end and a dot behind the
-//! name of a group in JSON; under which condition it is there (`if`); for a result of an impact that is a column of tables
-//! too, what the column needs and how a row gives it (`[..]`); and its value. A value without a condition is always there,
-//! as `null` (in CSV an empty field) where it is not finite or `None`.
+//! An entry of a list has these parts, in this order:
+//!
+//! * what the result means, in one sentence;
+//! * its name. The name ends in the unit; in JSON, the part before a dot is the name of a group;
+//! * `as` and a label, for a result that the terminal shows;
+//! * `if` and a condition, for a result that is not always there. A result without a condition is always there: as `null` (in
+//!   CSV as an empty field) where its value is not finite or `None`;
+//! * for a result of an impact that is also a column of tables: in brackets, what the column needs, and how a row gives it;
+//! * its value.
 
 pub mod compare;
 mod entry;

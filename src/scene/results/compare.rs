@@ -64,23 +64,25 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
 pub fn row() -> Vec<Reported<Row>> {
     results! { |row: Row|
         /// The law, or `finite_elements`.
-        "law": row.law.clone();
+        "law" as "law": row.law.clone();
         /// Depth of the dent; `null` where the law has no answer, as for all that follows.
-        "residual_indentation_m": row.branch.map(|branch| branch.residual_indentation);
+        "residual_indentation_m" as "dent depth": row.branch.map(|branch| branch.residual_indentation);
         /// Depth of the dent over the indentation at the peak.
-        "residual_share": row.branch.map(|branch| branch.residual_share);
+        "residual_share" as "share of peak": row.branch.map(|branch| branch.residual_share);
         /// Energy that unloading gives back.
-        "recovered_energy_J": row.branch.map(|branch| branch.recovered_energy);
+        "recovered_energy_J" as "recovered": row.branch.map(|branch| branch.recovered_energy);
         /// Root of the share of the spent work that comes back.
-        "restitution": row.branch.map(|branch| branch.restitution);
+        "restitution" as "e": row.branch.map(|branch| branch.restitution);
         /// Relative difference of the share of the dent from the finite elements; `null` where there are none, as below.
-        "residual_deviation": row.branch.and_then(|branch| branch.deviations).map(|[share, _, _]| share);
+        "residual_deviation" as "depth against FE":
+            row.branch.and_then(|branch| branch.deviations).map(|[share, _, _]| share);
         /// Relative difference of the recovered energy from the finite elements.
-        "recovered_energy_deviation": row.branch.and_then(|branch| branch.deviations).map(|[_, energy, _]| energy);
+        "recovered_energy_deviation" as "energy against FE":
+            row.branch.and_then(|branch| branch.deviations).map(|[_, energy, _]| energy);
         /// Relative difference of the restitution from the finite elements.
-        "restitution_deviation": row.branch.and_then(|branch| branch.deviations).map(|[_, _, e]| e);
+        "restitution_deviation" as "e against FE": row.branch.and_then(|branch| branch.deviations).map(|[_, _, e]| e);
         /// `ok`, or `outside_law`.
-        "status": if row.branch.is_some() { "ok" } else { "outside_law" };
+        "status" as "status": if row.branch.is_some() { "ok" } else { "outside_law" };
     }
 }
 

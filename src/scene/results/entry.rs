@@ -15,6 +15,9 @@ pub struct Reported<T> {
     pub about: &'static str,
     /// Under which condition it is there; empty: always.
     pub condition: &'static str,
+    /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for its share
+    /// of the value of that line. Empty: the terminal does not show the result.
+    pub label: &'static str,
     /// Its value; `None` where it is left out.
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
@@ -133,11 +136,12 @@ pub(super) const UNCERTAIN: &str = "an uncertainty is given";
 /// A list of results from its entries.
 macro_rules! results {
     (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
-        $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
+        $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
         vec![$($crate::scene::results::entry::Reported::<$type> {
             name: $name,
             about: concat!($($about),+).trim_ascii_start(),
             condition: results!(@condition $($condition)?),
+            label: concat!($($label)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
             value: |$of| results!(@value $value $(, $condition)?),
             column: results!(@column $($name, $needs, $column)?),

@@ -33,94 +33,97 @@ impl Single<'_> {
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is let go at first touch.
-        "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
+        "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
             (of.impact.speed > 0.0).then_some(of.impact.restitution);
         /// Share of the kinetic energy that is radiated as elastic waves, to first order.
-        "wave_loss_fraction" if WAVES [Density: |row| row.wave_loss_fraction]: of.impact.wave_loss_fraction;
+        "wave_loss_fraction" as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
+            of.impact.wave_loss_fraction;
         /// The restitution less what the waves take; 0 where they would take more than comes back.
-        "restitution_with_waves" if WAVES [Density: Essentials::restitution_with_waves]:
+        "restitution_with_waves" as "with waves" if WAVES [Density: Essentials::restitution_with_waves]:
             of.impact.restitution_with_waves();
         /// Speed of the sphere when it separates.
-        "rebound_speed_m_per_s": of.impact.rebound_speed;
+        "rebound_speed_m_per_s" as "rebound speed": of.impact.rebound_speed;
         /// Time from first touch to separation; `null` for a captured sphere.
-        "contact_time_s" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
+        "contact_time_s" as "contact time" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
             of.impact.contact_time;
         /// Time from first touch to the largest indentation.
-        "loading_time_s": of.impact.loading_time;
+        "loading_time_s" as "compression {}": of.impact.loading_time;
         /// Largest contact force.
-        "peak_force_N" [Nothing: |row| Some(row.peak_force)]: of.impact.peak_force;
+        "peak_force_N" as "peak force" [Nothing: |row| Some(row.peak_force)]: of.impact.peak_force;
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
-        "peak_indentation_m" [Nothing: |row| Some(row.peak_indentation)]: of.impact.peak_indentation;
+        "peak_indentation_m" as "peak indentation" [Nothing: |row| Some(row.peak_indentation)]: of.impact.peak_indentation;
         /// The sphere's own share of the largest indentation; 0 for a rigid sphere.
-        "peak_sphere_indentation_m": of.impact.peak_sphere_indentation;
+        "peak_sphere_indentation_m" as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
-        "peak_contact_radius_m": of.impact.peak_contact_radius;
+        "peak_contact_radius_m" as "contact radius": of.impact.peak_contact_radius;
         /// Peak force over the contact area there.
-        "peak_mean_pressure_Pa": of.impact.peak_mean_pressure;
+        "peak_mean_pressure_Pa" as "mean pressure {}": of.impact.peak_mean_pressure;
         /// What of the largest indentation is recovered on unloading.
         "elastic_approach_m": of.impact.elastic_approach;
         /// Depth of the dent; 0 without one.
-        "residual_indentation_m" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
+        "residual_indentation_m" as "dent depth" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
             of.plastic(of.impact.residual_indentation);
         /// Effective radius of the contact on unloading.
         "unloading_radius_m" if YIELDS: of.plastic(of.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
-        "residual_radius_m" if YIELDS: of.plastic(of.impact.residual_radius);
+        "residual_radius_m" as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
         /// Radius of the dent's rim: the contact radius at the peak that shaped it; `null` without a dent.
-        "dent_radius_m" if YIELDS [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)]:
+        "dent_radius_m" as "dent radius" if YIELDS [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)]:
             of.plastic(of.impact.dent_radius);
         /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" if YIELDS: of.plastic(of.contact.yield_speed());
+        "yield_speed_m_per_s" as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
         /// Indentation at first yield.
         "yield_indentation_m" if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
-        "yield_force_N" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
+        "yield_force_N" as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
         /// Share of the kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())]: None::<f64>;
         /// Share of the kinetic energy that is spent on the dent.
         "plastic_fraction" if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)]: None::<f64>;
         /// Whether the sphere left (`separated`) or stayed (`captured`).
-        "outcome" if FORCES: of.forced(|under| under.fate.name());
+        "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
         /// Time of separation, or until when a captured sphere was followed.
-        "end_time_s" if FORCES: of.forced(|under| under.end_time);
+        "end_time_s" as "at {}" if FORCES: of.forced(|under| under.end_time);
         /// Indentation at that time.
         "end_indentation_m" if FORCES: of.forced(|under| under.end_indentation);
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" if CAPTURED: of.forced(|under| under.static_indentation).flatten();
+        "static_indentation_m" as "comes to rest at an indentation of {}" if CAPTURED:
+            of.forced(|under| under.static_indentation).flatten();
         /// Length of a step.
-        "verlet.step_s" if VERLET: of.verlet(|seen| seen.step);
+        "verlet.step_s" as "verlet step" if VERLET: of.verlet(|seen| seen.step);
         /// Time from first touch to the deepest step.
-        "verlet.compression_time_s" if VERLET: of.verlet(|seen| seen.compression_time);
+        "verlet.compression_time_s" as "compression {}" if VERLET: of.verlet(|seen| seen.compression_time);
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
-        "verlet.separation_time_s" if VERLET: of.verlet(|seen| seen.separation_time);
+        "verlet.separation_time_s" as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
         /// What the energy is off by at the end of the contact, as a share; positive for a gain.
-        "verlet.energy_drift_at_end" if VERLET: of.verlet(|seen| seen.drift_at_end);
+        "verlet.energy_drift_at_end" as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
         /// Kinetic energy of the sphere at first touch.
-        "energy.kinetic_in_J": of.impact.energy.kinetic_in;
+        "energy.kinetic_in_J" as "energy": of.impact.energy.kinetic_in;
         /// Kinetic energy of the sphere at separation.
-        "energy.recovered_J": of.impact.energy.recovered;
+        "energy.recovered_J" as "{%} recovered": of.impact.energy.recovered;
         /// Energy spent on the dent.
-        "energy.plastic_J" if YIELDS: of.impact.energy.plastic;
+        "energy.plastic_J" as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
         /// Energy taken by damping.
-        "energy.damping_J" if DAMPING: of.forced(|under| under.damping_loss).flatten();
+        "energy.damping_J" as "{%} into damping" if DAMPING: of.forced(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "energy.stored_at_separation_J" if VISCOUS: of.forced(|under| under.stored_at_separation).flatten();
+        "energy.stored_at_separation_J" as "{%} left in the contact" if VISCOUS:
+            of.forced(|under| under.stored_at_separation).flatten();
         /// Work of gravity since first touch.
-        "energy.gravity_work_J" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
+        "energy.gravity_work_J" as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
         /// Largest error of the energy balance on the way, as a share of the kinetic energy at first touch.
-        "energy.drift": of.impact.energy.drift;
+        "energy.drift" as "drift {}": of.impact.energy.drift;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
-        "accuracy.closed_form_restitution": of.impact.accuracy.closed_form_restitution;
+        "accuracy.closed_form_restitution" as "closed form": of.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.
-        "accuracy.restitution_error": of.impact.accuracy.restitution_error;
+        "accuracy.restitution_error" as "restitution off by {}": of.impact.accuracy.restitution_error;
         /// Relative difference of the contact time from the closed form.
-        "accuracy.contact_time_error": of.impact.accuracy.contact_time_error;
+        "accuracy.contact_time_error" as "contact time by {}": of.impact.accuracy.contact_time_error;
         /// Steps of the integration.
-        "work.steps": of.impact.work.steps;
+        "work.steps" as "steps": of.impact.work.steps;
         /// Steps that were done again, shorter.
-        "work.rejected": of.impact.work.rejected;
+        "work.rejected" as "{} rejected": of.impact.work.rejected;
         /// How often the contact force was computed.
-        "work.force_evaluations": of.impact.work.force_evaluations;
+        "work.force_evaluations" as "{} force evaluations": of.impact.work.force_evaluations;
         /// Where the scene, the model or the run is doubtful.
         "warnings": of.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
         /// Effective modulus E* of the pair of bodies.

@@ -1,6 +1,6 @@
 //! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
 
-use super::entry::{Fields, File, Reported, fields, file, results};
+use super::entry::{File, Reported, file, results};
 use crate::indentation::{Span, Spans, Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.
@@ -35,13 +35,11 @@ pub fn half_space() -> Vec<Reported<Tested>> {
     }
 }
 
-/// The results of every step of one half-space.
-pub fn steps(of: &Tested) -> Vec<Fields> {
-    let results = step();
+/// The steps of one half-space.
+pub fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
     let spans = |i: usize| of.spans.as_ref().and_then(|spans| spans.get(i).copied());
-    let can_yield = of.can_yield;
     let steps = of.indentation.steps.iter().enumerate();
-    steps.map(|(i, step)| fields(&results, &Stepped { number: i + 1, step, can_yield, spans: spans(i) })).collect()
+    steps.map(|(i, step)| Stepped { number: i + 1, step, can_yield: of.can_yield, spans: spans(i) }).collect()
 }
 
 /// One step of an indentation.
@@ -67,43 +65,43 @@ impl Stepped<'_> {
 pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
     results! { |of: Stepped<'a>|
         /// Number of the step, from 1.
-        "step": of.number;
+        "step" as "step": of.number;
         /// Load that the step goes to.
-        "target_load_N" if GIVEN: match of.step.target {
+        "target_load_N" as "to" if GIVEN: match of.step.target {
             Target::Load(load) => Some(load),
             Target::Indentation(_) => None,
         };
         /// Indentation that the step goes to.
-        "target_indentation_m" if GIVEN: match of.step.target {
+        "target_indentation_m" as "to" if GIVEN: match of.step.target {
             Target::Load(_) => None,
             Target::Indentation(indentation) => Some(indentation),
         };
         /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": of.step.branch.name();
         /// Indentation at its end.
-        "indentation_m": of.step.indentation;
+        "indentation_m" as "indentation": of.step.indentation;
         /// The sphere's own share of the indentation.
         "sphere_indentation_m": of.step.sphere_indentation;
         /// Force at its end.
-        "force_N": of.step.force;
+        "force_N" as "force": of.step.force;
         /// Work done in the step; negative on unloading.
-        "work_J": of.step.work;
+        "work_J" as "work": of.step.work;
         /// Elastic energy in the contact at its end.
         "stored_energy_J": of.step.stored_energy;
         /// Energy spent on the dent in the step.
-        "plastic_work_J" if YIELDS: of.can_yield.then_some(of.step.plastic_work);
+        "plastic_work_J" as "plastic work" if YIELDS: of.can_yield.then_some(of.step.plastic_work);
         /// Largest force so far.
         "peak_force_N": of.step.memory.force;
         /// Largest indentation so far.
         "peak_indentation_m": of.step.memory.indentation;
         /// Contact radius at that indentation.
-        "peak_contact_radius_m": of.step.memory.contact_radius;
+        "peak_contact_radius_m" as "contact radius": of.step.memory.contact_radius;
         /// Largest force over the contact area there.
         "peak_mean_pressure_Pa": of.step.memory.mean_pressure;
         /// Depth of the dent.
-        "residual_indentation_m" if YIELDS: of.can_yield.then_some(of.step.memory.residual_indentation);
+        "residual_indentation_m" as "dent depth" if YIELDS: of.can_yield.then_some(of.step.memory.residual_indentation);
         /// Slope of the unloading branch at its top.
-        "unloading_stiffness_N_per_m": of.step.memory.unloading_stiffness;
+        "unloading_stiffness_N_per_m" as "stiffness S": of.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": of.step.memory.unloading_exponent;
         /// Lowest and highest indentation at the end of the step, over the corners of the uncertain inputs; so below.

@@ -65,23 +65,23 @@ const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last
 pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
     results! { |of: Series<'a>|
         /// Number of impacts.
-        "impacts": of.sequence.hits.len();
+        "impacts" as "impacts": of.sequence.hits.len();
         /// Where they hit: `same` or `fresh`.
-        "spot": of.repeat.place.name();
+        "spot" as "{} spot": of.repeat.place.name();
         /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": of.sequence.end.name();
         /// The same as a sentence.
-        "end": end_text(of.repeat, of.sequence);
+        "end" as "ended": end_text(of.repeat, of.sequence);
         /// Restitution of the last impact.
-        "final_restitution": of.last(|hit| hit.restitution);
+        "final_restitution" as "last restitution": of.last(|hit| hit.restitution);
         /// Rebound speed of the last impact.
-        "final_rebound_speed_m_per_s": of.last(|hit| hit.rebound_speed);
+        "final_rebound_speed_m_per_s" as "rebound speed {}": of.last(|hit| hit.rebound_speed);
         /// Largest contact force of all impacts.
         "largest_peak_force_N": of.largest(|hit| hit.peak_force);
         /// Largest indentation of all impacts, from the original surface.
         "largest_peak_indentation_m": of.largest(|hit| hit.peak_indentation);
         /// Depth of the deepest dent.
-        "deepest_residual_indentation_m" if YIELDS: of.plastic(of.sequence.deepest_dent());
+        "deepest_residual_indentation_m" as "deepest dent" if YIELDS: of.plastic(of.sequence.deepest_dent());
         /// Gravity.
         "gravity_m_per_s2" if BOUNCES: of.bouncing(|by| by.gravity);
         /// Height of the first fall; `null` where the first speed is given.
@@ -91,10 +91,10 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
         "until_speed_m_per_s" if BOUNCES: of.bouncing(|by| by.until);
         /// Time of the last separation.
-        "last_separation_time_s" if BOUNCES:
+        "last_separation_time_s" as "last separation" if BOUNCES:
             of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
         /// Estimate of the time that bouncing would go on; `null`: for ever, or not at all.
-        "remaining_time_s" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
+        "remaining_time_s" as "estimated time left" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
         /// How that time is estimated.
         "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
         /// Highest rebound over the original surface.
@@ -103,7 +103,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
             flights.map(|flight| flight.top()).reduce(max_or_nan)
         });
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" if CAPTURED:
+        "static_indentation_m" as "rests at" if CAPTURED:
             of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.forced(|forces| forces.static_indentation))).flatten();
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J": of.first(|hit| hit.kinetic_in);
@@ -112,7 +112,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Energy spent on dents.
         "energy.plastic_J" if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Largest error of the energy balance of any impact.
-        "energy.drift": of.sequence.drift();
+        "energy.drift" as "energy drift": of.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
         "traced_impacts": of.sequence.traced.len();
         /// Where the scene, the model or the run is doubtful.
@@ -129,7 +129,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
 }
 
 /// Why the series ended, for a person.
-pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
+fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
     let until = match repeat.drive {
         Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
         _ => String::new(),
@@ -147,25 +147,25 @@ pub fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
 pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
     results! { |row: (usize, Hit)|
         /// Number of the impact, from 1.
-        "impact": row.0;
+        "impact" as "impact": row.0;
         /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
-        "time_s" if BOUNCES: row.1.time;
+        "time_s" as "time" if BOUNCES: row.1.time;
         /// Speed at first touch.
-        "impact_speed_m_per_s": row.1.speed;
+        "impact_speed_m_per_s" as "speed": row.1.speed;
         /// Rebound speed over impact speed; 0 if captured.
-        "restitution": row.1.restitution;
+        "restitution" as "e": row.1.restitution;
         /// Speed at separation.
-        "rebound_speed_m_per_s": row.1.rebound_speed;
+        "rebound_speed_m_per_s" as "rebound": row.1.rebound_speed;
         /// Largest contact force.
-        "peak_force_N": row.1.peak_force;
+        "peak_force_N" as "peak force": row.1.peak_force;
         /// Largest indentation, from the original surface.
-        "peak_indentation_m": row.1.peak_indentation;
+        "peak_indentation_m" as "peak depth": row.1.peak_indentation;
         /// Depth of the dent afterwards.
-        "residual_indentation_m" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
+        "residual_indentation_m" as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
         /// How much deeper this impact made the dent.
-        "dent_growth_m" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
+        "dent_growth_m" as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
         /// Time from first touch to separation; empty if captured.
-        "contact_time_s": row.1.contact_time;
+        "contact_time_s" as "contact": row.1.contact_time;
         /// Kinetic energy at first touch.
         "kinetic_in_J": row.1.kinetic_in;
         /// Kinetic energy at separation.

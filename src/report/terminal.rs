@@ -1,0 +1,107 @@
+//! Results on the terminal: those that have a label in the registry, in the order of the registry.
+
+use serde_json::Value;
+
+use crate::impact::{Contact, Impact};
+use crate::scene::results::Reported;
+use crate::scene::results::impact::{Single, results};
+use crate::units::aligned::aligned;
+use crate::units::rounded::{Prefix, number, percent, quantity};
+
+/// What came of one impact, in a few lines.
+pub fn impact(contact: &Contact, impact: &Impact) -> String {
+    let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
+    lines.extend(self::lines(&results(), &Single { contact, impact }));
+    aligned(&lines, |_| true)
+}
+
+/// A name, a value and remarks.
+pub(super) type Line = [String; 3];
+
+/// A line for every result; a label with braces adds its value to the remarks of the line above.
+pub(super) fn lines<T>(results: &[Reported<T>], of: &T) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    let mut whole = f64::NAN;
+    for Reported { name, label, value, .. } in labelled(results) {
+        let Some(value) = value(of) else { continue };
+        let Some((before, after)) = label.split_once('{') else {
+            whole = value.as_f64().unwrap_or(f64::NAN);
+            lines.push([(*label).to_owned(), text(name, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);
+            continue;
+        };
+        let share =
+            value.as_f64().map(|part| part / whole).filter(|share| after.starts_with('%') && share.abs() <= 1.0);
+        let (Some(shown), Some([_, _, remarks])) =
+            (share.map(percent).or_else(|| text(name, &value)), lines.last_mut())
+        else {
+            continue;
+        };
+        let comma = if remarks.is_empty() { "" } else { ", " };
+        remarks.extend([comma, before, &shown, after.trim_start_matches(['%', '}'])]);
+    }
+    lines
+}
+
+/// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
+/// out. A result with an uncertainty is followed by its least and greatest value.
+pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>> {
+    let cell = |label: &str, row: &T| {
+        labelled(results).filter(|result| result.label == label).find_map(|result| {
+            let value = (result.value)(row)?;
+            let ends = results.iter().find(|other| other.name.strip_prefix("uncertainty.") == Some(result.name));
+            let ends = ends.and_then(|ends| between(&value, &(ends.value)(row)?));
+            Some(text(result.name, &value)? + &ends.unwrap_or_default())
+        })
+    };
+    let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
+    labels.dedup();
+    let columns = labels.into_iter().filter_map(|label| {
+        let cells: Vec<Option<String>> = rows.iter().map(|row| cell(label, row)).collect();
+        let is_there = cells.iter().any(Option::is_some);
+        is_there.then(|| [Some(label.to_owned())].into_iter().chain(cells).map(|cell| cell.unwrap_or("-".to_owned())))
+    });
+    let mut lines = vec![Vec::new(); rows.len() + 1];
+    for column in columns {
+        for (line, cell) in lines.iter_mut().zip(column) {
+            line.push(cell);
+        }
+    }
+    lines
+}
+
+/// The same as text.
+pub(super) fn table<T>(results: &[Reported<T>], rows: &[T]) -> String {
+    aligned(&columns(results, rows), |_| true)
+}
+
+fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {
+    results.iter().filter(|result| !result.label.is_empty())
+}
+
+/// A value for a person, in the unit that its name ends in; `None` where there is no value.
+fn text(name: &str, value: &Value) -> Option<String> {
+    let number_of = match value {
+        Value::String(word) => return Some(word.clone()),
+        Value::Number(count) if !count.is_f64() => return Some(count.to_string()),
+        value => value.as_f64()?,
+    };
+    let is_unit = |part: &&str| ["per", "m", "s", "N", "J", "Pa", "kg"].contains(part);
+    let unit: Vec<&str> = name.rsplit('_').take_while(is_unit).collect();
+    Some(match name {
+        _ if !unit.is_empty() => {
+            let unit = unit.into_iter().rev().collect::<String>();
+            quantity(number_of, &unit.replace("per", "/"))
+        }
+        name if name.ends_with("_fraction") => percent(number_of),
+        name if name.ends_with("_deviation") => format!("{:+.1} %", 100.0 * number_of),
+        name if name.contains("drift") || name.ends_with("_error") => format!("{number_of:.1e}"),
+        _ => number(number_of),
+    })
+}
+
+/// " (11.9 to 12.7)" behind a value of "12.3 µm"; `None` where the two ends are the same.
+fn between(value: &Value, ends: &Value) -> Option<String> {
+    let (low, high) = (ends.get(0)?.as_f64()?, ends.get(1)?.as_f64()?);
+    let factor = Prefix::of(value.as_f64()?).factor;
+    (high - low > 1e-9 * high.abs()).then(|| format!(" ({} to {})", number(low / factor), number(high / factor)))
+}
