@@ -30,7 +30,7 @@ fn run_writes_all_outputs_and_prints_the_table_alone() {
     assert_eq!(desk.files("plots/s"), FILES);
     let table = text(&output.stdout);
     // src/reference/oracle.csv: e = 0.49246
-    assert!(table.starts_with("restitution") && table.contains("0.4925"), "{table}");
+    assert!(table.starts_with("impact speed") && table.contains("0.4925"), "{table}");
     assert!(text(&output.stderr).contains("wrote summary.json"));
 
     let summary: serde_json::Value =
