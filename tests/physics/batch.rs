@@ -1,4 +1,5 @@
-//! The batch forms of rk8 and of the damped stepper give the bits of those alone, whatever shares the lanes.
+//! rk8 and the damped stepper give the same bits in a batch as for a single impact, for any mixture of impacts in the
+//! lanes.
 
 use plm_impact::bench::problems::kinked_law;
 use plm_impact::impact::batch::Problem;
@@ -13,7 +14,7 @@ use proptest::prelude::*;
 
 use crate::common::{STEEL, Scene};
 
-/// None, one, one less and one more than the lanes of an instruction set with 32 of them, many.
+/// Sizes of a batch: none, one, one less and one more than 32 lanes, many.
 const SIZES: [usize; 5] = [0, 1, 31, 33, 200];
 const TOLERANCES: [f64; 3] = [1e-4, 1e-10, 1e-13];
 
@@ -38,7 +39,7 @@ fn bits(outcome: Result<Outcome, IntegrationError>) -> Bits {
     })
 }
 
-/// What each case comes to by itself.
+/// The result of each case, computed by itself.
 fn alone(cases: &[Problem], tolerance: f64) -> Vec<Bits> {
     let one = |(law, q, forces): &Problem| bits(course::integrate(law, *q, forces, &mut Rk8::new(tolerance), None));
     cases.iter().map(one).collect()
@@ -94,7 +95,7 @@ fn every_size_meets_every_tolerance() {
     let plm = |exponent| Scene { exponent, ..Scene::steel() }.law();
     let laws = [plm(UnloadingExponent::Paper), plm(UnloadingExponent::PressureShape), Law::hertz(), kinked_law()];
     for size in SIZES {
-        // no two cases alike, and neighbours far apart: some lanes take ten times the steps of others
+        // all cases differ, and neighbours differ much: some lanes take ten times as many steps as others
         #[allow(clippy::cast_precision_loss)]
         let speed = |i: usize| 1.37_f64.powi(i32::try_from(i * 7 % 29).unwrap()) * (1.0 + 1e-3 * i as f64);
         let cases: Vec<Problem> = (0..size).map(|i| (&laws[i % laws.len()], speed(i), ScaledForces::NONE)).collect();
@@ -104,7 +105,8 @@ fn every_size_meets_every_tolerance() {
     }
 }
 
-/// No damping and both kinds of it, far beyond critical too; no weight, a small one, and one that captures.
+/// Random forces: no damping or damping of both kinds, also far beyond critical; no weight, a small weight, and a
+/// weight that captures the sphere.
 fn any_forces() -> impl Strategy<Value = ScaledForces> {
     let damping = prop_oneof![
         1 => Just(None),
@@ -138,7 +140,7 @@ proptest! {
     }
 }
 
-/// Every way to end, and every way to leave the lanes, in one batch.
+/// All ways in which an impact can end, and all ways in which it can leave the lanes, in one batch.
 #[test]
 fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
     let plm = |exponent| Scene { exponent, ..Scene::steel() }.law();
@@ -152,7 +154,7 @@ fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
                     cases.push((law, q, ScaledForces { weight, damping: Some(damping) }));
                 }
                 if weight > 0.0 {
-                    // let go at rest
+                    // released at rest
                     cases.push((law, 0.0, ScaledForces { weight, damping: Some(damping) }));
                 }
             }
@@ -164,11 +166,11 @@ fn damped_lanes_meet_every_fate_and_every_kind_of_piece() {
     assert!(fates(Fate::Captured) > 40 && fates(Fate::Separated) > 100, "{}", fates(Fate::Captured));
 }
 
-/// Creeping for more steps than a leg may take is the same error, however many of them the lanes take untold.
+/// Creeping for more steps than a leg may take gives the same error in lanes as alone.
 #[test]
 fn a_lane_that_only_creeps_gives_up_as_the_stepper_does() {
     let law = Law::hertz();
-    // as many as keep the lanes busy, so that none is finished by itself
+    // enough cases to fill the lanes, so that none is finished alone
     let cases = [(&law, 1.0, ScaledForces { weight: 0.1, damping: Some(Damping::Viscous(3000.0)) }); 5];
     let got = together(&cases, 1e-6);
     assert_eq!(got, alone(&cases, 1e-6));
@@ -208,7 +210,7 @@ fn rows(text: &str) -> Rows {
     rows
 }
 
-/// Rows with damping share lanes where their contacts are known beforehand; with a solver that is swept they do not.
+/// Rows with damping share lanes if their contacts are computed in advance, but not if a key of the solver varies.
 #[test]
 fn damped_rows_in_lock_step_are_those_by_themselves() {
     let damped = format!("{STEEL}\n[damping]\nviscous = 0.1\n");
@@ -231,7 +233,7 @@ fn damped_rows_in_lock_step_are_those_by_themselves() {
     }
 }
 
-/// What is no number is said so, by lanes as by the stepper alone, and does not disturb the lanes beside it.
+/// A state of NaN gives the same error in lanes as alone, and does not change the other lanes.
 #[test]
 fn a_lane_whose_state_is_no_number_says_so() {
     let law = Scene::steel().law();

@@ -1,4 +1,4 @@
-//! The integrators under drag, against the damped harmonic oscillator.
+//! The integrators under drag, compared with the damped harmonic oscillator.
 
 use plm_impact::impact::{Damping, ScaledForces, course};
 use plm_impact::integrate::damped::Damped;
@@ -6,7 +6,7 @@ use plm_impact::integrate::library::{Library, Scheme};
 use plm_impact::integrate::{Drag, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
 use plm_impact::law::Law;
 
-/// In and out of a linear spring d'' = −ω² d − 2ζω d' at speed u: times and distances of the turning point and of lift-off.
+/// An impact on a linear spring d'' = −ω² d − 2ζω d' at speed u: the states at the turning point and at lift-off.
 fn spring(integrator: &mut dyn Integrator, omega: f64, zeta: f64, u: f64) -> (State, State, Landing) {
     let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
     let sizes = Sizes { distance: u / omega, speed: u };
@@ -22,8 +22,8 @@ fn spring(integrator: &mut dyn Integrator, omega: f64, zeta: f64, u: f64) -> (St
 fn a_viscous_spring_follows_its_closed_form() {
     let (omega, u) = (3.0, 0.7);
     for zeta in [1e-3, 0.05, 0.3, 0.9, 0.999_f64] {
-        // d = (u/ω_d) e^(−ζωt) sin ω_d t: at rest where tan ω_d t = ω_d/(ζω), at ω_d t = arccos ζ. From rest back the force
-        // −d'' vanishes after the same time again, and both times e^(−ζ arccos ζ/√(1−ζ²)) is left of the speed
+        // d = (u/ω_d) e^(−ζωt) sin ω_d t is at rest where tan ω_d t = ω_d/(ζω), that is at ω_d t = arccos ζ. On the way
+        // back the force −d'' vanishes after the same time. Each way multiplies the speed by e^(−ζ arccos ζ/√(1−ζ²))
         let root = (1.0 - zeta * zeta).sqrt();
         let angle = f64::acos(zeta);
         let left = (-zeta * angle / root).exp();
@@ -53,7 +53,7 @@ fn critical_and_overdamped_springs_let_go_too() {
         let mut own = Damped::new(1e-11);
         let (_, end, landing) = spring(&mut own, 1.0, zeta, 1.0);
         assert_eq!(landing, Landing::LiftOff);
-        // e^(−2ζ arcosh ζ/√(ζ²−1)), the same formula beyond 1; e^(−2) at 1
+        // e^(−2ζ arcosh ζ/√(ζ²−1)), the same formula for ζ above 1; e^(−2) at 1
         let want = if zeta == 1.0 {
             (-2.0_f64).exp()
         } else {
@@ -66,8 +66,8 @@ fn critical_and_overdamped_springs_let_go_too() {
 
 #[test]
 fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
-    // (5/4) d^1.5 = 2ζ √((5/4)(3/2) √d) u with u = 1 next to the end: d^(5/4) = 2ζ √1.875/1.25, and that much earlier than
-    // without damping, after 2.9432751843247047
+    // lift-off is where (5/4) d^1.5 = 2ζ √((5/4)(3/2) √d) u, with u = 1 near the end: d^(5/4) = 2ζ √1.875/1.25. It is
+    // earlier by d than without damping, where it is at 2.9432751843247047
     let law = Law::hertz();
     for tenths in 60..160 {
         let zeta = 10_f64.powf(-0.1 * f64::from(tenths));
@@ -77,7 +77,7 @@ fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {
             let outcome = course::integrate(&law, 1.0, &forces, &mut Damped::new(tolerance), None).unwrap();
             let miss = (outcome.contact_time / want - 1.0).abs();
-            // what damping takes on the way is of order ζ
+            // the loss by damping is of order ζ
             assert!(miss < 10.0 * tolerance + 10.0 * zeta + 1e-10, "{zeta:e} at {tolerance:e}: {miss:e}");
         }
     }

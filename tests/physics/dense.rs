@@ -1,4 +1,4 @@
-//! Dense output of rk8: the rows of a trace between its steps are as good as the tolerance.
+//! Dense output of rk8: the rows of a trace between the steps are as accurate as the tolerance.
 
 use plm_impact::impact::{Impact, Method, TraceRow};
 use plm_impact::law::UnloadingExponent;
@@ -6,10 +6,10 @@ use plm_impact::math::power::max_or_nan;
 
 use crate::common::Scene;
 
-/// Elastic, just yielding, over every number of knots, far beyond the last.
+/// Speeds over the yield speed: elastic, just yielding, beyond each knot, far beyond the last knot.
 const SHARES: [f64; 12] = [0.5, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
 
-/// The rows that are no event.
+/// The rows of a trace that are not events.
 fn samples(impact: &Impact) -> impl Iterator<Item = &TraceRow> {
     impact.trace.iter().filter(|row| row.event.is_none())
 }

@@ -1,7 +1,9 @@
-//! No unloading gives back more than was spent: the exponent of the unloading branch just past first yield.
+//! Unloading never gives back more energy than loading took: the exponent of the unloading branch just past first
+//! yield.
 //!
-//! A branch f_m (d/ε_m)^n gives back f_m ε_m/(n + 1). Where that is more than the work W_m of loading, n is the exponent
-//! that gives back all of it, f_m ε_m/W_m − 1: 3/2 at first yield, and falling to the n that was asked for.
+//! A branch f_m (d/ε_m)^n gives back f_m ε_m/(n + 1). If this is more than the work W_m of loading, n is replaced by
+//! the exponent that gives back exactly W_m, f_m ε_m/W_m − 1. It is 3/2 at first yield and falls to the n that was
+//! asked for.
 
 use plm_impact::compare::Comparison;
 use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, batch, closed_form};
@@ -17,7 +19,7 @@ fn steel(n: f64) -> Scene {
     Scene { exponent: UnloadingExponent::Fixed(n), ..Scene::steel() }
 }
 
-/// The exponent of the rule, from the law's own peak and the work of loading to it.
+/// The exponent by this rule, from the peak of the law and the work of loading to it.
 fn ruled(law: &Law, x: f64, n: f64) -> f64 {
     let peak = law.loaded_to(x);
     let gives_all = peak.force * peak.elastic_approach / law.loading.work(x) - 1.0;
@@ -26,7 +28,7 @@ fn ruled(law: &Law, x: f64, n: f64) -> f64 {
 
 #[test]
 fn steel_on_steel_just_past_yield_gives_back_what_it_took_and_no_more() {
-    // 0.012 m/s is 1.7 times the yield speed; e was 1.062 here and the plastic share −0.13
+    // 0.012 m/s is 1.7 times the yield speed; without the rule e is 1.062 here, and the plastic share −0.13
     let contact = steel(1.2).contact();
     let row = contact.essentials(0.012).unwrap();
     assert_eq!((row.restitution, row.plastic_fraction), (1.0, 0.0));
@@ -41,12 +43,12 @@ fn steel_on_steel_just_past_yield_gives_back_what_it_took_and_no_more() {
 fn the_exponent_falls_from_three_halves_at_first_yield_to_the_one_asked_for() {
     let law = steel(1.2).law();
     let exponent = |x: f64| law.unloading(law.loaded_to(x)).exponent;
-    // straight pieces instead of a curve let it rise by as little as e rises behind a knot: 0.02 %
+    // because of the straight pieces it may rise a little after a knot, as e does: 0.02 %
     let exponents: Vec<f64> = (0..=400).map(|i| exponent(1.0 + 0.01 * f64::from(i))).collect();
     assert!(exponents.windows(2).all(|pair| pair[1] <= pair[0] * 1.0005), "{exponents:?}");
     assert_eq!((exponents[0], exponents[400]), (1.5, 1.2));
     assert!(1.5 - exponent(1.0 + 1e-9) < 1e-8);
-    // one above 3/2 gives back less than was spent at once: it jumps
+    // an exponent above 3/2 gives back less than the work of loading from the beginning, so the exponent jumps to it
     let law = steel(1.8).law();
     assert_eq!(law.unloading(law.loaded_to(1.0)).exponent, 1.5);
     assert_eq!(law.unloading(law.loaded_to(1.01)).exponent, 1.8);
@@ -62,7 +64,7 @@ proptest! {
         let Ok(row) = contact.essentials(speed) else { return Ok(()) };
         prop_assert!(row.restitution <= 1.0, "{:e}", row.restitution - 1.0);
         prop_assert!(row.plastic_fraction >= 0.0, "{:e}", row.plastic_fraction);
-        // energy: what comes back and what is spent are all there was
+        // recovered and plastic energy add up to the whole energy
         prop_assert!((row.recovered_fraction() + row.plastic_fraction - 1.0).abs() < 1e-13);
         let impact = contact.closed_form(speed).unwrap();
         prop_assert!(impact.energy.drift < 1e-13 && impact.energy.plastic.unwrap() >= 0.0);
@@ -106,7 +108,7 @@ fn forces_and_lanes_take_the_limited_branch_too() {
     let speed = 1.7 * contact.yield_speed().unwrap();
     let free = contact.closed_form(speed).unwrap();
     let under = |gravity, damping| contact.clone().with_forces(Forces { gravity, damping });
-    // nearly nothing acts: the impact is the one without forces
+    // with nearly no forces the impact is that without forces
     let little = 1e-7;
     for forced in [under(Some(1e-6), None), under(None, Some(Damping::HuntCrossley(little)))] {
         for method in [Method::ClosedForm, Method::Rk8, Method::Dop853, Method::Dopri5] {
@@ -129,7 +131,7 @@ fn forces_and_lanes_take_the_limited_branch_too() {
 
 #[test]
 fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
-    // w x_m = W(x_m): by its own weight to 1.6 times the yield indentation, on Hertz where W = (2/5) x^2.5
+    // w x_m = W(x_m): the weight alone indents to 1.6 times the yield indentation, on Hertz with W = (2/5) x^2.5
     let law = steel(1.2).law();
     let forces = ScaledForces { weight: 0.4 * 1.6_f64.powf(1.5), damping: None };
     let outcome = closed_form::solve_with(&law, 0.0, &forces).unwrap();
@@ -146,12 +148,12 @@ fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
     let speed = 1.5 * contact.yield_speed().unwrap();
     let mut spot = Spot::fresh();
     let first = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
-    // as fast again: to the old peak and no further
+    // the same speed again: exactly to the old peak
     let again = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
     assert!(again.restitution == 1.0 && off(again.peak_indentation, first.peak_indentation) < 1e-14);
     assert!(off(again.unloading_exponent, first.unloading_exponent) < 1e-14);
     assert!(off(contact.elastic_speed(&spot).unwrap(), speed) < 1e-14);
-    // faster: everything spent so far is still there, so the peak is that of a fresh spot
+    // faster: no energy was lost so far, so the peak is that of a fresh spot
     for method in [Method::ClosedForm, Method::Rk8] {
         let mut old = spot.clone();
         let faster = contact.impact_on(&mut old, 1.05 * speed, &solver(method, 1e-10), Some(40)).unwrap();
@@ -187,7 +189,7 @@ fn indentation_and_comparison_obey_the_same_rule() {
     let laws = vec![LawChoice::Plm(plm.clone())];
     let comparison = Comparison::of_plm(bodies, 210e9, &plm, 1.4, laws);
     let branch = comparison.compared().remove(0).unloading.unwrap();
-    // the dent is that of the law, the exponent that of the rule
+    // the dent is that of the law, the exponent is that of the rule
     assert!(off(branch.peak.elastic_approach, law.loaded_to(1.4).elastic_approach) < 1e-15);
     assert!(off(branch.exponent, ruled(&law, 1.4, 1.2)) < 1e-14);
     assert!(off(comparison.restitution(&branch), 1.0) < 1e-15);
@@ -195,7 +197,7 @@ fn indentation_and_comparison_obey_the_same_rule() {
 
 #[test]
 fn coefficients_that_would_gain_by_themselves_do_not() {
-    // a force that doubles its slope at first yield, and an approach that is elastic far beyond it
+    // the slope of the force doubles at first yield, and the approach is elastic far beyond it
     let mut table = PlmCoefficients::built_in().clone();
     table.force.from = vec![1.0];
     table.force.slope = vec![4.0];

@@ -1,6 +1,6 @@
-//! A half-space that hardens, through every kind of scene: traces, indentations, series, gravity and damping, tables, lanes.
+//! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables, lanes.
 //!
-//! The numbers are those of 30-digit arithmetic (`oracle_hardening.csv`), and closed forms.
+//! The expected numbers are from 30-digit arithmetic (`oracle_hardening.csv`) and from closed forms.
 
 use std::fs;
 
@@ -61,7 +61,7 @@ fn a_scenario_and_its_trace_come_to_the_exact_impact() {
         let (first, last) = (&rows[0], rows.last().unwrap());
         assert!(off(last.time, want.contact_time_s) < 1e-8 && off(-last.speed / speed, want.restitution) < 1e-8);
         assert!(first.time == 0.0 && rows.windows(2).all(|pair| pair[0].time < pair[1].time));
-        // shares of the two bodies, all the way
+        // the indentation of the sphere
         let share = impact.peak_sphere_indentation / want.elastic_approach_m;
         let peak = rows.iter().max_by(|a, b| a.indentation.total_cmp(&b.indentation)).unwrap();
         assert!(off(peak.sphere_indentation, share * want.elastic_approach_m) < 1e-8);
@@ -82,7 +82,7 @@ fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
         // the dent of a shallow contact is a small difference
         let lost = want.peak_indentation_m / want.residual_indentation_m;
         assert!(off(unloaded.indentation, want.residual_indentation_m) < 1e-11 * lost, "{}", want.case);
-        // the work of the impact was all its energy
+        // the work of loading is the whole energy of the impact
         let mass = 4.0 / 3.0 * std::f64::consts::PI * want.radius_m.powi(3) * want.sphere_density_kg_per_m3;
         let energy = 0.5 * mass * want.impact_speed_m_per_s.powi(2);
         assert!(off(loaded.work, energy) < 1e-11 && off(-unloaded.work, energy * want.restitution.powi(2)) < 1e-10);
@@ -93,7 +93,7 @@ fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
 fn a_spot_that_was_hit_remembers_its_hardened_dent() {
     for (materials, want) in impacts().unwrap() {
         let speed = want.impact_speed_m_per_s;
-        // the second shot stays within the dent and loses nothing; the third has more energy than the dent gives back
+        // the second shot stays elastic; the third has more energy than the unloading gave back
         let speeds = [speed, 0.99 * want.restitution * speed, speed];
         for spot in ["same", "fresh"] {
             let series = format!("[repeat]\nspot = \"{spot}\"\nspeeds = {speeds:?}\n");
@@ -116,8 +116,8 @@ fn steel(tables: &str) -> Scene {
     read(&(STEEL.replace("[impact]", flow) + tables)).resolve().unwrap()
 }
 
-/// Hunt and Crossley's damping has a phase curve: with G(v) = v/χ − ln(1 + χ v)/χ², m G(v_0) is the work of loading and
-/// m G(−e v_0) what the branch gives back, whatever the law.
+/// Damping after Hunt and Crossley has a closed form for any law: with G(v) = v/χ − ln(1 + χ v)/χ², m G(v_0) is the
+/// work of loading, and m G(−e v_0) is the work that the unloading branch gives back.
 #[test]
 fn damping_acts_on_a_hardened_contact_as_its_phase_curve_says() {
     let (chi, speed) = (0.1_f64, 3.0_f64);
@@ -133,7 +133,7 @@ fn damping_acts_on_a_hardened_contact_as_its_phase_curve_says() {
         let recovered = energy * law.unloading(peak).capacity();
         assert!(off(recovered, contact.mass() * g(-impact.restitution * speed)) < 10.0 * allowed);
     }
-    // viscous damping has none: two methods, and fixed steps that come nearer
+    // viscous damping has no closed form: two methods agree, and fixed steps converge to them
     let damped = steel("[damping]\nviscous = 0.05\n[gravity]\nacceleration = 9.81\n").contact().unwrap();
     let by = |method, tolerance| damped.impact(speed, &solver(method, tolerance), None).unwrap();
     let (one, other) = (by(Method::Rk8, 1e-11), by(Method::Dop853, 1e-11));
@@ -149,7 +149,7 @@ fn rows(text: &str) -> Rows {
     rows
 }
 
-/// Rows of a table, by the closed form and in lock step, are single impacts to the last bit.
+/// Rows of a table, by closed form and in lock step, equal single impacts to the last bit.
 #[test]
 fn tables_on_a_hardened_half_space_are_single_impacts() {
     let flow = STEEL.replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]");
@@ -171,7 +171,7 @@ fn tables_on_a_hardened_half_space_are_single_impacts() {
     }
 }
 
-/// A hardness that varies is a yield strength that varies: the table has it, and every result is that of this strength.
+/// If the hardness varies, so does the yield strength: the table has it as a column, and the results are those of it.
 #[test]
 fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
     let hardness = STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"");
@@ -194,7 +194,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
         let table = desk.read("o/table.csv");
         assert_eq!(table.lines().next().unwrap().contains(name), varies, "{table}");
         let summary: serde_json::Value = serde_json::from_str(&desk.read("o/summary.json")).unwrap();
-        // what all rows share is an input; what varies is none
+        // values that all rows have in common are inputs; values that vary are not
         assert_eq!(summary["inputs"][name].is_null(), varies, "{summary}");
         assert!(summary["inputs"]["half_space_yield_strength_from"].as_str().unwrap().starts_with("hardness"));
         if !varies || tables.contains("exponent") || tables.contains("modulus") {
@@ -207,7 +207,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
             assert!(off(e.parse().unwrap(), impact.restitution) < 1e-14, "{strength}");
         }
         if tables.contains("40.8") {
-            // 9.80665 HV/0.9272/2.9 MPa; HRC 40.8 is HV 400
+            // the strength is 9.80665 HV/0.9272/2.9 MPa; HRC 40.8 is HV 400
             for (strength, vickers) in column(&table, name).iter().zip([200.0, 400.0]) {
                 assert!(off(strength.parse().unwrap(), 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-14);
             }
@@ -215,8 +215,8 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
     }
 }
 
-/// `check` says which strength the law wants where a yield strength of a metal is given and the contact is deep, and only
-/// there; a run says nothing.
+/// `check` explains which strength the law needs, only if a yield strength of a metal is given and the contact is deep.
+/// A run prints no such hint.
 #[test]
 fn check_teaches_which_strength_is_meant() {
     let desk = Desk::with(STEEL);
@@ -230,7 +230,7 @@ fn check_teaches_which_strength_is_meant() {
         ("s.toml", Some(table), true),
         ("s.toml", Some("repeat={spot=\"same\",impacts=2}"), true),
         ("i.toml", None, true),
-        // shallow, no metal, precise, under a law without yield
+        // a shallow contact, not a metal, a flow curve, a law without yield
         ("s.toml", Some("impact.speed=1 cm/s"), false),
         ("s.toml", Some("half_space.youngs_modulus=3 GPa"), false),
         ("s.toml", Some(flow), false),
@@ -276,7 +276,7 @@ fn scenes_without_an_impact_refuse_what_does_not_fit() {
     }
     let message = read(&format!("{compare}{flow}power = {{ exponent = 0.1 }}\n")).comparison().unwrap_err().to_string();
     assert!(message.contains("half_space.flow_stress") && message.contains("know no hardening"), "{message}");
-    // a hardness is a strength there too
+    // a hardness gives the strength there too
     let hardness = |text: &str| text.replace("yield_strength = \"345 MPa\"", "hardness = \"1.0005 GPa\"");
     assert!(off(read(&hardness(&compare)).comparison().unwrap().bodies.yield_strength, 345e6) < 1e-14);
     let specimens = read(&hardness(&indentation)).indentation().unwrap().specimens;
@@ -286,7 +286,8 @@ fn scenes_without_an_impact_refuse_what_does_not_fit() {
 proptest! {
     #![proptest_config(crate::common::cases(100))]
 
-    /// Any flow curve, any forces: the ledger closes, e is at most 1, and a warning says where the curve ends.
+    /// For any flow curve and any forces the energy ledger closes, e is at most 1, and a warning is given beyond the
+    /// curve.
     #[test]
     fn energy_is_kept_on_any_flow_curve(
         speed in 0.01..20.0_f64, first in 1.0..1.5_f64, second in 1.0..2.0_f64, strain in 1e-4..0.05_f64, zeta in 0.0..0.2_f64,
@@ -298,7 +299,7 @@ proptest! {
         let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         prop_assert!(impact.energy.drift < 1e-8, "{}", impact.energy.drift);
         prop_assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + 1e-9);
-        // the curve is asked up to 0.37 (√(δ/R) − √(δ_Y/R))
+        // the curve is used up to a strain of 0.37 (√(δ/R) − √(δ_Y/R))
         let at = |indentation: f64| (indentation / 5e-3).sqrt();
         let asked = 0.37 * (at(impact.peak_indentation) - at(contact.pair().yield_point.unwrap().indentation));
         let is_beyond = impact.warnings.iter().any(|warning| warning.to_string().contains("the flow curve ends"));

@@ -1,4 +1,4 @@
-//! Gravity and damping: balances of energy, closed forms, and the cases that are hard.
+//! Gravity and damping: energy balances, closed forms, and hard cases.
 
 mod at_rest;
 mod creep;
@@ -69,7 +69,8 @@ fn damping_of_nothing_changes_nothing() {
 
 #[test]
 fn gravity_alone_keeps_the_balance_of_energy() {
-    // ½ m v² + m g δ_m = W(δ_m) and ½ m (e v)² = F_m δ_e/(n + 1) − m g δ_e, with W of the law in units of its yield point
+    // ½ m v² + m g δ_m = W(δ_m) and ½ m (e v)² = F_m δ_e/(n + 1) − m g δ_e, with W of the law in units of its yield
+    // point
     let law = Scene::steel().law();
     let scales = *Scene::steel().contact().pair();
     let point = scales.yield_point.unwrap();
@@ -91,7 +92,7 @@ fn gravity_alone_keeps_the_balance_of_energy() {
 
 #[test]
 fn a_sphere_let_go_at_first_touch_sinks_twice_and_a_half_as_deep_as_its_weight_alone() {
-    // elastic: (2/5) F δ = m g δ at the peak, so F_m = 2.5 m g; it would swing for ever
+    // elastic: (2/5) F δ = m g δ at the peak, so F_m = 2.5 m g; without loss the sphere oscillates for ever
     for forces in [gravity(GRAVITY), gravity(1e-6), gravity(1e3)] {
         let contact = under(&elastic(), forces);
         let weight = contact.mass() * forces.gravity.unwrap();
@@ -119,7 +120,7 @@ fn a_sphere_almost_at_rest_at_first_touch_sinks_at_any_tolerance() {
     for scene in [elastic(), Scene { yield_strength: Some(1e6), ..Scene::steel() }] {
         let contact = under(&scene, gravity(GRAVITY));
         let from_rest = contact.closed_form(0.0).unwrap();
-        // heights far below the peak of the fall from 0, where gravity does all of the work
+        // drop heights far below the peak indentation of the fall from 0: gravity does all of the work
         for part in [0.0, 1e-30, 1e-24, 1e-18, 1e-12] {
             let speed = (2.0 * GRAVITY * part * from_rest.peak_indentation).sqrt();
             let exact = contact.closed_form(speed).unwrap();
@@ -139,7 +140,7 @@ fn a_sphere_almost_at_rest_at_first_touch_sinks_at_any_tolerance() {
 
 #[test]
 fn drops_from_below_the_static_indentation_are_computed() {
-    // heights of a thousandth and a millionth of the static indentation: gravity does nearly all of the work
+    // drop heights of a thousandth and a millionth of the static indentation: gravity does nearly all of the work
     let contact = under(&elastic(), gravity(GRAVITY));
     let at_rest = contact.closed_form(0.0).unwrap().under_forces.unwrap().static_indentation.unwrap();
     for part in [1e-3, 1e-6] {
@@ -149,10 +150,10 @@ fn drops_from_below_the_static_indentation_are_computed() {
         for (method, factor) in STEPPING {
             let impact = contact.impact(speed, &solver(method, 1e-12), None).unwrap();
             assert!(off(impact.contact_time, exact.contact_time) < factor * 1e-11, "{}", method.name());
-            // the speed is the small difference of large works: errors grow by their ratio
+            // the energy of the rebound is a small difference of large works, so errors grow by their ratio
             assert!(off(impact.restitution, 1.0) < factor * 1e-12 * 10.0 / part, "{}", method.name());
         }
-        // with the dent of a soft half-space it stays
+        // on a soft half-space with a dent the sphere is captured
         let soft = Scene { yield_strength: Some(1e6), ..Scene::steel() };
         let impact = under(&soft, gravity(GRAVITY)).impact(speed, &Solver::default(), Some(20)).unwrap();
         assert_eq!(fate(&impact), Fate::Captured);
@@ -167,7 +168,7 @@ fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
     let at = |weight: f64| ScaledForces { weight, damping: None }.captures(&unloading, 1.0);
     let limit = unloading.peak.force / 2.5;
     assert!(at(limit) && at(limit * (1.0 + 1e-15)) && !at(limit * (1.0 - 1e-15)));
-    // and the speed at which a whole impact comes to that, from both sides
+    // the speed at which a whole impact reaches this limit, approached from both sides
     let contact = under(&Scene::steel(), gravity(1e6));
     let weight = contact.mass() * 1e6;
     let captured = |speed: f64| fate(&contact.closed_form(speed).unwrap()) == Fate::Captured;
@@ -186,7 +187,7 @@ fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
     for speed in [slow, fast] {
         for (method, _) in STEPPING {
             let impact = contact.impact(speed, &solver(method, 1e-10), Some(20)).unwrap();
-            // the rebound is the root of a difference of 1e-10
+            // the rebound speed is the square root of a difference of 1e-10
             assert!(impact.restitution < 1e-3, "{} {}", method.name(), impact.restitution);
             assert!(impact.trace.last().unwrap().time.is_finite());
         }
@@ -195,8 +196,8 @@ fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
 
 #[test]
 fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
-    // Hunt and Crossley (1975), J. Appl. Mech. 42, 440-445: e = 1 − α v and damping (3/2) α of the force, so χ = (3/2) α, to
-    // first order in χ v; the next term of G(−e v) = G(v) is + (4/9) (χ v)²
+    // Hunt and Crossley (1975), J. Appl. Mech. 42, 440-445: e = 1 − α v and damping (3/2) α of the force, so χ = (3/2)
+    // α, to first order in χ v; the next term of G(−e v) = G(v) is + (4/9) (χ v)²
     let contact = |chi| under(&elastic(), hunt_crossley(chi));
     for chi_v in [1e-6, 1e-4, 1e-3, 1e-2] {
         let (chi, speed) = (0.1, chi_v / 0.1);
@@ -209,7 +210,7 @@ fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
             assert!(off(impact.contact_time, exact.contact_time) < factor * 1e-10);
         }
     }
-    // and never pulls, however strong
+    // the force never pulls, even with strong damping
     let impact = contact(100.0).impact(10.0, &Solver::default(), Some(100)).unwrap();
     assert!(impact.restitution > 0.0);
     // G(−e v) = G(v) with χ v = 1000: e χ v + ln(1 − e χ v) = ln 1001 − 1000, so e χ v = 1 − e^(−992…)
@@ -243,7 +244,8 @@ fn hunt_crossley_on_the_plastic_law_follows_its_phase_curve() {
 
 #[test]
 fn strong_hunt_crossley_damping_leaves_one_over_chi_of_speed() {
-    // outwards 1 + χ δ' > 0 holds the speed below 1/χ, and for χ v ≫ 1 the contact ends there but for exp(−χ² G)
+    // on the way out 1 + χ δ' > 0 keeps the speed below 1/χ; for χ v ≫ 1 the contact ends at this speed, up to exp(−χ²
+    // G)
     for chi in [30.0, 100.0, 1e3, 1e4] {
         let contact = under(&Scene::steel(), hunt_crossley(chi));
         let exact = contact.impact(3.0, &solver(Method::ClosedForm, 1e-10), None).unwrap();
@@ -257,7 +259,7 @@ fn strong_hunt_crossley_damping_leaves_one_over_chi_of_speed() {
 
 #[test]
 fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
-    // the δ^¼ of Tsuji, Tanaka and Ishida (1992), Powder Technol. 71, 239-250, was made for that
+    // Tsuji, Tanaka and Ishida (1992), Powder Technol. 71, 239-250, chose δ^¼ so that e does not depend on the speed
     for zeta in [0.01, 0.1, 0.5, 0.9, 1.0, 3.0] {
         let at = |speed| under(&elastic(), viscous(zeta)).impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
         let (slow, fast) = (at(1e-3), at(10.0));
@@ -276,7 +278,7 @@ fn viscous_force_is_zero_at_first_touch_and_that_is_no_separation() {
             let (first, last) = (impact.trace[0], impact.trace.last().unwrap());
             assert_eq!((first.force, first.event, first.elastic_force), (0.0, Some(Event::Touch), Some(0.0)));
             assert!(impact.peak_force > 1.0 && impact.trace.len() >= 60);
-            // it lifts off above the dent, without force, on the way out
+            // on the way out the sphere lifts off above the dent, with zero force
             assert_eq!(last.event, Some(Event::Separation));
             assert!(last.indentation > impact.residual_indentation && last.speed < 0.0);
             assert!(last.force <= 1e-6 * impact.peak_force && last.elastic_force.unwrap() > 0.0);
@@ -289,7 +291,7 @@ fn viscous_force_is_zero_at_first_touch_and_that_is_no_separation() {
 fn an_overdamped_contact_without_gravity_lets_go_and_with_gravity_creeps_to_rest() {
     let scene = Scene::steel();
     for zeta in [1.0, 2.0, 20.0] {
-        // a sphere that starts back from rest slows down only under a pull, which there is none of
+        // on the way back the sphere would slow down only under a pulling force, and there is none
         let impact = under(&scene, viscous(zeta)).impact(3.0, &Solver::default(), None).unwrap();
         assert!(fate(&impact) == Fate::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
         let both = Forces { gravity: Some(1e6), ..viscous(zeta) };
@@ -300,7 +302,7 @@ fn an_overdamped_contact_without_gravity_lets_go_and_with_gravity_creeps_to_rest
                 let report = impact.under_forces.unwrap();
                 assert_eq!((report.fate, impact.restitution), (Fate::Captured, 0.0));
                 let at_rest = report.static_indentation.unwrap();
-                // within a thousandth, or at a turn before
+                // the end is within a thousandth of the static indentation, or at an earlier turning point
                 let distance = (report.end_indentation / at_rest - 1.0).abs();
                 assert!(distance < 1.1e-3, "{zeta} {speed}: {distance}");
                 assert_eq!(impact.trace.last().unwrap().event, Some(Event::Captured));

@@ -1,5 +1,5 @@
-//! The stability suite: every hard case by every stepping method over the ladder of tolerances, and the scenes that are
-//! hard in SI units.
+//! The stability suite: every hard case by every stepping method at all tolerances, and scenes that are hard in SI
+//! units.
 #![allow(clippy::unwrap_used, clippy::excessive_precision)] // values as printed
 
 use plm_impact::bench::hard_cases::{HardCase, hard_cases};
@@ -12,15 +12,15 @@ use crate::common::{STEPPING, Scene, off, run, solver, worst};
 
 const TOLERANCES: [f64; 11] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
 
-/// What rounding leaves of any tolerance. Contact times behind knots 1e-12 apart keep four digits fewer of the speed at
-/// each knot, u² = q² − (5/2) w; all else stays below 1e-14.
+/// The error that rounding leaves at any tolerance. Between knots that are 1e-12 apart the contact time depends on the
+/// speed at each knot, u² = q² − (5/2) w, which has four digits fewer. All other errors are below 1e-14.
 fn rounding(case: &HardCase) -> f64 {
     if case.name.contains("peak among") { 2e-12 } else { 1e-13 }
 }
 
 #[test]
 fn every_case_has_its_reference_value() {
-    // 50-digit arithmetic, independent of the law's code; the speed ratio is rounded to double precision here
+    // 50-digit arithmetic, independent of the code of the law; the speed ratio is rounded to double precision here
     let text = include_str!("../reference/hard_cases.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let table: Vec<(String, f64, f64)> = reader.deserialize().map(Result::unwrap).collect();
@@ -31,7 +31,7 @@ fn every_case_has_its_reference_value() {
         let exact = closed_form::solve(&case.law, case.speed);
         assert!(off(case.restitution, restitution) < 1e-14, "{name}: {} ({})", case.restitution, case.origin);
         assert!(off(exact.restitution, restitution) < 1e-14, "{name}: {}", exact.restitution);
-        // 1e-100: x_m = (…)^0.4 with 0.4 rounded by 2e-17, times ln of 1e-200, is off by 1e-14
+        // at 1e-100, x_m = (…)^0.4 has an error of 1e-14: 0.4 is rounded by 2e-17, times ln of 1e-200
         let allowed = match name.as_str() {
             "v = 1e-100 v_Y" => 3e-14,
             _ if name.contains("peak among") => rounding(case),
@@ -52,7 +52,7 @@ fn every_method_follows_its_tolerance_on_every_case() {
                 let error = max_or_nan(worst(&outcome, &exact), off(outcome.restitution, case.restitution));
                 let allowed = factor * tolerance + rounding(&case);
                 assert!(error <= allowed, "{}, {} at {tolerance:e}: off by {error:e}", case.name, method.name());
-                // no hang: an order-5 method at 1e-13 takes about 400 steps on a piece
+                // not too many steps: a method of order 5 at 1e-13 takes about 400 steps for a piece
                 let pieces = case.law.loading.pieces().len() as u64 + 1;
                 assert!(work.steps < 1000 * pieces, "{}, {}: {work:?}", case.name, method.name());
             }
@@ -80,7 +80,7 @@ fn energy_drift_stays_below_ten_tolerances() {
 #[test]
 fn closed_form_gives_the_printed_values_of_the_problems() {
     for problem in problems().unwrap() {
-        // the printed values hold 16 digits or more; the speed ratio is rounded once more
+        // the printed values have 16 digits or more; the speed ratio is rounded once more
         let error = worst(&closed_form::solve(&problem.law, problem.speed), &problem.exact);
         assert!(error < 2e-15, "{}: {error:e}", problem.name);
     }
@@ -110,7 +110,7 @@ fn every_method_solves_the_problems() {
 
 #[test]
 fn raw_si_problems_need_no_care() {
-    // P4: steel spheres in SI units at which peers return e = −5.28 or 4.7e11. P4b and P4c are elastic:
+    // P4: steel spheres in SI units for which other programs return e = −5.28 or 4.7e11. P4b and P4c are elastic:
     // T = 2.9432751843247047 δ_max/v with δ_max = (5 m v²/(4 K))^(2/5), from 30-digit arithmetic
     for (radius, speed, contact_time) in
         [(1.0, 1e-6, 0.109_532_631_858_199_51), (1e-9, 100.0, 2.751_335_317_721_453_1e-12)]
@@ -124,7 +124,7 @@ fn raw_si_problems_need_no_care() {
             }
         }
     }
-    // P4a, 1 µm at 10 m/s: its time in seconds, with δ_Y = R (π 1.6 σ_Y/(2E*))² as L and V = v/q
+    // P4a, 1 µm at 10 m/s: the contact time in seconds, with L = δ_Y = R (π 1.6 σ_Y/(2E*))² and V = v/q
     let q = steel_speed_ratio(10.0);
     let e_star = 210e9 / (2.0 * (1.0 - 0.09));
     let length = 1e-6 * (std::f64::consts::PI * 1.6 * 345e6 / (2.0 * e_star)).powi(2);
@@ -163,7 +163,7 @@ fn yield_speed_is_crossed_without_a_jump() {
             let above = scene.impact(yield_speed * (1.0 + offset), method, 1e-12, None);
             let slack = factor * 1e-12;
             assert!(!below.has_dent() && off(below.restitution, 1.0) <= slack);
-            // at κ = 1/2, 1 − e = 0.0117 (v/v_Y − 1) just above yield; δ and T go with v^(4/5) and v^(−1/5)
+            // at κ = 1/2, 1 − e = 0.0117 (v/v_Y − 1) just above yield; δ and T are proportional to v^(4/5) and v^(−1/5)
             assert!(above.restitution <= 1.0 + slack && above.restitution >= 1.0 - 0.02 * offset - slack);
             assert!(off(above.peak_indentation, below.peak_indentation) <= 1.7 * offset + slack);
             assert!(off(above.contact_time, below.contact_time) <= 1.3 * offset + slack);
@@ -174,7 +174,7 @@ fn yield_speed_is_crossed_without_a_jump() {
 #[test]
 fn size_of_the_sphere_does_not_matter() {
     let speed = 300.0 * Scene::steel().yield_speed();
-    // the same dimensionless impact up to rounding of v/v_Y; a stepper may decide differently about a step, within its tolerance
+    // the same dimensionless impact, up to rounding of v/v_Y; a stepper may accept other steps, within its tolerance
     for (method, allowed) in [(Method::ClosedForm, 1e-13)].into_iter().chain(STEPPING.map(|(m, f)| (m, f * 1e-10))) {
         let one = Scene { radius: 1.0, ..Scene::steel() }.impact(speed, method, 1e-10, None);
         for radius in [1e-9, 1e-6, 1e-3, 1e3] {
@@ -194,7 +194,7 @@ fn modulus_ratio_goes_to_its_limits() {
         let mut scene = scene;
         scene.sphere.youngs_modulus = sphere;
         scene.half_space.youngs_modulus = half_space;
-        // σ_Y a fixed share of E*, v of v_Y, so that κ alone changes
+        // σ_Y is a fixed share of E*, and v is a fixed multiple of v_Y, so only κ changes
         let compliance = (1.0 - 0.09) * (1.0 / sphere + 1.0 / half_space);
         scene.yield_strength = Some(3e-3 / compliance);
         scene.impact(300.0 * scene.yield_speed(), Method::Rk8, 1e-12, None)
@@ -219,7 +219,7 @@ fn force_is_right_at_zero_and_beside_every_knot() {
             let at = |x: f64| case.law.respond(x, None).0;
             let (before, on, behind) = (at(piece.start.next_down()), at(piece.start), at(piece.start.next_up()));
             assert!(before <= on && on <= behind, "{}: {before} {on} {behind}", case.name);
-            // one ulp of x moves f by at most f'(x) x ulps, f' x/f < 2
+            // one ulp of x changes f by less than two ulps, because f' x/f < 2
             assert!(off(before, on) < 1e-15 && off(behind, on) < 1e-15, "{}: {before} {on} {behind}", case.name);
         }
     }
@@ -242,7 +242,7 @@ fn shortest_and_longest_traces() {
 
 #[test]
 fn shallowest_dent_keeps_its_sign() {
-    // x − ε of 2.5e-13 is no more than 1100 ulps of x: never negative, and R_e ≥ R
+    // x − ε = 2.5e-13 is only 1100 ulps of x, but it is never negative, and R_e ≥ R
     for case in hard_cases().unwrap() {
         for (method, _) in STEPPING {
             let (outcome, _) = run(&case.law, case.speed, method, 1e-10).unwrap();

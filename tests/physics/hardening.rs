@@ -1,4 +1,5 @@
-//! A half-space that hardens: 30-digit impacts, finite elements, the ends where it does not harden, and what must always hold.
+//! A half-space that hardens: 30-digit impacts, finite elements, limits without hardening, and properties that always
+//! hold.
 
 use plm_impact::impact::batch::{self, Problem};
 use plm_impact::impact::{Contact, Forces, Impact, Method, ScaledForces, Solver, closed_form, course};
@@ -67,7 +68,7 @@ fn unloadings_of_finite_elements_are_met_as_documented() {
         let bodies = materials.bodies().unwrap().unwrap();
         let of = |plm: Plm| {
             let law = plm.law(&bodies).unwrap();
-            // at the energy that the finite elements spent
+            // at the same work of loading as the finite elements
             let x = law.loading.pieces()[law.loading.index_at_work(want.spent)].indentation_at_work(want.spent);
             let peak = law.loaded_to(x);
             let restitution = (law.unloading(peak).capacity() / want.spent).sqrt();
@@ -83,13 +84,14 @@ fn unloadings_of_finite_elements_are_met_as_documented() {
         off.iter_mut().zip(deviations).for_each(|(list, deviation)| list.push(deviation));
         initial.push(of(Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() }).1);
     }
-    // rms and largest as documented for e, force, indentation and contact radius (half a unit of its three digits more)
+    // rms and largest deviation as documented for e, force, indentation and contact radius, plus half a unit of the
+    // last digit
     let documented = [(0.011, 0.029), (0.014, 0.038), (0.0105, 0.031), (0.0155, 0.036)];
     for (list, (most, extreme)) in off.iter().zip(documented) {
         assert!(rms(list) < most + 5e-4, "{}", rms(list));
         assert!(largest(list.iter().copied()).abs() < extreme + 5e-4, "{}", largest(list.iter().copied()));
     }
-    // with the initial yield strength: 2 to 53 % low
+    // with the initial yield strength e is 2 to 53 % too low
     assert!((rms(&initial) - 0.231).abs() < 2e-3, "{}", rms(&initial));
     assert!((largest(initial.into_iter()) + 0.528).abs() < 2e-3);
 }
@@ -149,8 +151,8 @@ fn lanes_give_the_bits_of_rk8_and_gravity_has_its_closed_form() {
             assert!(worst(&got, &closed_form::solve(law, *q)) < 1e-9);
         }
         if matches!(exponent, UnloadingExponent::Fixed(_)) {
-            // just past yield such an exponent is bounded by the energy spent, which the closed form under gravity takes for
-            // an impact without a dent
+            // just past yield the work of loading limits such an exponent, and the closed form under gravity takes this
+            // as an impact without a dent
             continue;
         }
         let falling = contact.clone().with_forces(Forces { gravity: Some(9.81), damping: None });
@@ -167,7 +169,7 @@ fn lanes_give_the_bits_of_rk8_and_gravity_has_its_closed_form() {
     }
 }
 
-/// κ, a_Y/R, and a flow curve: within what finite elements have been compared with, and up to N = 0.5.
+/// Random κ, a_Y/R and flow curve: in the range that was compared with finite elements, and up to N = 0.5.
 fn any_hardening_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)> {
     let curve = prop_oneof![
         3 => (0.02..=0.5_f64).prop_map(|exponent| FlowCurve::Power { exponent }),
@@ -193,16 +195,17 @@ proptest! {
     fn force_rises_dents_deepen_and_restitution_falls((law, bodies, exponent) in any_hardening_law()) {
         let mut before = law.loaded_to(1.0);
         let (mut least, mut deepest_dent) = (1.0_f64, 0.0_f64);
-        // documented: 0.05 % behind a knot with 3/2, 0.10 % with the pressure's shape
+        // documented rise after a knot: 0.05 % with 3/2, 0.10 % with pressure-shape
         let rise = if exponent == UnloadingExponent::Paper { 5e-4 } else { 1e-3 };
-        // up to 0.15 R
+        // up to an indentation of 0.15 R
         let deepest = 0.15 / bodies.yield_radius_ratio().powi(2);
         for i in 1..400 {
             let x = deepest.powf(f64::from(i) / 400.0);
             let peak = law.loaded_to(x);
             let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
             prop_assert!(growth > 1.0, "{x}: {growth}");
-            // straight between points, the force of a soft sphere lets the dent fall a little just behind the first knot
+            // the force is linear between points; for a soft sphere this makes the dent fall a little just after the
+            // first knot
             prop_assert!(peak.residual() >= deepest_dent - 3e-4 * x, "{x}: {} {deepest_dent}", peak.residual());
             deepest_dent = deepest_dent.max(peak.residual());
             let restitution = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
@@ -213,8 +216,9 @@ proptest! {
     }
 }
 
-/// What the pages say of one constant strength in place of the flow curve: that of 0.2 % of plastic strain, and that of
-/// 8 %, which a hardness test gives. e at the energy that the finite elements spent: rms, largest.
+/// The statement of the pages on one constant strength instead of the flow curve: the strength at 0.2 % plastic strain,
+/// and the strength at 8 %, which a hardness test gives. rms and largest deviation of e at the work of the finite
+/// elements.
 #[test]
 fn one_strength_for_a_metal_that_hardens_is_as_far_off_as_documented() {
     for (strain, most, extreme) in [(0.002, 0.15, -0.37), (0.08, 0.17, 0.35)] {
@@ -225,7 +229,7 @@ fn one_strength_for_a_metal_that_hardens_is_as_far_off_as_documented() {
             let bodies =
                 Bodies::new(&Pair::try_new(1.0, &materials.sphere(), &half_space).unwrap(), &half_space).unwrap();
             let law = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() }.law(&bodies).unwrap();
-            // F_Y δ_Y goes with the fifth power of the strength
+            // F_Y δ_Y is proportional to the fifth power of the strength
             let spent = want.spent / ratio.powi(5);
             let x = law.loading.pieces()[law.loading.index_at_work(spent)].indentation_at_work(spent);
             (law.unloading(law.loaded_to(x)).capacity() / spent).sqrt() / want.restitution - 1.0
@@ -236,7 +240,8 @@ fn one_strength_for_a_metal_that_hardens_is_as_far_off_as_documented() {
     }
 }
 
-/// A measured curve may have an edge that no metal has: the force must rise all the same, for the rest is built on it.
+/// A measured curve may have an unphysical jump of its slope. The force must still rise, because all else depends on
+/// this.
 #[test]
 fn the_force_rises_along_any_curve() {
     for (strain, stress) in [(1e-6, 3450e6), (1e-3, 3450e6), (1e-2, 34.5e9), (1e-9, 3.45e12)] {
@@ -255,7 +260,7 @@ fn the_force_rises_along_any_curve() {
     }
 }
 
-/// A reload below the old peak gives back all of it, and one beyond goes on along the loading curve.
+/// Reloading below the old peak is elastic, and reloading beyond it continues along the loading curve.
 #[test]
 fn a_hardened_dent_is_remembered() {
     let contact = steel(Some(FlowCurve::Power { exponent: 0.2 }), UnloadingExponent::PressureShape);
@@ -267,7 +272,8 @@ fn a_hardened_dent_is_remembered() {
     assert!(off(again.unloading(again.loaded_to(80.0)).exponent, law.unloading(law.loaded_to(80.0)).exponent) < 1e-14);
 }
 
-/// How long a contact with a flow curve takes to set up: run by hand, `cargo test --release --test physics hardening -- --ignored --nocapture`.
+/// Prints how long it takes to set up a contact with a flow curve. Run it by
+/// `cargo test --release --test physics hardening -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement of time"]
 fn time_to_set_up() {

@@ -1,4 +1,4 @@
-//! Elastic impact against Hertz's closed forms, for random bodies and every method.
+//! Elastic impacts of random bodies by every method, compared with the closed forms of Hertz.
 
 use approx::assert_relative_eq;
 use plm_impact::impact::Method;
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use crate::common::{STEPPING, Scene, off};
 
-/// (4/5) B(2/5, 1/2): contact time of a Hertz impact times v/δ_max.
+/// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 fn any_body() -> impl Strategy<Value = Material> {
@@ -42,7 +42,7 @@ proptest! {
     #[test]
     fn peak_time_and_energy_are_hertzs((scene, v) in any_elastic_impact()) {
         const TOLERANCE: f64 = 1e-11;
-        // formulas in the order of the book (Johnson 1985, Section 11.4), with m = (4/3) π R³ ρ
+        // formulas of Johnson (1985), Section 11.4, with m = (4/3) π R³ ρ
         let m = 4.0 / 3.0 * std::f64::consts::PI * scene.radius.powi(3) * scene.density;
         let compliance = |body: Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
         let e_star = 1.0 / (compliance(scene.sphere) + compliance(scene.half_space));
@@ -76,7 +76,7 @@ proptest! {
     #[test]
     fn time_reversal_returns_the_start((scene, v) in any_elastic_impact()) {
         const TOLERANCE: f64 = 1e-11;
-        // samples at i T/20: the i-th before the peak mirrors the i-th before separation
+        // samples at i T/20: the i-th sample from first touch mirrors the i-th sample before separation
         for (method, factor) in STEPPING {
             let impact = scene.impact(v, method, TOLERANCE, Some(21));
             let even: Vec<_> = impact.trace.iter().filter(|row| row.event.is_none()).collect();
@@ -94,8 +94,8 @@ proptest! {
 
 #[test]
 fn golden_case_of_lammps_is_reproduced() {
-    // LAMMPS `hertz/material` against a wall of the same material: sphere of 5 mm diameter, 7000 kg/m³, 100 GPa, ν 0.25,
-    // 3.9 m/s, deepest overlap 22.6806 µm; a rigid wall gives 17.19 µm
+    // LAMMPS `hertz/material` against a wall of the same material: sphere of 5 mm diameter, 7000 kg/m³, 100 GPa, ν
+    // 0.25, 3.9 m/s, deepest overlap 22.6806 µm; a rigid wall gives 17.19 µm
     let body = Material { youngs_modulus: 100e9, poissons_ratio: 0.25 };
     let scene = Scene {
         radius: 2.5e-3,

@@ -11,13 +11,13 @@ use proptest::prelude::*;
 
 use crate::common::off;
 
-/// Tungsten carbide sphere of Xie et al. 2024, section 4.3.
+/// The tungsten carbide sphere of Xie et al. 2024, section 4.3.
 fn indenter() -> Indenter {
     let material = Material { youngs_modulus: 600e9, poissons_ratio: 0.23 };
     Indenter { radius: 0.25e-3, material, yield_strength: None }
 }
 
-/// A Ti-xNb alloy of its Table 3.
+/// A Ti-xNb alloy of Table 3 of Xie et al. 2024.
 fn alloy(youngs_modulus: f64, yield_strength: Option<f64>) -> HalfSpace {
     HalfSpace { material: Material { youngs_modulus, poissons_ratio: 0.3 }, yield_strength, density: None }
 }
@@ -61,7 +61,7 @@ fn an_elastic_loop_is_hertz_to_and_fro() {
 
 #[test]
 fn a_loop_costs_the_work_less_what_comes_back() {
-    // ∮ F dδ = W − F_m δ_e/(n + 1), S = n F_m/δ_e, δ_r = δ_m − δ_e: theory.md sections 3 and 6
+    // from the definition of the law: ∮ F dδ = W − F_m δ_e/(n + 1), S = n F_m/δ_e, δ_r = δ_m − δ_e
     for (exponent, n) in [
         (UnloadingExponent::Paper, 1.5),
         (UnloadingExponent::Fixed(1.8), 1.8),
@@ -76,14 +76,14 @@ fn a_loop_costs_the_work_less_what_comes_back() {
         assert!(off(up.plastic_work, up.work + down.work) < 1e-13 && down.plastic_work == 0.0);
         assert!(off(up.memory.unloading_stiffness, n * 30.0 / recovered) < 1e-13);
         assert!(off(down.indentation, up.memory.residual_indentation) < 1e-15 && down.force == 0.0);
-        // and the area of the traced loop is that work: trapezoids of 2000 rows a step
+        // the area of the traced loop is this work: trapezoids of 2000 rows per step
         let area: f64 = done
             .trace
             .windows(2)
             .map(|rows| 0.5 * (rows[0].force + rows[1].force) * (rows[1].indentation - rows[0].indentation))
             .sum();
         assert!(off(area, up.plastic_work) < 1e-6, "{area} {}", up.plastic_work);
-        // the slope of the traced curve where unloading begins
+        // the slope of the traced curve at the beginning of unloading
         let down: Vec<_> = done.trace.iter().filter(|row| row.step == 2).collect();
         let (a, b) = (down[0], down[1]);
         assert!(off((a.force - b.force) / (a.indentation - b.indentation), up.memory.unloading_stiffness) < 1e-3);
@@ -92,7 +92,8 @@ fn a_loop_costs_the_work_less_what_comes_back() {
 
 #[test]
 fn an_indentation_and_an_impact_share_one_law() {
-    // theory.md section 4, case 3, x = 30: f 111.0392906, ε 14.13590752, δ_r/δ_m 0.528803, δ_s/δ 0.236726
+    // case 3 at x = 30, computed from the definition of the law: f 111.0392906, ε 14.13590752, δ_r/δ_m 0.528803, δ_s/δ
+    // 0.236726
     let steel = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let sphere = Indenter { radius: 35e-3, material: steel(208e9), yield_strength: None };
     let half_space = HalfSpace { material: steel(210e9), yield_strength: Some(345e6), density: None };
@@ -117,7 +118,7 @@ fn reloading_runs_up_the_same_curve_and_on_as_if_nothing_had_been() {
     assert_eq!((a.indentation, a.force, a.memory), (b.indentation, b.force, b.memory));
     let plastic = |steps: &[Step]| steps.iter().map(|step| step.plastic_work).sum::<f64>();
     assert!(off(plastic(&once), plastic(&detour)) < 1e-14);
-    // nothing plastic below the old peak, and its memory is kept to the last bit
+    // no plastic work below the old peak, and the memory is kept to the last bit
     for step in &detour[1..5] {
         assert_eq!(step.plastic_work, 0.0);
         assert_eq!(step.memory, detour[0].memory);
@@ -138,13 +139,13 @@ fn above_the_dent_there_is_no_contact_and_no_force() {
     }
     assert!(off(done.steps[1].work, -20.0 * (done.steps[0].indentation - residual) / 2.5) < 1e-13);
     assert_eq!((done.steps[2].work, done.steps[3].work), (0.0, 0.0));
-    // the trace has the row where the surfaces part, on the axis, and the dent stays as it is beyond
+    // the trace has a row of zero force where the surfaces separate, and the dent does not change beyond it
     let parting: Vec<_> = done.trace.iter().filter(|row| row.indentation == residual).collect();
     assert_eq!(parting.len(), 2, "once on the way out, once on the way in");
     for row in done.trace.iter().filter(|row| row.branch == Branch::Separated) {
         assert_eq!((row.force, row.sphere_indentation, row.half_space_indentation), (0.0, 0.0, residual));
     }
-    // a load of zero is where the surfaces part
+    // a load of zero is the place where the surfaces separate
     assert!(off(steps(&contact, &[Load(20.0), Load(0.0)])[1].indentation, residual) < 1e-15);
 }
 
@@ -185,7 +186,7 @@ fn doubts_are_raised_once_by_the_step_that_gives_them() {
 fn every_piece_of_the_law_is_left_and_entered_exactly() {
     let contact = ti_10_nb(UnloadingExponent::Paper);
     let point = contact.pair().yield_point.unwrap();
-    // knots of the built-in table, and between them
+    // at the knots of the built-in table and between them
     for x in [0.3, 1.0, 1.3, 1.7, 2.0, 2.4, 3.4, 5.0, 9.0, 18.0, 36.0, 80.0, 100.0, 250.0, 1000.0] {
         let by_depth = steps(&contact, &[To(x * point.indentation)])[0];
         let by_load = steps(&contact, &[Load(by_depth.force)])[0];
@@ -225,7 +226,7 @@ fn the_spans_of_uncertain_inputs_hold_every_case_within() {
     assert!(known.spans(indenter(), plm, &targets, &middle).unwrap().is_none());
 }
 
-/// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3, and the rigid sphere of case 5 as the finite elements had it.
+/// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3. The sphere of case 5 is rigid, as in the finite elements.
 const CASES: [(&str, f64, f64, f64); 5] = [
     ("case1", 52e9, 210e9, 50e6),
     ("case2", 104e9, 210e9, 120e6),
@@ -254,21 +255,21 @@ fn load_cycles_follow_the_finite_elements() {
         let exponent = UnloadingExponent::PressureShape;
         let contact = StaticContact::try_new(sphere, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
         let point = contact.pair().yield_point.unwrap();
-        // the cycles of the run, one after the other, as the finite elements went
+        // the cycles of the run in the order of the finite elements
         let targets: Vec<_> =
             rows.iter().flat_map(|row| [To(number(row, "x") * point.indentation), Load(0.0)]).collect();
         let done = steps(&contact, &targets);
         let mut spent = 0.0;
         for (row, pair) in rows.iter().zip(done.chunks(2)) {
-            // reloading before gave back what unloading took
+            // the work of reloading up to the old peak equals the work that unloading gave back
             spent += pair[0].plastic_work;
-            // the shallow cycles of the softest sphere have no restitution, and nothing was fitted to them
+            // the shallow cycles of the softest sphere have no restitution in the reference, and were not fitted
             if row["restitution"].is_empty() {
                 continue;
             }
             let what = format!("{} at {}", row["run"], row["x"]);
-            // residual over largest indentation: PLM and Eq. 23 together within 3 % of it (the coarsest mesh), and a shallow dent, which is the
-            // difference of nearly equal depths, within 2 % of the depth
+            // residual over largest indentation, by PLM and Eq. 23: within 3 % (the coarsest mesh). A shallow dent is
+            // the difference of nearly equal depths, and is within 2 % of the depth
             let (got, want) = (pair[1].indentation / pair[0].indentation, number(row, "residual_share"));
             if number(row, "x") > 10.0 {
                 assert!(off(got, want) < 0.03, "{what}: {got} {want}");
@@ -277,7 +278,8 @@ fn load_cycles_follow_the_finite_elements() {
             // e² is recovered over spent work
             let e = (-pair[1].work / (spent - pair[1].work)).sqrt();
             let deviation = e / number(row, "restitution") - 1.0;
-            // documented: −2.5 to +1.9 %, rms 0.95 % (and a tenth or two as the spent work there is integrated anew)
+            // documented: −2.5 to +1.9 %, rms 0.95 %; 0.1 or 0.2 % more, because the spent work is integrated again
+            // here
             assert!(-0.027 < deviation && deviation < 0.021, "{what}: {deviation}");
             (count, sum_of_squares) = (count + 1.0, sum_of_squares + deviation * deviation);
         }
@@ -299,13 +301,13 @@ proptest! {
     ) {
         let exponent = if shape { UnloadingExponent::PressureShape } else { UnloadingExponent::Paper };
         let contact = contact(&alloy(10f64.powf(modulus), strength.map(|s| 10f64.powf(s))), exponent);
-        // loads up to that of a tenth of the radius
+        // loads up to the load at an indentation of a tenth of the radius
         let most = steps(&contact, &[To(25e-6)])[0].force;
         let targets: Vec<_> = targets.iter().map(|(is_load, share)| {
             if *is_load { Load(share * most) } else { To(share * 25e-6) }
         }).collect();
         let Ok(done) = contact.indent(&targets, Some(20)) else {
-            // a step that ends where it begins: only after separation, as random targets are not equal
+            // a step without movement is refused; it occurs only after separation, because random targets differ
             return Ok(());
         };
         let (mut work, mut plastic, mut largest) = (0.0, 0.0, 0.0);
@@ -313,7 +315,8 @@ proptest! {
         for (target, step) in targets.iter().zip(&done.steps) {
             work += step.work;
             plastic += step.plastic_work;
-            // dissipation never runs backwards; straight pieces let it by what they let e rise, 0.12 % at most
+            // plastic work is never negative, except that the straight pieces allow as much as they let e rise, at most
+            // 0.12 %
             prop_assert!(step.plastic_work >= -2.4e-3 * step.work.abs());
             prop_assert!((work - plastic - step.stored_energy).abs() < 1e-12 * scale);
             prop_assert!(step.memory.force >= largest);
@@ -321,7 +324,7 @@ proptest! {
             match *target {
                 Load(load) => {
                     prop_assert!((step.force - load).abs() < 1e-11 * most);
-                    // displacement control to where load control ended gives the load
+                    // displacement control to the end of a step in load control gives the same load
                     let mut others = targets[..done.steps.iter().position(|other| other == step).unwrap()].to_vec();
                     others.push(To(step.indentation));
                     if let Ok(again) = contact.indent(&others, None) {

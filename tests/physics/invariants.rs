@@ -1,4 +1,4 @@
-//! What must hold for every scene, by proptest.
+//! Properties that hold for every scene, tested with random scenes.
 
 use plm_impact::impact::{Impact, ImpactError, Method};
 use plm_impact::law::UnloadingExponent;
@@ -9,7 +9,7 @@ use crate::common::{STEPPING, Scene, off};
 
 const TOLERANCE: f64 = 1e-10;
 
-/// A scene and v/v_Y: radius 1 nm to 10 m, moduli 1 MPa to 10 TPa, any Poisson's ratio, σ_Y/E* from 1e-5 to 0.1.
+/// A random scene and v/v_Y: radius 1 nm to 10 m, moduli 1 MPa to 10 TPa, any Poisson's ratio, σ_Y/E* from 1e-5 to 0.1.
 fn any_impact() -> impl Strategy<Value = (Scene, f64)> {
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
     let body = || {
@@ -32,8 +32,8 @@ fn any_impact() -> impl Strategy<Value = (Scene, f64)> {
     )
 }
 
-/// How far e may rise behind a knot: 0.02 % for κ > 0.4 (0.03 % with the pressure-shape exponent), 0.12 % as κ → 1
-/// (the law's definition); none below, up to rounding.
+/// The largest rise of e after a knot, by the definition of the law: 0.02 % for κ > 0.4 (0.03 % with the exponent
+/// pressure-shape), and 0.12 % as κ → 1. For smaller κ there is no rise, up to rounding.
 fn allowed_rise(scene: &Scene) -> f64 {
     let kappa = scene.contact().pair().sphere_compliance;
     match scene.exponent {
@@ -76,7 +76,7 @@ proptest! {
             for (got, want) in results(&impact).into_iter().zip(results(&exact)) {
                 prop_assert!((got - want).abs() <= factor * tolerance * want, "{} {tolerance:e}: {got} {want}", method.name());
             }
-            // the errors that the impact reports of itself are those
+            // the impact reports the same errors
             prop_assert!(impact.accuracy.restitution_error <= factor * tolerance);
             prop_assert_eq!(impact.accuracy.closed_form_restitution, exact.restitution);
         }
@@ -122,7 +122,7 @@ proptest! {
             let one = scene.impact(speed, method, TOLERANCE, None);
             let two = match other.contact().impact(speed * a / b, &crate::common::solver(method, TOLERANCE), None) {
                 Ok(impact) => impact,
-                // metres in units of 1e9 m and the like leave double precision, by name
+                // extreme units leave the range of double precision, and the error says so
                 Err(ImpactError::Range(_)) => continue,
                 Err(error) => return Err(TestCaseError::fail(error.to_string())),
             };
@@ -134,7 +134,8 @@ proptest! {
 
     #[test]
     fn mass_and_moduli_scale_out_of_the_restitution((scene, q) in any_impact(), log_mass in -3.0..3.0_f64, log_modulus in -3.0..3.0_f64) {
-        // e depends on v/v_Y, κ, σ_Y/E* and ν alone, not on density, nor on all moduli and the strength together
+        // e depends only on v/v_Y, κ, σ_Y/E* and ν. It does not change with the density, nor with a common factor of
+        // all moduli and the strength
         let heavier = Scene { density: scene.density * 10_f64.powf(log_mass), ..scene };
         let modulus = 10_f64.powf(log_modulus);
         let body = |body: Material| Material { youngs_modulus: body.youngs_modulus * modulus, ..body };
@@ -176,7 +177,7 @@ proptest! {
         for (method, factor) in STEPPING {
             let plain = scene.impact(speed, method, TOLERANCE, None);
             let traced = scene.impact(speed, method, TOLERANCE, Some(samples));
-            // not to the bit: a trace also lands on first yield
+            // not to the last bit: with a trace the stepper also lands on first yield
             for (got, want) in results(&traced).into_iter().zip(results(&plain)) {
                 prop_assert!((got - want).abs() <= 2.0 * factor * TOLERANCE * want, "{}: {got} {want}", method.name());
             }
@@ -184,15 +185,15 @@ proptest! {
     }
 }
 
-/// How far two computations of one dimensionless impact may differ: its input is the same up to the rounding of v/v_Y and
-/// of the law's constants, so the closed form agrees to rounding; a stepper may decide differently at the very threshold
-/// of accepting a step, and then agrees to its tolerance.
+/// How much two computations of one dimensionless impact may differ. The input differs by the rounding of v/v_Y and of
+/// the constants of the law, so closed forms agree to rounding. A stepper may accept a step in one case and reject it
+/// in the other, so it agrees to its tolerance.
 fn invariant() -> impl Iterator<Item = (Method, f64)> {
     [(Method::ClosedForm, 1e-12)].into_iter().chain(STEPPING.map(|(method, factor)| (method, factor * TOLERANCE)))
 }
 
-/// Dimensions: 1, time, time, force, length (three times). The dent only as the elastic approach: x − ε of a shallow one
-/// has lost its digits.
+/// Results with the dimensions 1, time, time, force and three lengths. The elastic approach stands for the dent,
+/// because x − ε of a shallow dent has lost digits.
 fn results(impact: &Impact) -> [f64; 7] {
     [
         impact.restitution,

@@ -1,4 +1,4 @@
-//! Events: where they are, in which order, what a trace holds.
+//! Events: their places, their order, and the rows of a trace.
 
 use plm_impact::impact::{Event, Impact, Method, TraceRow};
 use plm_impact::law::{Branch, UnloadingExponent};
@@ -7,10 +7,10 @@ use proptest::prelude::*;
 
 use crate::common::{STEPPING, Scene, off};
 
-/// Speeds in units of the yield speed, from an elastic impact over every number of knots to beyond the last.
+/// Speeds in units of the yield speed: an elastic impact, impacts beyond each knot, and far beyond the last knot.
 const SPEEDS: [f64; 13] = [0.1, 0.999, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
 
-/// The steppers, and the exact motion that traces of the closed form are made of.
+/// The steppers, and the closed form, whose traces are made of the exact motion.
 const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
 
 fn rows(impact: &Impact, event: Event) -> Vec<&TraceRow> {
@@ -83,11 +83,11 @@ fn every_passed_knot_is_there_once_and_in_order() {
                 assert_eq!(got.len(), want.len(), "{} at {share} v_Y", method.name());
                 for (row, (event, x)) in got.iter().zip(want) {
                     assert_eq!(row.event, Some(event), "{} at {share} v_Y", method.name());
-                    // on the knot to rounding: landed, not overshot
+                    // the row is on the knot up to rounding, not beyond it
                     let miss = (row.indentation / yield_point.indentation - x).abs();
                     assert!(miss <= 2e-15 * x, "{} at {share} v_Y: {event:?} misses by {miss:e}", method.name());
                 }
-                // no event fires at the start of its own interval: the times rise strictly
+                // no event occurs twice at the same time: the times rise strictly
                 assert!(got.windows(2).all(|pair| pair[0].time < pair[1].time), "{} at {share} v_Y", method.name());
             }
         }
@@ -96,7 +96,7 @@ fn every_passed_knot_is_there_once_and_in_order() {
 
 #[test]
 fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
-    // a long step may turn and be back at the knot: the sphere passes it before, with the speed that is left there
+    // a long step may pass the knot, turn, and end before the knot; the passage on the way in must still be found
     let scene = Scene::steel();
     let yield_speed = scene.yield_speed();
     let law = scene.law();
@@ -116,7 +116,7 @@ fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
 
 #[test]
 fn separation_is_not_triggered_at_first_touch() {
-    // F = 0 at first touch as well, however long or short the first step
+    // F = 0 at first touch too, which must not count as separation, for any length of the first step
     for (method, factor) in STEPPING {
         for tolerance in [1e-1, 1e-2, 1e-3, 1e-6, 1e-13] {
             let impact = Scene::steel().impact(1e-3, method, tolerance, None);
@@ -134,7 +134,7 @@ fn trace_is_even_in_time_and_has_the_rows_asked_for() {
                 let scene = Scene::steel();
                 let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(samples));
                 let even: Vec<_> = impact.trace.iter().filter(|row| row.event.is_none()).collect();
-                // first touch and separation are the ends of the even spacing
+                // first touch and separation are the ends of the even samples
                 assert_eq!(even.len(), samples - 2, "{} at {share} v_Y", method.name());
                 #[allow(clippy::cast_precision_loss)]
                 for (i, row) in even.iter().enumerate() {
@@ -161,7 +161,7 @@ fn branches_follow_each_other() {
             assert!((row.speed < 0.0) <= (row.branch == Branch::Unloading));
             let sum = row.sphere_indentation + row.half_space_indentation;
             assert!((sum - row.indentation).abs() <= 1e-15 * row.indentation);
-            // a half-space never springs back beyond its dent
+            // the half-space never recovers beyond its dent
             let dent = if row.branch == Branch::Unloading { impact.residual_indentation } else { 0.0 };
             assert!(row.half_space_indentation >= dent * (1.0 - 1e-9));
         }
@@ -191,7 +191,7 @@ fn samples_lie_on_the_exact_motion() {
                             (got.force - want.force) / exact.peak_force,
                         ];
                         let worst = off.into_iter().fold(0.0, |worst, off| max_or_nan(worst, off.abs()));
-                        // near separation, a shift of the dent by one tolerance moves F by up to its stiffness n/ε_m
+                        // near separation, an error of the dent of one tolerance changes F by up to the stiffness n/ε_m
                         let allowed = 10.0 * factor * tolerance + 1e-12;
                         assert!(worst <= allowed, "{} {tolerance:e} {share}: {worst:e} {got:?}", method.name());
                     }

@@ -1,4 +1,4 @@
-//! The law by itself: printed table, limits, knots, work, unloading, memory, coefficient tables.
+//! The law without motion: printed table, limits, knots, work, unloading, memory, coefficient tables.
 
 // tables as printed
 #![allow(clippy::unreadable_literal, clippy::excessive_precision)]
@@ -11,7 +11,7 @@ use plm_impact::law::{ElasticApproach, Law, Peak, PlmCoefficients, UnloadingExpo
 use plm_impact::material::yield_factor;
 use proptest::prelude::*;
 
-/// Restitution of a quasi-static cycle to x: recovered over spent work.
+/// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
 fn restitution(law: &Law, x: f64) -> f64 {
     let peak = law.loaded_to(x);
     (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt()
@@ -60,7 +60,7 @@ proptest! {
         let step = x * 10_f64.powf(log_step);
         let (one, two) = (law.loaded_to(x), law.loaded_to(x + step));
         prop_assert!(one.force < two.force && one.elastic_approach < two.elastic_approach);
-        // x f'/f ≤ 3/2 on Hertz and, with slopes that rise slower than x, at most 2 beyond; ε grows slower than x
+        // x f'/f ≤ 3/2 on Hertz, and at most 2 beyond, because the slopes rise slower than x; ε grows slower than x
         prop_assert!(two.force / one.force - 1.0 <= 2.0 * step / x + 1e-14);
         prop_assert!(two.elastic_approach / one.elastic_approach - 1.0 <= 2.0 * step / x + 1e-14);
         // the dent never shrinks; ε carries a rounding of 1e-15 x
@@ -94,7 +94,7 @@ proptest! {
         let x = 10_f64.powf(log_x);
         let peak = law.loaded_to(x);
         let unloading = law.unloading(peak);
-        // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r has lost the digits of x/ε
+        // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r loses digits by the factor x/ε
         prop_assert!(off(unloading.force(x), peak.force) < 4e-15 * x / peak.elastic_approach);
         prop_assert_eq!(unloading.force(peak.residual()), 0.0);
         prop_assert_eq!(unloading.force(0.5 * peak.residual()), 0.0);
@@ -102,7 +102,8 @@ proptest! {
         let middle = peak.residual() + 0.5 * peak.elastic_approach;
         let returned = quadrature(|x| unloading.force(x), middle, x);
         prop_assert!(off(unloading.stored(x) - unloading.stored(middle), returned) < 1e-11 * x / peak.elastic_approach);
-        // Eq. 24 in units of the yield point: R_e/R = f²/ε³; and with exponent 3/2 the law is f = √(R_e/R) (x − x_r)^1.5
+        // Eq. 24 in units of the yield point: R_e/R = f²/ε³; and with exponent 3/2 the law is f = √(R_e/R) (x −
+        // x_r)^1.5
         let ratio = peak.unloading_radius_ratio();
         prop_assert!(off(ratio, peak.force.powi(2) / peak.elastic_approach.powi(3)) < 1e-14);
         if exponent == UnloadingExponent::Paper {
@@ -111,8 +112,8 @@ proptest! {
     }
 }
 
-/// ∫ by ten-point Gauss-Legendre on 16 equal parts (Abramowitz and Stegun, Table 25.4): exact to rounding for the smooth
-/// pieces here, but for Hertz at x = 0, which s = √x makes a polynomial.
+/// Integral by ten-point Gauss-Legendre on 16 equal parts (Abramowitz and Stegun, Table 25.4). It is exact to rounding
+/// for the smooth pieces. At x = 0 the substitution s = √x makes the piece of Hertz a polynomial.
 fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     const NODES: [(f64, f64); 5] = [
         (0.148_874_338_981_631_21, 0.295_524_224_714_752_87),
@@ -141,7 +142,7 @@ fn rigid_sphere_is_the_finite_limit() {
     };
     let (kappa, rigid) = with(f64::INFINITY);
     assert_eq!(kappa, 0.0);
-    // 1e30 Pa is rigid to rounding, and the difference goes with κ = E*/E_s* elsewhere
+    // 1e30 Pa is rigid up to rounding; for smaller moduli the difference is proportional to κ = E*/E_s*
     for modulus in [1e15, 1e17, 1e20, 1e30] {
         let (kappa, law) = with(modulus);
         for x in [0.3, 1.2, 1.7, 3.0, 40.0, 843.1, 1e5] {
@@ -155,13 +156,14 @@ fn rigid_sphere_is_the_finite_limit() {
 
 #[test]
 fn soft_sphere_stays_elastic_a_little_beyond_yield() {
-    // s_1 = min(1.61 + 0.90 κ², 2.2) is 2.2 > 2 for κ → 1, so that ε = x until the line falls below it
+    // s_1 = min(1.61 + 0.90 κ², 2.2) is 2.2 > 2 for κ → 1, so ε = x until the line is below x
     let mut scene = Scene::case_3();
     scene.sphere.youngs_modulus = 1e-6 * scene.half_space.youngs_modulus;
     scene.yield_strength = Some(1e-3 * scene.sphere.plane_strain_modulus());
     let law = scene.law();
     assert_eq!(law.loaded_to(1.1).residual(), 0.0);
-    // ε_line at f: A (1 + 2.2 (A − 1)) = f; at x = 1.1 that is above x, at x = 1.7 fully plastic (s_2 = 2.07) from A = 1 on
+    // ε of the line at f: A (1 + 2.2 (A − 1)) = f. At x = 1.1 it is above x; at x = 1.7 the fully plastic
+    // slope s_2 = 2.07 holds from A = 1 on
     assert!(law.loaded_to(3.0).residual() > 0.0);
     assert!((1..1000).all(|i| {
         let x = 1.0 + 0.01 * f64::from(i);
@@ -213,7 +215,7 @@ fn radius_ratio_and_exponent_have_their_end_values() {
     assert!(off(pressure_shape_exponent(3.0 * PI / 8.0), 0.75 * PI - 1.0) < 1e-15);
     // n = 3/2 − 0.80746 (Λ − 1)
     assert!(off(pressure_shape_exponent(1.1), 1.5 - 0.080_746) < 1e-6);
-    // elastic loading unloads by Hertz whatever the choice
+    // after elastic loading, unloading follows Hertz for every choice
     for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
         let law = Law { exponent, ..Scene::case_3().law() };
         assert_eq!(law.unloading(law.loaded_to(0.9)).exponent, 1.5);
@@ -245,20 +247,20 @@ fn memory_makes_reloading_retrace_the_unloading() {
     assert_eq!(force, peak.force);
     let unloading = law.unloading(peak);
     let middle = peak.residual() + 0.4 * peak.elastic_approach;
-    // down, parted, up again: one and the same curve, the memory untouched
+    // down, out of contact and up again: always the same curve, and the memory does not change
     for x in [20.0, 19.0, middle, peak.residual(), 0.1, 0.0, peak.residual(), middle, 19.0, 20.0] {
         assert_eq!(law.respond(x, memory), (unloading.force(x), memory), "{x}");
     }
-    // beyond the old peak: the loading curve, as if it had never been unloaded
+    // beyond the old peak: the loading curve, as without unloading
     for x in [20.0_f64.next_up(), 21.0, 300.0] {
         let (force, later) = law.respond(x, memory);
         assert_eq!((force, later), law.respond(x, None));
         assert_eq!(later, Some(law.loaded_to(x)));
     }
-    // and back from there on the new unloading curve
+    // from there back: the new unloading curve
     let (_, later) = law.respond(300.0, memory);
     assert_eq!(law.respond(290.0, later).0, law.unloading(law.loaded_to(300.0)).force(290.0));
-    // evaluating is no event: twice gives the same
+    // evaluating twice gives the same
     assert_eq!(law.respond(21.0, memory), law.respond(21.0, memory));
 }
 
@@ -323,7 +325,7 @@ fn bad_text_is_refused_with_line_and_key() {
         assert!(message.contains(want), "{message}");
     }
     assert!(PlmCoefficients::from_toml("").is_err());
-    // a table of the form of before: G = 1
+    // a table in the earlier form without geometry: G = 1
     let older: String =
         text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
     let (_, geometry) = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
@@ -336,7 +338,7 @@ fn tables_of_200_knots_and_of_knots_1e_12_apart_make_laws() {
     for ratio in [1.02, 1.0 + 1e-12] {
         let table = changed(|table| {
             table.force.from = (0..200).map(|i| 1.7 * f64::powi(ratio, i)).collect();
-            // the slopes of f = x^1.2 through (1.7, 2.2), roughly
+            // approximately the slopes of f = x^1.2 through (1.7, 2.2)
             table.force.slope = table.force.from.iter().map(|x| 2.0 * (x / 1.7).powf(0.2)).collect();
             table.force.slope_kappa_squared = vec![0.05; 200];
         });

@@ -1,4 +1,5 @@
-//! The published laws against tables computed from their printed formulas by other means, their limits, and each other.
+//! The published laws, compared with tables from independent programs of the same formulas, with their limits, and with
+//! each other.
 
 mod closed_forms;
 mod crossed;
@@ -35,7 +36,7 @@ fn case_3() -> Bodies {
     bodies(&Scene::case_3())
 }
 
-/// C_ν of case 3: the tables are in units of the yield point by this factor, for every law but Stronge's.
+/// C_ν of case 3. The tables are in units of the yield point with this factor, for every law except that of Stronge.
 fn factor() -> f64 {
     case_3().yield_point.factor
 }
@@ -44,7 +45,7 @@ fn law_of(law: &dyn ContactLaw) -> Law {
     law.law(&case_3()).unwrap()
 }
 
-/// Every whole law, with printed and crossed jumps, and halves that only combinations use.
+/// Every whole law, also with crossed jumps, and combinations of laws that have only loading or only unloading.
 fn whole_laws() -> Vec<(String, LawChoice)> {
     let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
     laws.push(LawChoice::JacksonGreen(JacksonGreen {

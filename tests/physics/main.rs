@@ -1,4 +1,5 @@
-//! The library: laws, steppers, impacts, sequences and indentation, against closed forms, conservation and references.
+//! Tests of the library: laws, steppers, impacts, series and indentation, compared with closed forms, conservation laws
+//! and references.
 
 #![allow(clippy::unwrap_used)]
 

@@ -72,7 +72,7 @@ fn compare(row: &Row, impact: &Impact, tolerance: f64) {
     }
     assert_eq!(impact.residual_radius.is_some(), row.residual_radius.is_some(), "{}", row.case);
     if let (Some(got), Some(want)) = (impact.residual_radius, row.residual_radius) {
-        // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
+        // R_res = R R_e/(R_e − R) loses digits if the dent is shallow
         assert_relative_eq!(got, want, max_relative = 60.0 * tolerance);
     }
 }
@@ -80,7 +80,7 @@ fn compare(row: &Row, impact: &Impact, tolerance: f64) {
 #[test]
 fn closed_form_is_exact_to_rounding() {
     for row in rows() {
-        // the table holds 16 digits; a shallow dent (x − ε) loses two of them
+        // the table has 16 digits; a shallow dent (x − ε) loses two of them
         compare(&row, &row.contact.closed_form(row.speed).unwrap(), 5e-14);
     }
 }

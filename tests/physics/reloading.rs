@@ -1,4 +1,4 @@
-//! Impacts on a spot that was hit before: the memory of a contact.
+//! Impacts on a spot that was hit before, and the memory of a contact.
 
 use plm_impact::impact::{Contact, Event, Impact, Method, Spot, Warning, closed_form};
 use plm_impact::law::{Branch, Peak, UnloadingExponent};
@@ -11,7 +11,7 @@ use crate::common::{STEPPING, Scene, off, solver};
 const EXPONENTS: [UnloadingExponent; 3] =
     [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.8)];
 
-/// A spot of steel hit at 300 v_Y, and the impact that did it.
+/// A spot of steel after an impact at 300 v_Y, and this impact.
 fn dented(exponent: UnloadingExponent) -> (Contact, Spot, Impact) {
     let contact = Scene { exponent, ..Scene::steel() }.contact();
     let mut spot = Spot::fresh();
@@ -31,7 +31,7 @@ fn a_fresh_spot_is_hit_like_a_half_space() {
             let mut spot = Spot::fresh();
             let on_spot = contact.impact_on(&mut spot, speed, &solver(method, 1e-8), samples).unwrap();
             assert_eq!(on_spot, contact.impact(speed, &solver(method, 1e-8), samples).unwrap());
-            // v_Y is 1 cm/s: rk8 at a loose tolerance must not mistake an elastic peak for yielding
+            // v_Y is 1 cm/s; also at a loose tolerance rk8 must not take an elastic peak for yielding
             assert_eq!(spot.memory().is_some(), speed > 1.0, "{}", method.name());
         }
     }
@@ -65,7 +65,7 @@ fn hits_below_the_old_peak_are_elastic_and_leave_the_memory_to_the_last_bit() {
 
 #[test]
 fn the_speed_of_the_rebound_ends_exactly_at_the_old_peak() {
-    // it brings what the branch gave back, f_m ε_m/(n + 1), but for rounding on the way through SI and back
+    // its energy is what the branch gave back, f_m ε_m/(n + 1), up to rounding by the conversion to SI and back
     for exponent in EXPONENTS {
         for speed in (1..=3000).map(|i| 0.011 * f64::from(i)) {
             let contact = Scene { exponent, ..Scene::steel() }.contact();
@@ -81,7 +81,7 @@ fn the_speed_of_the_rebound_ends_exactly_at_the_old_peak() {
             assert_eq!(again.rebound_speed, first.rebound_speed);
             assert_eq!(again.residual_indentation, first.residual_indentation);
             assert_eq!(again.energy.plastic, Some(0.0));
-            // a speed one rounding below the peak is as near to it as a double can tell
+            // a speed that is lower by one rounding cannot be distinguished from it
             assert!(off(again.peak_force, first.peak_force) < 1e-14);
             assert!(off(again.peak_indentation, first.peak_indentation) < 1e-14);
             assert!(off(again.peak_contact_radius, first.peak_contact_radius) < 1e-14);
@@ -92,7 +92,7 @@ fn the_speed_of_the_rebound_ends_exactly_at_the_old_peak() {
 
 #[test]
 fn an_equal_shot_goes_deeper_by_what_the_first_one_lost() {
-    // w(x_2) = w(x_1) + kinetic − stored = kinetic (1 + (1 − e²)): a single impact of √(2 − e²) times the speed
+    // w(x_2) = w(x_1) + kinetic − stored = kinetic (1 + (1 − e²)): as a single impact at √(2 − e²) times the speed
     for exponent in EXPONENTS {
         let (contact, mut spot, first) = dented(exponent);
         let second = contact.closed_form_on(&mut spot, 3.0).unwrap();
@@ -108,7 +108,7 @@ fn an_equal_shot_goes_deeper_by_what_the_first_one_lost() {
 
 #[test]
 fn equal_shots_approach_the_dent_that_can_hold_their_energy() {
-    // the limit of w(x_(k+1)) = w(x_k) + kinetic − f ε/(n + 1) is where kinetic = f ε/(n + 1): then e = 1
+    // in the limit of w(x_(k+1)) = w(x_k) + kinetic − f ε/(n + 1), kinetic = f ε/(n + 1) and e = 1
     for exponent in EXPONENTS {
         let (contact, mut spot, first) = dented(exponent);
         let mut before = first;
@@ -140,7 +140,7 @@ fn slow_reloads_keep_their_digits() {
                 let mut spot = spot.clone();
                 let hit = contact.impact_on(&mut spot, speed, &solver(method, 1e-10), Some(50)).unwrap();
                 let distance = first.elastic_approach * share.powf(2.0 / (n + 1.0));
-                // powf of 1e-100: a rounding of the exponent times ln 1e-100
+                // the power of 1e-100 has the error of the rounded exponent times ln 1e-100
                 let allowed = factor * 1e-10 + 1e-13;
                 assert!(off(hit.elastic_approach, distance) < allowed, "{share} {}", method.name());
                 assert!(off(hit.peak_force, first.peak_force * (distance / first.elastic_approach).powf(n)) < allowed);
@@ -168,7 +168,7 @@ fn a_trace_tells_reloading_from_yielding() {
     let row = |event| harder.trace.iter().find(|row| row.event == Some(event)).unwrap();
     assert_eq!(row(Event::Touch).indentation, first.residual_indentation);
     assert_eq!(row(Event::Touch).force, 0.0);
-    // yields again where the first impact turned
+    // it yields again where the first impact turned
     assert!(off(row(Event::Yield).indentation, first.peak_indentation) < 1e-14);
     assert!(off(row(Event::Yield).force, first.peak_force) < 1e-14);
     assert!(harder.trace.windows(2).all(|pair| pair[0].time <= pair[1].time));
@@ -185,7 +185,7 @@ fn fixed_steps_run_up_the_branch_too() {
         let exact = contact.closed_form_on(&mut spot.clone(), speed).unwrap();
         let by_steps = plm_impact::impact::Solver { steps_per_contact: 20_000, ..solver(Method::Verlet, 1e-10) };
         let hit = contact.impact_on(&mut spot.clone(), speed, &by_steps, Some(40)).unwrap();
-        // separation is the first step without force: first order in the step, 1/20 000
+        // separation is at the first step without force: an error of first order in the step, 1/20 000
         assert!(off(hit.restitution, exact.restitution) < 2e-4, "{}", off(hit.restitution, exact.restitution));
         assert!(off(hit.peak_force, exact.peak_force) < 1e-6);
         assert!(hit.trace.iter().all(|row| row.indentation >= first.residual_indentation * 0.999));
@@ -196,7 +196,7 @@ fn fixed_steps_run_up_the_branch_too() {
 fn a_spot_can_be_made_from_a_memory() {
     let (contact, spot, _) = dented(UnloadingExponent::Paper);
     assert_eq!(Spot::loaded_to(&contact, spot.memory().unwrap()), spot);
-    // what never yielded is fresh
+    // a spot that never yielded is fresh
     let elastic = Scene::steel().law().loaded_to(0.9);
     assert_eq!(Spot::loaded_to(&contact, elastic), Spot::fresh());
     assert_eq!(contact.elastic_speed(&Spot::fresh()), contact.yield_speed());
@@ -218,7 +218,7 @@ fn the_deeper_memory_stays() {
         );
         assert!(off(once.loading.work(x), twice.loading.work(x)) < 1e-13);
     }
-    // the memory is in the law: without another one, respond answers from it
+    // the law itself has the memory, and `respond` uses it if no other memory is given
     for x in [0.0, 25.0, 40.0, 50.0, 60.0] {
         assert!((once.respond(x, None).0 - law.respond(x, Some(deep)).0).abs() < 1e-12);
     }
@@ -226,7 +226,7 @@ fn the_deeper_memory_stays() {
 
 #[test]
 fn a_dent_on_the_hertz_piece_is_cut_there() {
-    // between first yield and the first knot (x = 1.7) the force is Hertz's, and the dent real
+    // between first yield and the first knot (x = 1.7) the force is that of Hertz, but there is a dent
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {
         let law = Scene::steel().law();
         let branch = law.unloading(law.loaded_to(x));
@@ -244,7 +244,7 @@ fn a_dent_on_the_hertz_piece_is_cut_there() {
     }
 }
 
-/// A scene, the first speed over v_Y, and the second one over the first.
+/// A random scene, the first speed over v_Y, and the second speed over the first.
 fn any_pair() -> impl Strategy<Value = (Scene, f64, f64)> {
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
     let body = || {
@@ -282,13 +282,13 @@ proptest! {
         let exact = contact.closed_form_on(&mut exact_spot, ratio * speed).unwrap();
         prop_assert!(exact.residual_indentation >= first.residual_indentation);
         prop_assert!(exact.energy.drift < 1e-12, "{:e}", exact.energy.drift);
-        // behind the knot at 1.7 the straight piece lets the plastic work of a soft sphere (kappa 0.95) fall, as
-        // theory.md section 4 states of e; a reload across it gains that. Largest seen in 10^5 scenes: 2e-5
+        // after the knot at 1.7 the straight piece lets the plastic work of a soft sphere (kappa 0.95) fall, and e
+        // rise. A reload beyond the knot gains this energy. The largest gain seen in 10^5 scenes is 2e-5
         prop_assert!(exact.restitution <= 1.0 + 1e-4);
         if bits(exact_spot.memory()) == bits(spot.memory()) {
             prop_assert_eq!(exact.restitution, 1.0);
         }
-        // beyond first yield, or the old peak, only a soft sphere stays elastic, and a hit that goes deeper by rounding
+        // beyond first yield or the old peak, e is 1 only for a soft sphere or if the hit goes deeper only by rounding
         let deeper = exact.peak_indentation > first.peak_indentation * (1.0 + 1e-13);
         if exact.restitution == 1.0 && exact.residual_indentation > 0.0 {
             prop_assert!(!deeper, "{exact:?}");
@@ -313,7 +313,7 @@ proptest! {
 
     #[test]
     fn two_hits_go_as_deep_as_one_of_their_energy((scene, q, ratio) in any_pair()) {
-        // w(x_2) = w(x_1) + (kinetic − stored) where that is more
+        // w(x_2) = w(x_1) + (kinetic − stored) if this is more than w(x_1)
         let contact = scene.contact();
         let speed = q * scene.yield_speed();
         let mut spot = Spot::fresh();
@@ -330,8 +330,8 @@ proptest! {
     }
 }
 
-/// A soft sphere on something twenty times stiffer: the plastic work falls by 2e-5 of the energy behind the knot at
-/// x = 1.7, and the second hit, which goes across it, gains that. The number is the law's, the doubt is said.
+/// A soft sphere on a half-space twenty times stiffer: after the knot at x = 1.7 the plastic work falls by 2e-5 of the
+/// energy. The second hit goes beyond the knot and gains this energy. This follows from the law, and a warning says so.
 #[test]
 fn energy_gained_at_a_knot_is_said() {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.0 };

@@ -32,7 +32,8 @@ fn shots(place: Place, speeds: &[f64]) -> Repeat {
     Repeat { place, drive: Drive::Shots(speeds.to_vec()) }
 }
 
-/// What a series should keep: kinetic energy + m g (height) + what dents and damping have taken, over the first one.
+/// Error of the energy balance of a series: kinetic energy + m g (height) + losses by dents and damping, relative to
+/// the first kinetic energy.
 fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
     let weight = contact.mass() * GRAVITY;
     let first = sequence.hits[0].kinetic_in;
@@ -62,7 +63,8 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
 
 #[test]
 fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
-    // e = 1 on every impact, so that impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms rounds by 1e-12
+    // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms has a rounding error of
+    // 1e-12
     let contact = contact(elastic(), None);
     let sequence = bouncing(Place::Same, 1.0, 100_000, None).run(&contact, &auto(), 20).unwrap();
     let (first, last) = (sequence.hits[0], sequence.hits[99_999]);
@@ -71,9 +73,9 @@ fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
     assert_eq!(last.speed, 1.0);
     let period = 2.0 / GRAVITY + first.contact_time;
     assert!(off(last.time.unwrap(), 99_999.0 * period) < 1e-11);
-    // and says that there is no end to it
+    // there is no end, so no remaining time
     assert_eq!(sequence.remaining_time, None);
-    // the trace is bounded
+    // the number of rows of the trace is limited
     let rows: usize = sequence.traced.iter().map(|impact| 2 * impact.trace.len()).sum();
     assert!(rows < 300_000, "{rows}");
 }
@@ -84,15 +86,15 @@ fn stepping_bounces_drift_no_more_than_their_tolerance_allows() {
     let by_steps = solver(Method::Rk8, 1e-12);
     let sequence = bouncing(Place::Same, 1.0, 1000, None).run(&contact, &by_steps, 2).unwrap();
     let last = sequence.hits.last().unwrap();
-    // 1000 impacts, each to 10 tolerances
+    // 1000 impacts, each with an error of up to 10 tolerances
     assert!(off(last.kinetic_in, sequence.hits[0].kinetic_in) < 1000.0 * 2.0 * 10.0 * 1e-12);
     assert_eq!(sequence.method, Method::Rk8);
 }
 
 #[test]
 fn a_ball_of_constant_restitution_follows_the_geometric_series() {
-    // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), but for gravity in
-    // the contact: m g over the peak force, below 1e-5 here
+    // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), except for
+    // gravity during the contact: m g over the peak force is below 1e-5 here
     let contact = contact(elastic(), Some(Damping::Viscous(0.05)));
     let sequence = bouncing(Place::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2).unwrap();
     let e = sequence.hits[0].restitution;
@@ -107,7 +109,7 @@ fn a_ball_of_constant_restitution_follows_the_geometric_series() {
         assert!((hit.time.unwrap() - flights - contacts).abs() < 2e-3 * flights.max(1e-6), "{i}");
     }
     let last = sequence.hits.last().unwrap();
-    // the whole series of flights is 2 e v/(g (1 − e)): what was flown and what remains
+    // all flights together take 2 e v/(g (1 − e)): the computed flights plus the remaining time
     let flown: f64 = sequence.hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration).sum();
     let whole = 2.0 * 2.0 * e / (GRAVITY * (1.0 - e));
     assert!(off(flown + sequence.remaining_time.unwrap(), whole) < 1e-3);
@@ -125,7 +127,7 @@ fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
             let first = sequence.hits[0];
             assert!(first.restitution < 1.0 && first.residual_indentation > 0.0);
             for hit in &sequence.hits[1..] {
-                // grazing reloads: each ends at the old peak
+                // each reload ends exactly at the old peak
                 assert_eq!((hit.restitution, hit.dent_growth), (1.0, 0.0));
                 assert_eq!(hit.speed, first.rebound_speed);
                 assert_eq!(hit.residual_indentation, first.residual_indentation);
@@ -133,7 +135,7 @@ fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
                 assert_eq!(hit.energy.plastic, Some(0.0));
             }
             assert_eq!((sequence.end, sequence.remaining_time), (End::Impacts, None));
-            // flights go from and to the depth of the dent
+            // flights begin and end at the depth of the dent
             let flight = first.flight.unwrap();
             assert_eq!(flight.height, -first.residual_indentation);
             assert_eq!(flight.duration, 2.0 * first.rebound_speed / GRAVITY);
@@ -151,14 +153,14 @@ fn fresh_spots_are_single_impacts_at_the_speeds_that_remain() {
         let single = contact.closed_form(hit.speed).unwrap();
         assert_eq!(hit.restitution, single.restitution);
         assert_eq!(hit.residual_indentation, single.residual_indentation);
-        // out of the dent: u² = (e v)² − 2 g δ_r
+        // the speed after leaving the dent: u² = (e v)² − 2 g δ_r
         let square = hit.rebound_speed * hit.rebound_speed - 2.0 * GRAVITY * hit.residual_indentation;
         assert!(off(next.speed * next.speed, square) < 1e-14);
         assert!(next.speed >= 0.02 && next.restitution >= hit.restitution);
         let gap = next.time.unwrap() - hit.time.unwrap() - hit.contact_time;
         assert!((gap - (hit.rebound_speed + next.speed) / GRAVITY).abs() < 1e-14);
     }
-    // the one that was not run any more would have been slower
+    // the next impact, which was not computed, would have been slower than the limit
     let last = sequence.hits.last().unwrap();
     assert!(last.rebound_speed.powi(2) - 2.0 * GRAVITY * last.residual_indentation < 0.02_f64.powi(2));
 }
@@ -181,7 +183,8 @@ fn the_ledger_of_a_hundred_bounces_with_gravity_and_damping_closes() {
 
 #[test]
 fn capture_ends_a_series_at_its_limit() {
-    // soft and heavy, so that F_m = (n + 1) m g is reached while the dent is small: 1 m of lead-like stuff on wax
+    // soft and heavy, so that F_m = (n + 1) m g is reached while the dent is small: a sphere of 1 m, dense as lead, on
+    // wax
     let soft = Material { youngs_modulus: 1e6, poissons_ratio: 0.3 };
     let scene = Scene {
         radius: 0.5,
@@ -207,19 +210,19 @@ fn capture_ends_a_series_at_its_limit() {
     assert!(is_captured(&captured.hits[0]) && captured.hits[0].restitution == 0.0);
     assert!(off(captured.hits[0].peak_force, 2.5 * weight) < 1e-10);
     assert_eq!(captured.remaining_time, None);
-    // at rest the branch carries the weight: (δ − δ_r)/δ_e = (m g/F_m)^(2/3) = 0.4^(2/3)
+    // at rest the force of the branch is the weight: (δ − δ_r)/δ_e = (m g/F_m)^(2/3) = 0.4^(2/3)
     let hit = captured.hits[0];
     let recovered = (hit.forced(|forces| forces.static_indentation).unwrap() - hit.residual_indentation)
         / (hit.peak_indentation - hit.residual_indentation);
     assert!(off(recovered, 0.4_f64.powf(2.0 / 3.0)) < 1e-9);
-    // hardly free: no speed to climb out of the dent
+    // just above the limit: too slow to leave the dent
     assert!(!is_captured(&free.hits[0]));
     assert_eq!(free.end, End::InDent);
-    // on the same spot it bounces in it, elastically
+    // on the same spot it bounces elastically in the dent
     let same = bouncing(Place::Same, high * 1.1, 5, None).run(&contact, &auto(), 10).unwrap();
     assert_eq!((same.end, same.hits.len()), (End::Impacts, 5));
     assert!(same.hits[1..].iter().all(|hit| hit.restitution == 1.0));
-    // every series ends: by rule, whatever the speed
+    // every series ends by one of these rules, at any speed
     for speed in [0.5, 2.0, 5.0, 50.0] {
         let sequence = run(speed);
         assert!(matches!(sequence.end, End::Captured | End::InDent), "{speed} {:?}", sequence.end);
@@ -249,7 +252,7 @@ fn equal_shots_saturate_and_softer_ones_do_nothing() {
         assert_eq!((hit.restitution, hit.dent_growth), (1.0, 0.0));
         assert_eq!(hit.residual_indentation, hits[11].residual_indentation);
     }
-    // as if there had been no softer ones between
+    // the softer shots in between change nothing
     let without: Vec<f64> = std::iter::repeat_n(2.0, 13).collect();
     let other = shots(Place::Same, &without).run(&contact, &auto(), 10).unwrap().hits;
     assert_eq!(hits[15].restitution, other[12].restitution);
@@ -260,7 +263,8 @@ fn equal_shots_saturate_and_softer_ones_do_nothing() {
     assert_eq!(fresh[0].restitution, contact.closed_form(2.0).unwrap().restitution);
 }
 
-/// A yielding scene under gravity, weight over yield force up to a fifth, first speed over v_Y, second over the first.
+/// A random scene that yields under gravity, the first speed over v_Y, the second speed over the first, and weight over
+/// yield force, up to a fifth.
 fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
     (
@@ -302,7 +306,7 @@ proptest! {
         let exact = contact.closed_form_on(&mut after, ratio * speed).unwrap();
         prop_assert!(exact.energy.drift < 1e-12, "{:e}", exact.energy.drift);
         let stays = after == spot;
-        // a soft sphere stays elastic a little beyond first yield: there the memory deepens without a dent
+        // a soft sphere stays elastic a little beyond first yield: the memory changes, but there is no dent
         if depth > 0.0 {
             prop_assert_eq!(stays, exact.restitution == 1.0);
         }
@@ -363,7 +367,7 @@ fn a_flight_out_of_a_dent_loses_its_depth() {
     let flight = Flight::between(10.0, 3.0, 1.0, 6.0, 0.0).unwrap();
     assert_eq!((flight.landing_speed, flight.duration, flight.top()), (4.0, 1.0, 0.8));
     assert_eq!(flight.height_at(1.0), 0.0);
-    // just to the rim is not onto fresh surface; on the same spot every speed comes back
+    // a flight that only reaches the rim does not land on a fresh surface; on the same spot every flight comes back
     assert_eq!(Flight::between(10.0, 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
     assert_eq!(Flight::between(10.0, 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
 }

@@ -1,10 +1,11 @@
-//! Velocity Verlet in fixed steps: the error of its times, what a code with its step sees, and its energy ledger.
+//! Velocity Verlet in fixed steps: the errors of its times, the times as a code with these steps observes them, and the
+//! energy ledger.
 
 use plm_impact::impact::{Damping, Forces, Impact, Method, Solver};
 
 use crate::common::{Scene, off, solver};
 
-/// (4/5) B(2/5, 1/2): contact time of a Hertz impact times v/δ_max.
+/// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
@@ -32,14 +33,14 @@ fn the_times_of_a_hertz_impact_are_off_by_the_square_of_the_step() {
     let contact_time = CONTACT_TIME * exact.peak_indentation / 0.5;
     for steps in NUMBERS_OF_STEPS {
         let impact = by_steps(&elastic, NONE, steps);
-        // an oscillator of period 2 T lasts shorter by (π/n)²/24 = 0.41/n² of T
+        // for an oscillator of period 2 T, the contact time is too short by (π/n)²/24 = 0.41/n² of T
         let squares = f64::from(steps) * f64::from(steps);
         let error = off(impact.contact_time, contact_time);
         assert!(error * squares > 0.05 && error * squares < 1.0, "{steps}: {}", error * squares);
         assert!(off(1.0 + impact.accuracy.contact_time_error, 1.0 + error) < 1e-14);
         let of_compression = off(impact.loading_time, 0.5 * contact_time);
         assert!(of_compression * squares < 2.0, "{steps}: {}", of_compression * squares);
-        // nothing is spent: what the ledger misses is missing in e
+        // there is no loss, so the error of the ledger is the error of e²
         let drift = impact.in_fixed_steps.unwrap().drift_at_end;
         assert_eq!(drift, impact.restitution * impact.restitution - 1.0);
         assert!(drift.abs() * squares < 5.0, "{steps}: {}", drift * squares);
@@ -60,12 +61,12 @@ fn a_code_sees_both_times_in_whole_steps() {
                 let count = time / seen.step;
                 assert!((count - count.round()).abs() < 1e-9, "{forces:?}, {steps}: {count}");
             }
-            // seen at the end of the step in which it happens
+            // separation is observed at the end of the step in which it occurs
             let late = (separation - impact.contact_time) / seen.step;
             assert!((-1e-9..1.0 + 1e-9).contains(&late), "{forces:?}, {steps}: {late}");
             let beside = (seen.compression_time - exact.loading_time).abs() / seen.step;
             assert!(beside < 1.0, "{forces:?}, {steps}: {beside}");
-            // the trace ends where the contact does
+            // the trace ends with the contact
             let last = impact.trace.last().unwrap();
             assert_eq!(last.time, impact.contact_time);
             assert!(impact.trace.windows(2).all(|pair| pair[0].time <= pair[1].time), "{forces:?}, {steps}");
@@ -100,7 +101,7 @@ fn the_ledger_at_the_end_is_that_of_the_energies() {
         let damping = under.map_or(0.0, |under| part(under.damping_loss) + part(under.stored_at_separation));
         let gravity = under.map_or(0.0, |under| part(under.gravity_work));
         let missing = energy.recovered + energy.plastic.unwrap() + damping - energy.kinetic_in - gravity;
-        // a drift is relative to what has been put in until the peak
+        // the drift is relative to the energy put in up to the peak
         let weight = scene.contact().mass() * forces.gravity.unwrap_or(0.0);
         let off_by = missing / (energy.kinetic_in + weight * impact.peak_indentation);
         let drift = impact.in_fixed_steps.unwrap().drift_at_end;

@@ -1,4 +1,4 @@
-//! Elastic-wave radiation: the factor of the material, the integral along an impact, known values, and how it is reported.
+//! Radiation of elastic waves: the factor of the material, the integral along an impact, known values, and the output.
 
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
 use plm_impact::impact::{Contact, Essentials, Impact, Method, Solver, Warning};
@@ -18,7 +18,7 @@ struct Bodies {
     sphere: Sphere,
     half_space: HalfSpace,
     exponent: UnloadingExponent,
-    /// N of a half-space that hardens.
+    /// Hardening exponent N of the half-space.
     hardening: Option<f64>,
 }
 
@@ -27,7 +27,7 @@ fn material(youngs_modulus: f64, poissons_ratio: f64) -> Material {
 }
 
 impl Bodies {
-    /// 5 mm steel ball on steel (issue 6): E = 210 GPa, ν = 0.3, ρ = 7850 kg/m³.
+    /// A steel ball of 5 mm radius on steel: E = 210 GPa, ν = 0.3, ρ = 7850 kg/m³.
     fn steel(yield_strength: Option<f64>) -> Self {
         let steel = material(210e9, 0.3);
         Self {
@@ -52,7 +52,7 @@ impl Bodies {
         self.impact(speed).wave_loss_fraction.unwrap()
     }
 
-    /// 2 W_rad/(m v²) in SI by adaptive quadrature over the law, as the definition says.
+    /// 2 W_rad/(m v²) in SI units by adaptive quadrature over the law, directly from the definition.
     fn loss_by_quadrature(&self, speed: f64) -> f64 {
         let contact = self.contact();
         let (scales, law, _) = contact.scaled(speed).unwrap();
@@ -63,7 +63,7 @@ impl Bodies {
         let shear_speed = (half_space.material.youngs_modulus / (2.0 * (1.0 + nu) * density)).sqrt();
         let mass = contact.mass();
 
-        // δ' from the work that is left, in units of √(ΦL/m)
+        // δ' follows from the remaining work, in units of √(ΦL/m)
         let pieces = law.loading.pieces();
         let most = law.loading.work(peak.indentation);
         let starts: Vec<f64> = pieces.iter().map(|piece| piece.start).filter(|x| *x < peak.indentation).collect();
@@ -90,7 +90,8 @@ impl Bodies {
     }
 }
 
-/// Simpson's rule, halved until it holds, in θ of x = a + (b − a) sin⁴ θ at both ends, which takes roots there away.
+/// Simpson's rule, with parts halved until they are accurate. The substitution x = a + (b − a) sin⁴ θ at both ends
+/// removes singularities of square-root type.
 fn adaptive(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     let length = to - from;
     let middle = 0.5 * (from + to);
@@ -129,7 +130,7 @@ fn simpson(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         }
         halves(f, [a, m], [fa, fl, fm], left, size, depth - 1) + halves(f, [m, b], [fm, fr, fb], right, size, depth - 1)
     }
-    // even panels first, so that no feature hides between the nodes, and for the size of it all
+    // equal panels first, so that no feature is missed between the nodes, and to know the size of the integral
     const PANELS: u32 = 32;
     let h = (to - from) / f64::from(PANELS);
     let panels: Vec<_> = (0..PANELS)
@@ -145,7 +146,7 @@ fn simpson(f: &dyn Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 
 #[test]
 fn the_factor_of_the_material_is_the_formulas() {
-    // theory.md section 5, to the digits given there
+    // values of C(ν), computed from the formula to the digits given
     let table = [
         (0.0, 0.21396),
         (0.1, 0.18556),
@@ -192,22 +193,22 @@ fn steel_on_steel_at_half_a_metre_a_second_loses_0_44_percent() {
 
 #[test]
 fn an_elastic_impact_loses_as_v_to_three_fifths() {
-    // Hunter (1957); exact for this law, as every elastic impact has one shape
+    // Hunter (1957); exact for this law, because all elastic impacts have the same shape
     let bodies = Bodies::steel(None);
     let one = bodies.loss(1.0);
     for speed in [1e-12, 1e-6, 1e-3, 0.1, 10.0] {
         assert!(off(bodies.loss(speed), one * speed.powf(0.6)) < 1e-13, "{speed}");
     }
-    // with it, nothing is lost as v goes to 0
+    // so the loss vanishes as v goes to 0
     assert!(bodies.loss(1e-30) < 1e-19);
-    // and a half-space that can yield but does not is no other
+    // the same for a half-space with a yield strength that does not yield
     assert!(off(Bodies::steel(Some(345e6)).loss(1e-3), bodies.loss(1e-3)) < 1e-13);
 }
 
 #[test]
 fn whole_impacts_agree_with_finite_elements() {
-    // the three impacts of src/reference/fe_dynamic.csv: e of PLM with pressure-shape exponent and waves as worked out when
-    // they were made, which this is within 0.1 % of, and e of the finite elements, documented to be within 0.8 %
+    // the three impacts of src/reference/fe_dynamic.csv: e by PLM with the exponent pressure-shape and waves, as
+    // computed with the reference, within 0.1 %; and e of the finite elements, within the documented 0.8 %
     let steel = |sphere| (material(sphere, 0.3), 7850.0, material(210e9, 0.3), 7850.0, 345e6);
     let alumina = (material(360e9, 0.23), 3900.0, material(70e9, 0.33), 2700.0, 280e6);
     let table =
@@ -282,7 +283,7 @@ fn nothing_is_said_of_waves_without_a_density_and_nothing_else_changes() {
 
 #[test]
 fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
-    // a soft but very heavy half-space: slow shear waves
+    // a soft but very heavy half-space has slow shear waves
     let base = Bodies::steel(Some(5e6));
     let with = |density| {
         let half_space = HalfSpace { material: material(3e9, 0.45), density: Some(density), ..base.half_space };
@@ -293,7 +294,7 @@ fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
     assert!(heavy.warnings.iter().any(|warning| matches!(warning, Warning::StrongWaves { .. })));
     assert!(heavy.wave_loss_fraction.unwrap() > heavy.restitution * heavy.restitution);
     assert_eq!(heavy.restitution_with_waves(), Some(0.0));
-    // W_rad goes as √ρ for a half-space of given moduli
+    // W_rad is proportional to √ρ for a half-space of given moduli
     assert!(off(heavy.wave_loss_fraction.unwrap(), 1e3 * light.wave_loss_fraction.unwrap()) < 1e-13);
     assert!(restitution_with_waves(0.5, 0.26) == 0.0 && off(restitution_with_waves(0.5, 0.09), 0.4) < 1e-15);
 }
@@ -305,7 +306,7 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
         let law = JacksonGreen { jumps, ..Default::default() };
         Contact::try_new(bodies.sphere, bodies.half_space, &law).unwrap()
     };
-    // F' is infinite at a jump of the force, and so is what it radiates
+    // at a jump of the force F' is infinite, and so is the radiated power
     let says = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::WavesAtJump { .. }));
     let (printed, crossed) = (contact(Jumps::Printed), contact(Jumps::Crossed));
     let yield_speed = printed.yield_speed().unwrap();
@@ -348,7 +349,7 @@ fn the_command_leaves_waves_out_at_a_jump_in_single_impacts_and_tables() {
 
 const SCENARIO: &str = include_str!("../../scenarios/alumina-on-aluminium-with-waves.toml");
 
-/// Runs the command on a scenario; what it prints, and the files it writes by name.
+/// Runs the command on a scenario. Returns its output, and a function that reads its files by name.
 fn run(scenario: &str) -> (String, impl Fn(&str) -> String) {
     let desk = Desk::with(scenario);
     let output = desk.call(&["run", "s.toml", "--out", "out"]);

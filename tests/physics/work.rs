@@ -1,8 +1,8 @@
-//! What rk8 spends on fixed impacts. A silent change of its step control or its landings shows here.
+//! The work of rk8 for fixed impacts. An unintended change of its step control or its landings shows here.
 //!
-//! The numbers were measured: without drag eight evaluations a step, accepted or not, and one where each leg begins; under
-//! drag twelve, and as many for each repeat of a step that ends on an event. Whoever changes the step control changes
-//! them: let `plm-impact bench` say first whether for the better.
+//! The numbers were measured. Without drag there are eight evaluations for each step, accepted or not, and one at the
+//! beginning of each leg. Under drag there are twelve, and as many for each repeat of a step that ends on an event. If
+//! you change the step control, these numbers change: check first with `plm-impact bench` that the change is better.
 
 use plm_impact::bench::problems::{Problem, problems};
 use plm_impact::impact::{Damping, ScaledForces, course};
@@ -33,7 +33,7 @@ fn rk8_takes_the_steps_it_took() {
 
 #[test]
 fn rk8_takes_the_steps_it_took_over_the_tolerances() {
-    // one impact has so few steps that a small change need not show; a hundred tolerances have many
+    // one impact has so few steps that a small change may not show; a hundred tolerances have many steps
     let wants = [
         ("P2", Work { steps: 1748, rejected: 14, force_evaluations: 14_396 }),
         ("deep", Work { steps: 2485, rejected: 0, force_evaluations: 20_980 }),

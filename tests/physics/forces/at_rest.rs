@@ -1,4 +1,4 @@
-//! Spheres that are let go at rest, or nearly so, and fall by their own weight.
+//! Spheres that are released at rest, or nearly at rest, and are moved by their own weight.
 
 use plm_impact::impact::{ScaledForces, closed_form, course};
 use plm_impact::integrate::rk8::Rk8;
@@ -8,7 +8,7 @@ use crate::common::{Scene, off};
 
 #[test]
 fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
-    // at first touch its speed is nothing beside what it will be: k d^(n+1)/(n+1) = w d, so that d_m^n = (n + 1) w/k
+    // the speed at first touch is much smaller than later: k d^(n+1)/(n+1) = w d, so d_m^n = (n + 1) w/k
     let reloaded = |exponent| {
         let law = Scene { exponent, ..Scene::steel() }.law();
         law.reloaded(law.loaded_to(20.0))
@@ -16,7 +16,7 @@ fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
     let dents = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::Fixed(1.8)].map(reloaded);
     for law in [Law::hertz(), Scene::steel().law()].iter().chain(&dents) {
         let (k, n) = law.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
-        // beyond 0.4 it also falls past knots, from which it leaves faster than it came
+        // beyond 0.4 it also passes knots, where its speed still rises
         for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
             let forces = ScaledForces { weight, damping: None };
             let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);

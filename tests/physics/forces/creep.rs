@@ -1,5 +1,6 @@
-//! Spheres that are let go or dropped slowly under heavy damping and creep to rest: slower than the error of the speed that a
-//! loose tolerance allows, so that a step may end with a speed of the wrong sign. That is no turning point.
+//! Spheres that are released or dropped slowly under heavy damping and creep to rest. Their speed is smaller than the
+//! error of the speed at a loose tolerance, so a step may end with a speed of the wrong sign. This is not a turning
+//! point.
 
 use plm_impact::impact::{Contact, Damping, Fate, Forces, Impact, ImpactError, Method, Warning};
 use plm_impact::integrate::IntegrationError;
@@ -23,8 +24,9 @@ fn soft(radius: f64, youngs_modulus: f64, poissons_ratio: f64, yield_strength: f
     }
 }
 
-/// Soft ground under steel, let go at first touch or from up to ten static indentations above it, at 0.5 to 50 times critical
-/// damping of either kind: with F = W (1 + χ δ') and k = 1.5 W/δ at rest, ζ = W χ/(2 √(k m)) is χ √(g δ/1.5)/2.
+/// A steel sphere on soft ground, released at first touch or dropped from up to ten static indentations above it, with
+/// 0.5 to 50 times critical damping of either kind: with F = W (1 + χ δ') and k = 1.5 W/δ at rest, ζ = W χ/(2 √(k m))
+/// is χ √(g δ/1.5)/2.
 fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
     let height = prop_oneof![Just(0.0), (-6.0..1.0_f64).prop_map(|log| 10_f64.powf(log))];
     (-3.0..-1.0_f64, 5.0..9.0_f64, 0.0..0.49_f64, -4.0..-1.3_f64, height, -0.3..1.7_f64, any::<bool>()).prop_map(
@@ -45,7 +47,7 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
     )
 }
 
-/// Whether peak and dent are within ten times the tolerance, the dent in units of the peak.
+/// Whether the errors of peak and dent, over the peak indentation, are below ten times the tolerance.
 fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
     let missed = (dent - fine.residual_indentation).abs() / fine.peak_indentation;
     off(peak, fine.peak_indentation) < 10.0 * tolerance && missed < 10.0 * tolerance
@@ -59,10 +61,10 @@ fn a_heavily_damped_sphere_let_go_on_soft_ground_sinks_to_where_the_ground_carri
     for (method, _) in STEPPING {
         for tolerance in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
             let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
-            // 92.22 um by an integration of order 16 that shares nothing with this one
+            // 92.22 um by an independent integration of order 16
             let at = format!("{} {tolerance:e}: {:e}", method.name(), impact.peak_indentation);
             assert!((impact.peak_indentation - 92.22e-6).abs() < 0.005e-6, "{at}");
-            // the law carries the weight there, and the run ends one part in a thousand before it
+            // at rest the force of the law is the weight; the run ends one part in a thousand before it
             let at_rest = impact.under_forces.unwrap().static_indentation.unwrap();
             assert_eq!(fate(&impact), Fate::Captured);
             assert!(off(impact.peak_indentation, 0.999 * at_rest) < 1e-12, "{at}");
@@ -97,7 +99,8 @@ proptest! {
     }
 }
 
-/// As the library gives it, which knows no largest damping: 396 rows of a trace were no numbers, and the ledger hid it.
+/// The library accepts any damping, so it must not return a trace with rows of NaN: once 396 rows were NaN, and the
+/// energy ledger did not show it.
 #[test]
 fn an_impact_with_a_row_that_is_no_number_has_no_result() {
     let contact = under(&Scene::steel(), Forces { gravity: None, damping: Some(Damping::Viscous(1e20)) });
@@ -108,7 +111,8 @@ fn an_impact_with_a_row_that_is_no_number_has_no_result() {
     }
 }
 
-/// Absurd damping took 80 s of one impact, step by step in calls that each had the whole limit.
+/// The limit of steps holds for a leg over all calls. Once each call had the whole limit, and an impact with absurd
+/// damping took 80 s.
 #[test]
 fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);

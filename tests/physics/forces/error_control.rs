@@ -1,4 +1,4 @@
-//! Scenes in which a stepper was fooled: each failed before what it is about was mended.
+//! Scenes in which the error control of a stepper once failed; each failed before its defect was repaired.
 
 use plm_impact::impact::{Damping, Forces, Method, Warning};
 use plm_impact::law::UnloadingExponent;
@@ -7,9 +7,9 @@ use plm_impact::material::Material;
 use super::{gravity, under, viscous};
 use crate::common::{Scene, off, solver};
 
-/// A case that a search by the properties found: the library's last step before lift-off ends 6e-6 of the contact
-/// time before it, nearer than Newton's method needed to see it, and the search went on behind it, with 1.2 % of the
-/// energy lost to gravity in flight.
+/// A case found by the property tests. The last step of ode_solvers ended only 6e-6 of the contact time before
+/// lift-off. Newton's method missed this lift-off, the search went on after it, and 1.2 % of the energy went to gravity
+/// in flight.
 #[test]
 fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
     let body = Material { youngs_modulus: 1e6, poissons_ratio: 0.0 };
@@ -28,8 +28,8 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
     assert!(!got.warnings.iter().any(|warning| matches!(warning, Warning::OpenLedger { .. })));
 }
 
-/// Cases that a search by the properties found, of 10⁵: a second step out of r = 0, where a weak pull and a weak drag hid the
-/// force from the estimate of the error. Their ledgers closed to 40 and 22 times the tolerance.
+/// Cases found by the property tests among 10⁵: in the second step from r = 0 a weak pull and a weak drag hid the force
+/// from the error estimate. The errors of their energy ledgers were 40 and 22 times the tolerance.
 #[test]
 fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
     let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
@@ -56,7 +56,7 @@ fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
     for (scene, speed, acceleration, zeta, tolerance) in cases {
         let forces = Forces { gravity: Some(acceleration), ..viscous(zeta) };
         let contact = under(&scene, forces);
-        // near that tolerance as well: which step goes wrong hangs on all before it
+        // also at similar tolerances, because all earlier steps decide which step goes wrong
         for factor in [0.98, 0.99, 0.998, 1.0, 1.002, 1.01, 1.02] {
             for samples in [None, Some(30)] {
                 let impact = contact.impact(speed, &solver(Method::Rk8, factor * tolerance), samples).unwrap();
@@ -70,8 +70,8 @@ fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
     }
 }
 
-/// At a loose tolerance a step towards first yield fell short under a pull that was still stronger than the force, and a
-/// turning point was seen behind it: a peak at first touch.
+/// At a loose tolerance a step towards first yield ended early, while the weight was still larger than the force. Then
+/// a turning point was found at once, as a peak at first touch.
 #[test]
 fn no_turning_point_is_near_while_the_pull_is_the_stronger() {
     let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };

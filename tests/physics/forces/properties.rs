@@ -1,4 +1,4 @@
-//! Any scene under any gravity and damping: the ledger of energy, and that damping only takes.
+//! Random scenes with gravity and damping: the energy ledger closes, and damping only takes energy.
 
 use plm_impact::impact::{Damping, Fate, Forces, Method};
 use plm_impact::law::UnloadingExponent;
@@ -8,7 +8,8 @@ use proptest::prelude::*;
 use super::{fate, under};
 use crate::common::{STEPPING, Scene, off, solver};
 
-/// Any scene as in `invariants.rs`, with gravity from nothing to thousands of times what yields, and any damping.
+/// A random scene as in `invariants.rs`, with any damping, and with gravity from none to thousands of times the gravity
+/// at which the weight yields the half-space.
 fn any_impact() -> impl Strategy<Value = (Scene, f64, Forces)> {
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
     let body = || {
@@ -39,7 +40,7 @@ fn any_impact() -> impl Strategy<Value = (Scene, f64, Forces)> {
             let free = contact.with_forces(Forces { gravity, damping: None }).closed_form(speed).unwrap();
             let fastest = speed.hypot((2.0 * gravity.unwrap_or(0.0) * free.peak_indentation).sqrt());
             let damping = match drag {
-                // χ times the largest speed from 1e-4 to 10, whatever that is
+                // χ times the largest speed is from 1e-4 to 10
                 Some(Damping::HuntCrossley(chi)) => Some(Damping::HuntCrossley(chi / fastest)),
                 other => other,
             };
@@ -60,13 +61,13 @@ proptest! {
             + contact.mass() * forces.gravity.unwrap_or(0.0) * fine.peak_indentation;
         for (method, factor) in STEPPING {
             let impact = contact.impact(speed, &solver(method, tolerance), Some(30)).unwrap();
-            // the library takes its steps in the time, where δ^¼ is not smooth: it loses a digit more, as measured
+            // the methods of ode_solvers step in time, in which δ^¼ is not smooth: measured, they lose one more digit
             let slack = tolerance * if method == Method::Rk8 { factor } else { 10.0 * factor };
             prop_assert!(impact.energy.drift <= slack, "{} {:e} at {tolerance:e}", method.name(), impact.energy.drift);
             prop_assert!(off(impact.peak_force, fine.peak_force) <= slack, "{}", method.name());
             prop_assert!(impact.trace.iter().all(|row| row.force >= 0.0));
             prop_assert!(impact.trace.windows(2).all(|pair| pair[0].time <= pair[1].time));
-            // the energy of the rebound, as a share of what was put in: e itself may be a small difference
+            // the energy of the rebound over the energy put in, because e itself may be a small difference
             let error = (impact.energy.recovered - fine.energy.recovered).abs() / put_in;
             prop_assert!(error <= 2.0 * slack, "{} {error:e} at {tolerance:e}", method.name());
         }

@@ -1,4 +1,4 @@
-//! What the authors of the laws give in closed form, or fit to their own impacts.
+//! Results that the authors of the laws give in closed form, or fitted to their own impacts.
 
 use plm_impact::impact::closed_form;
 use plm_impact::law::LawChoice;
@@ -8,7 +8,7 @@ use plm_impact::law::thornton::{self, Thornton};
 use super::{contact, factor, law_of};
 use crate::common::{Scene, off};
 
-/// Thornton (1997): e(v) in closed form, its limit 1.185 q^¼, and the yield speed of the same paper.
+/// Thornton (1997): e(v) in closed form, its limit 1.185 q^¼, and the yield speed in the same paper.
 #[test]
 fn thornton_gives_his_closed_form() {
     let scene = Scene::case_3();
@@ -25,7 +25,7 @@ fn thornton_gives_his_closed_form() {
             let e = contact.closed_form(v_y / q).unwrap().restitution;
             assert!(off(e, thornton::restitution(q)) < 1e-12, "{q}: {e}");
         }
-        // 1.185 has four digits; at q = 1e-6 the next term is below 1e-6
+        // 1.185 has four digits
         let e = contact.closed_form(v_y / 1e-8).unwrap().restitution;
         assert!(off(e, 1.185 * 1e-8_f64.powf(0.25)) < 5e-4, "{e}");
         let slope = (contact.closed_form(2e8 * v_y).unwrap().restitution / e).log2();
@@ -33,7 +33,7 @@ fn thornton_gives_his_closed_form() {
     }
 }
 
-/// Johnson (1985), e² = 3.549 (p_d/E*) (m v²/(2 p_d R³))^(−1/4), where the law has an answer.
+/// Johnson (1985), e² = 3.549 (p_d/E*) (m v²/(2 p_d R³))^(−1/4), in the range of the law.
 #[test]
 fn johnson_gives_his_closed_form() {
     let scene = Scene::case_3();
@@ -48,8 +48,8 @@ fn johnson_gives_his_closed_form() {
     assert!(error.to_string().contains("no answer"), "{error}");
 }
 
-/// e of the fit of Jackson, Green and Marghitu (2010) to their own impacts: 0.858, 0.726, 0.457, 0.426 at v/V_c = 7.6, 23.6,
-/// 188, 242; the fit is given to about 1 %.
+/// e by the formula that Jackson, Green and Marghitu (2010) fitted to their own impacts: 0.858, 0.726, 0.457, 0.426 at
+/// v/V_c = 7.6, 23.6, 188, 242. The formula is accurate to about 1 %.
 #[test]
 fn jackson_and_green_give_the_fitted_restitution_of_their_impacts() {
     let law = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
@@ -67,7 +67,7 @@ fn two_straight_lines_give_one_restitution() {
     }
 }
 
-/// Unloading from uniform pressure as Mesarovic and Johnson write it, by the contact radius t: F and δ at the same t.
+/// Unloading from uniform pressure in the form of Mesarovic and Johnson: F and δ as functions of the contact radius t.
 #[test]
 fn unloading_from_uniform_pressure_is_the_stack_of_punches() {
     use std::f64::consts::PI;

@@ -1,4 +1,5 @@
-//! Printed pieces that are crossed: over the whole range of materials and parameters the force neither jumps nor falls.
+//! Laws with printed jumps, with their pieces cut where they cross: for all materials and parameters the force neither
+//! jumps nor falls.
 
 use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
 use plm_impact::law::jumps::Jumps;
@@ -11,14 +12,14 @@ use proptest::prelude::*;
 use super::bodies;
 use crate::common::Scene;
 
-/// A half-space of this Poisson's ratio and σ_Y/E*, under a sphere of the same.
+/// A half-space with this Poisson's ratio and σ_Y/E*, and a sphere of the same material.
 fn half_space(poissons_ratio: f64, strain: f64) -> Bodies {
     let material = Material { youngs_modulus: 1e11, poissons_ratio };
     let yield_strength = Some(strain * 0.5 * material.plane_strain_modulus());
     bodies(&Scene { sphere: material, half_space: material, yield_strength, ..Scene::case_3() })
 }
 
-/// The laws with jumps, crossed; K H or C as given.
+/// The laws with printed jumps, crossed; K H or C is `yield_factor`.
 fn crossed(yield_factor: Option<f64>) -> [(&'static str, Box<dyn ContactLaw>); 4] {
     let jumps = Jumps::Crossed;
     let jackson_green = |hardness| Box::new(JacksonGreen { yield_factor, hardness, jumps }) as Box<dyn ContactLaw>;
@@ -30,7 +31,7 @@ fn crossed(yield_factor: Option<f64>) -> [(&'static str, Box<dyn ContactLaw>); 4
     ]
 }
 
-/// Where the force falls, or a piece begins with a jump or out of order, if anywhere.
+/// Says where the force falls, or where a piece begins with a jump or out of order; `None` if nowhere.
 fn fault(law: &Law) -> Option<String> {
     let pieces = law.loading.pieces();
     let end = 3.0 * pieces.last().map_or(1.0, |last| last.start.max(1.0));
@@ -47,7 +48,8 @@ fn fault(law: &Law) -> Option<String> {
 
 #[test]
 fn hertz_and_the_fit_of_jackson_and_green_cross_where_they_do() {
-    // exp(-x^(5/12)/4) + 4 H_G/(C σ_Y) (1 - exp(-x^(5/9)/25))/√x = 1, solved apart, in units of the law's own yield point
+    // exp(-x^(5/12)/4) + 4 H_G/(C σ_Y) (1 - exp(-x^(5/9)/25))/√x = 1, solved independently, in units of the yield point
+    // of the law
     for (poissons_ratio, want) in [(0.34, 1.825), (0.40, 1.586), (0.45, 1.412), (0.49, 1.287)] {
         let bodies = half_space(poissons_ratio, 0.002);
         let law = JacksonGreen { jumps: Jumps::Crossed, ..Default::default() }.law(&bodies).unwrap();
@@ -71,7 +73,7 @@ fn a_last_piece_that_crosses_early_skips_the_pieces_between() {
 
 #[test]
 fn where_nothing_crosses_the_law_has_no_answer() {
-    // C = 3: the fit is below Hertz from before first yield on; K H = 9 σ_Y: so is the last piece, f = 0.93 x
+    // C = 3: the fit is below Hertz already before first yield; K H = 9 σ_Y: so is the last piece, f = 0.93 x
     let bodies = half_space(0.3, 0.002);
     let laws: [(&dyn ContactLaw, f64); 2] = [
         (&JacksonGreen { yield_factor: Some(3.0), jumps: Jumps::Crossed, ..Default::default() }, 3.0),

@@ -1,4 +1,4 @@
-//! What holds for every whole law, and where each of them ends.
+//! Properties of every whole law, and the limits of their ranges.
 
 use plm_impact::impact::{Contact, Damping, Event, Forces, ImpactError, Method, TraceRow, closed_form};
 use plm_impact::law::Combined;
@@ -13,7 +13,7 @@ use plm_impact::material::HalfSpace;
 use super::{bodies, contact, factor, law_of, parts, whole_laws};
 use crate::common::{STEPPING, Scene, off, run, solver, worst};
 
-/// Peaks at these depths, in units of δ_Y: below, at and around printed jumps, and far beyond.
+/// Depths of peaks in units of δ_Y: below, at and around the printed jumps, and far beyond them.
 const PEAKS: [f64; 16] =
     [0.5, 1.0, 1.004, 1.02, 1.5, 1.9, 1.95, 3.0, 6.0, 6.1, 20.0, 84.0, 109.0, 112.0, 843.1, 3000.0];
 
@@ -42,7 +42,7 @@ fn integrators_and_quadrature_agree_on_every_law() {
 fn a_trace_under_forces_tells_of_yield_and_knots_where_the_plain_one_does() {
     let gravity = Forces { gravity: Some(9.81), damping: None };
     let hunt_crossley = Forces { gravity: None, damping: Some(Damping::HuntCrossley(1e-3)) };
-    // 1.3 yield speeds of the PLM, where the laws yield, and far beyond
+    // two speeds: near the yield speeds of the laws, and far beyond
     for (speed, (name, law)) in
         [0.025, 1.0].into_iter().flat_map(|speed| whole_laws().into_iter().map(move |l| (speed, l)))
     {
@@ -75,24 +75,24 @@ fn at_first_yield_nothing_is_lost() {
     for (name, choice) in whole_laws() {
         let law = law_of(choice.get());
         let until = law.elastic_until();
-        // laws without an elastic regime, and unloading from uniform pressure, which is wrong at yield
+        // not for laws without an elastic regime, and not for unloading from uniform pressure, which is wrong at yield
         if until == 0.0 || until.is_infinite() || name.contains("mesarovic") {
             continue;
         }
         for x in [0.3 * until, until] {
             let outcome = closed_form::solve(&law, x.powf(1.25));
             assert!(off(outcome.restitution, 1.0) < 1e-15, "{name}: {}", outcome.restitution);
-            // at a jump the last 1e-8 of the way (the root of rounding) is on one force or the other
+            // at a jump the last 1e-8 of the way (the square root of rounding) may have either force
             assert!(off(outcome.contact_time, 2.943_275_184_324_704_7 * x.powf(-0.25)) < 1e-9, "{name}");
         }
-        // with printed jumps the force is 3 % higher at once, which is cut
+        // with printed jumps the force is 3 % higher just above yield, but e must not exceed 1
         let just_above = closed_form::solve(&law, (1.000_001 * until).powf(1.25)).restitution;
-        // the dents of Hertz with an unchanged radius and of a fit begin at once, all others gradually
+        // laws with a small dent directly at yield may lose up to 0.1 %
         assert!((0.999..=1.0 + 1e-12).contains(&just_above), "{name}: {just_above}");
     }
 }
 
-/// The force is continuous but for the jumps that the doc tables name: KE +3.0, +1.7, +7.9 %, JG +0.5 %, KK +1.3, +3.2 %.
+/// The force is continuous except at the documented jumps: KE +3.0, +1.7, +7.9 %, JG +0.5 %, KK +1.3, +3.2 %.
 #[test]
 fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
     let jumps = |law: &Law| -> Vec<(f64, f64)> {
@@ -104,7 +104,7 @@ fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
             .collect()
     };
     let printed = jumps(&law_of(&KogutEtsion { yield_factor: Some(factor()), jumps: Jumps::Printed }));
-    // the last one with the user's extension in units of C_ν instead of K H: 8.1 instead of 7.9 %
+    // the last jump is 8.1 % instead of 7.9 %, because the last piece is in units of C_ν instead of K H
     for ((at, percent), (want_at, want)) in printed.iter().zip([(1.0, 3.0), (6.0, 1.7), (110.0, 8.1)]) {
         assert!(off(*at, want_at) < 1e-14 && (percent - want).abs() < 0.06, "{at}: {percent}");
     }
@@ -126,7 +126,7 @@ fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
 fn the_closed_form_traces_every_law_without_error() {
     for (name, choice) in whole_laws() {
         let contact = contact(&Scene::case_3(), &choice);
-        // 5 m/s, beyond the ranges that any of these laws refuses
+        // 5 m/s is in the range of all these laws
         for (method, drift) in [(Method::ClosedForm, 1e-12), (Method::Rk8, 2e-9)] {
             let impact = contact.impact(5.0, &solver(method, 1e-10), Some(60)).unwrap();
             assert!(
@@ -164,7 +164,8 @@ fn plm_from_its_two_halves_is_the_plm() {
     }
 }
 
-/// An unloading branch is a piece that a loading curve can begin with: the same force, and the work that it stores.
+/// An unloading branch can be the first piece of a loading curve: it has the same force, and its work is the stored
+/// energy.
 #[test]
 fn unloading_branches_are_pieces() {
     for (name, choice) in whole_laws() {
@@ -196,12 +197,12 @@ fn outside_its_range_a_law_has_no_answer() {
         let law = law_of(LawChoice::from_name(name).unwrap().get());
         law.accept(&law.loaded_to(x)).err().map(|error| error.to_string())
     };
-    // no elastic regime: the dent would be negative
+    // laws without an elastic regime: the dent would be negative
     for name in ["mesarovic_johnson", "johnson"] {
         assert!(refused(name, 5.2).unwrap().contains("negative"), "{name}");
         assert_eq!(refused(name, 20.0), None);
     }
-    // more energy back than was spent, just above Stronge's own yield
+    // just above the yield of the law of Stronge, unloading would give back more energy than loading took
     assert!(refused("stronge", 2.0).unwrap().contains("more energy"));
     assert_eq!(refused("stronge", 1.0), None);
     assert_eq!(refused("stronge", 5.2), None);
@@ -211,9 +212,9 @@ fn outside_its_range_a_law_has_no_answer() {
     // loading beyond a = R, and beyond δ = R/2
     assert!(refused("jackson_green + johnson", 6000.0).unwrap().contains("range of its loading"));
     assert!(refused("kogut_komvopoulos", 8700.0).unwrap().contains("range of its loading"));
-    // loading stiffer than Hertz leaves no depth for the moved Hertz curve
+    // loading is stiffer than Hertz, so there is no dent from which the shifted Hertz curve could start
     assert!(refused("stronge + yigit_christoforou", 5.2).is_some());
-    // and the impact says so
+    // the impact returns this error
     let contact = contact(&Scene::case_3(), &LawChoice::from_name("mesarovic_johnson").unwrap());
     assert!(contact.impact(0.01, &solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
     assert!(contact.essentials(0.01).is_err());
@@ -229,13 +230,14 @@ fn half_a_law_is_refused_and_not_taken_for_hertz() {
         let error = Contact::try_new(sphere, half_space, law).unwrap_err();
         assert_eq!(error, ImpactError::Law(OutsideLaw::Incomplete { name }));
         assert!(error.to_string().contains(name), "{error}");
-        // nothing of a law is asked for where nothing yields
+        // without yield no law is needed
         let elastic = HalfSpace { yield_strength: None, ..half_space };
         assert_eq!(Contact::try_new(sphere, elastic, law).unwrap().closed_form(3.0).unwrap().restitution, 1.0);
     }
 }
 
-/// A half-space too soft for a fit (σ_Y/E* = 0.1), a rigid sphere, a strong one: numbers or a refusal, never nonsense.
+/// Bodies outside the range of a fit (σ_Y/E* = 0.1), rigid spheres and strong half-spaces give valid numbers or an
+/// error.
 #[test]
 fn extreme_bodies_give_numbers_or_a_refusal() {
     for (name, choice) in whole_laws() {
@@ -276,7 +278,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
 proptest::proptest! {
     #![proptest_config(crate::common::cases(48))]
 
-    /// Random scenes: no energy gained, forces rise, the integration agrees with the quadrature.
+    /// Random scenes: no energy is gained, forces rise, and the integration agrees with the quadrature.
     #[test]
     fn every_law_is_an_honest_contact(
         sphere in 50e9..1e12_f64, half_space in 20e9..400e9_f64, strain in 1.0e-3..1.0e-2_f64, nu in 0.1..0.45_f64,
@@ -309,19 +311,19 @@ proptest::proptest! {
     }
 }
 
-/// Kinetic, stored, plastic and damped energy of every row of a trace, also on unloading branches that are no powers.
+/// The energy ledger closes in every row of a trace, also on unloading branches that are not powers.
 #[test]
 fn the_ledger_closes_under_damping_for_every_law() {
     for (name, choice) in whole_laws() {
         let forces = Forces { damping: Some(Damping::Viscous(0.05)), ..Forces::default() };
         let contact = contact(&Scene::case_3(), &choice).with_forces(forces);
         let impact = contact.impact(5.0, &solver(Method::Rk8, 1e-10), Some(50)).unwrap();
-        // ten times the tolerance, as README says
+        // ten times the tolerance
         assert!(impact.energy.drift < 1e-9, "{name}: {}", impact.energy.drift);
     }
 }
 
-/// Fast, this law has no answer; damped, the same impact is shallow enough for it. Its bodies are still held to be in range.
+/// At this speed the impact is outside the range of the law; with damping it is shallow enough to be inside.
 #[test]
 fn a_damped_impact_is_judged_by_its_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();

@@ -1,4 +1,4 @@
-//! The law as a force of its own: energy, stiffness, and what no input may do.
+//! The law as a force without motion: energy, stiffness, and no panic for any input.
 
 use plm_impact::impact::{Contact, ContactEnergy, Memory};
 use plm_impact::law::{LawChoice, Plm};
@@ -13,8 +13,8 @@ fn bodies(yield_strength: Option<f64>) -> (Sphere, HalfSpace) {
     )
 }
 
-/// Energy is conserved: along loading, unloading, reloading the work done on the contact (trapezoids of the force) is
-/// what is stored and what the dent has taken; and at the peak and the end they are those of the closed form.
+/// Energy is conserved. During loading, unloading and reloading, the work on the contact (trapezoids of the force) is
+/// the stored energy plus the plastic work. At the peak and at the end both agree with the closed form.
 #[test]
 fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
     for law in LawChoice::all() {
@@ -49,7 +49,7 @@ fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
     }
 }
 
-/// The slope is the derivative of the force (central difference), on both branches and on Hertz's curve.
+/// The stiffness is the derivative of the force (central difference), on both branches and on the curve of Hertz.
 #[test]
 fn the_stiffness_is_the_slope_of_the_force() {
     for strength in [Some(345e6), None] {

@@ -1,4 +1,5 @@
-//! Unloading along the Hertz curve moved down, by any dent from half the indentation to one of rounding.
+//! Unloading along a Hertz curve that is shifted by the dent, for dents from half the indentation down to the size of
+//! rounding.
 
 use std::sync::Arc;
 
@@ -10,7 +11,7 @@ use plm_impact::law::{About, Bodies, ContactLaw, UnloadingShape};
 use super::parts;
 use crate::common::{STEPPING, Scene, off, solver};
 
-/// Loads along Hertz's curve; the dent is this share of the indentation.
+/// A law that loads along the curve of Hertz; the dent is this share of the indentation.
 #[derive(Debug)]
 struct Dented(f64);
 
@@ -42,7 +43,7 @@ impl ContactLaw for Dented {
     }
 }
 
-/// e² = ((2/5) (1 − r^2.5) − r^1.5 (1 − r))/((2/5) (1 − r^1.5)) for a dent r: the area under the moved curve.
+/// e² = ((2/5) (1 − r^2.5) − r^1.5 (1 − r))/((2/5) (1 − r^1.5)) for a dent r, from the area under the shifted curve.
 #[test]
 fn a_dent_however_shallow_is_landed_on() {
     let (sphere, half_space) = parts(&Scene::case_3());

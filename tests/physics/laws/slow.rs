@@ -1,4 +1,4 @@
-//! Slow indentation under every law: the law of an impact without its motion.
+//! Slow indentation with every law: the same law as in an impact, without motion.
 
 use plm_impact::impact::Method;
 use plm_impact::indentation::Target::{Indentation as To, Load};
@@ -14,8 +14,8 @@ fn pressed(law: &LawChoice) -> StaticContact {
     StaticContact::try_new(indenter, &half_space, law.get()).unwrap()
 }
 
-/// An impact that is integrated, and a slow indentation to the depth that it came to: the force there is that of the loading
-/// curve, and of the work of loading comes back the share e².
+/// A slow indentation to the peak indentation of an integrated impact: the force is that of the loading curve, and
+/// unloading gives back the share e² of the work of loading.
 #[test]
 fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
     let scene = Scene::case_3();
@@ -25,7 +25,7 @@ fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
         let (moving, slow) = (contact(&scene, &law), pressed(&law));
         let mut compared = 0;
         for speed in [0.7, 20.0, 100.0].map(|times| times * yield_speed) {
-            // where the law has no answer for one it has none for the other
+            // outside the range of the law, both have no result
             let Ok(impact) = moving.impact(speed, &solver(Method::Rk8, 1e-12), None) else { continue };
             compared += 1;
             let steps = slow.indent(&[To(impact.peak_indentation), Load(0.0)], None).unwrap().steps;
@@ -42,7 +42,8 @@ fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
     }
 }
 
-/// Unloaded, loaded again to the same depth and beyond: nothing plastic until the old peak, then as if nothing had been.
+/// Unloading, and loading again to the same depth and beyond: no plastic work until the old peak, then the loading
+/// curve.
 #[test]
 fn a_second_cycle_runs_back_up_the_branch_of_the_first() {
     for (name, law) in whole_laws() {
@@ -59,7 +60,7 @@ fn a_second_cycle_runs_back_up_the_branch_of_the_first() {
         let plastic: f64 = cycles.steps.iter().map(|step| step.plastic_work).sum();
         let work: f64 = cycles.steps.iter().map(|step| step.work).sum();
         assert!((plastic - straight.plastic_work).abs() < 1e-12 * straight.work, "{name}");
-        // unloaded in the end: all work that is left is plastic
+        // unloaded at the end, so the remaining work is plastic
         assert!((work - plastic).abs() < 1e-12 * straight.work && last.force == 0.0, "{name}: {work} {plastic}");
         let is_elastic = !slow.can_yield();
         assert_eq!(is_elastic, name.starts_with("hertz"));
@@ -67,8 +68,8 @@ fn a_second_cycle_runs_back_up_the_branch_of_the_first() {
     }
 }
 
-/// Stronge's law gives back more than it takes between about 1.1 and 2.5 yield indentations: a step that ends there is named,
-/// one that goes through is not.
+/// Between about 1.1 and 2.5 yield indentations the law of Stronge would give back more energy than it takes. A step
+/// that ends there is refused by its number; a step that passes through is allowed.
 #[test]
 fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
     let slow = pressed(&LawChoice::from_name("stronge").unwrap());
@@ -77,7 +78,7 @@ fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
     assert!(matches!(error, IndentationError::Outside { step: 2, .. }), "{error:?}");
     assert!(error.to_string().starts_with("step 2: the law has no answer"), "{error}");
     slow.indent(&[To(0.5 * length), To(30.0 * length)], Some(100)).unwrap();
-    // and half a law has none at all
+    // a law without loading is refused
     let (sphere, half_space) = parts(&Scene::case_3());
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let brake = LawChoice::from_name("brake").unwrap();

@@ -1,4 +1,4 @@
-//! Forces, dents and restitutions of the published laws against tables for case 3.
+//! Forces, dents and restitutions of the published laws, compared with tables for case 3.
 
 use plm_impact::law::jackson_green::JacksonGreen;
 use plm_impact::law::kogut_etsion::KogutEtsion;
@@ -14,7 +14,7 @@ use crate::common::off;
 /// The six depths of the tables, in units of the yield indentation.
 const DEPTHS: [f64; 6] = [5.2, 13.5, 83.4, 105.1, 683.4, 843.1];
 
-/// F/F_Y, δ_r/δ_m and quasi-static e at a depth in units of the law's own yield indentation `s` δ_Y.
+/// F/F_Y, δ_r/δ_m and quasi-static e at a depth in units of `s` δ_Y, the yield indentation of the law itself.
 fn native(law: &Law, s: f64, depth: f64) -> (f64, f64, f64) {
     let x = s * depth;
     let peak = law.loaded_to(x);
@@ -23,10 +23,10 @@ fn native(law: &Law, s: f64, depth: f64) -> (f64, f64, f64) {
     (peak.force / (s * s.sqrt()), peak.residual() / x, e)
 }
 
-/// Depth by depth: F/F_Y, δ_r/δ_m, e.
+/// F/F_Y, δ_r/δ_m and e for each depth.
 type Row = [[f64; 3]; 6];
 
-/// Asserts that every number has the printed digits: half a unit of the last one.
+/// Asserts that every number agrees with the printed digits, to half a unit of the last digit.
 fn assert_row(name: &str, law: &Law, s: f64, row: &Row) {
     for (depth, [f, residual, e]) in DEPTHS.into_iter().zip(row) {
         let got = native(law, s, depth);
@@ -37,8 +37,8 @@ fn assert_row(name: &str, law: &Law, s: f64, row: &Row) {
     }
 }
 
-/// Native loading and unloading for case 3, computed from the same published formulas by an independent program while they
-/// were collected; printed to 3-4 digits, in units of the law's own yield point.
+/// Loading and unloading of whole laws for case 3. The table was computed from the same published formulas by an
+/// independent program. It has 3 to 4 digits, in units of the yield point of each law.
 #[test]
 fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
     let bodies = case_3();
@@ -57,7 +57,7 @@ fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
             [4356.7, 0.944, 0.211],
         ],
     );
-    // in units of ω_c, which differ by 0.3 % from δ_Y
+    // in units of ω_c, which differs by 0.3 % from δ_Y
     let omega = bodies.yield_at(2.8 * (0.454 + 0.41 * 0.3));
     assert_row(
         "kogut_etsion",
@@ -85,7 +85,7 @@ fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
             [1264.2, 0.948, 0.203],
         ],
     );
-    // in units of the yield point by 1.5 ϑ = 1.65
+    // in units of the yield point with the factor 1.5 ϑ = 1.65
     assert_row(
         "stronge",
         &law_of(&Stronge::default()),
@@ -130,7 +130,8 @@ fn loading_of_the_other_laws_is_the_tabulated_one() {
         // printed with three digits, the second with one unit too many in the last (34.25)
         assert!(off(force("kogut_komvopoulos", depth), kk) < 2e-3, "{depth}");
     }
-    // contact radius over R: Jackson and Green, Kogut and Etsion, fully plastic with pile-up (2.8 R δ there, 2.86 R δ here)
+    // contact radius over R: Jackson and Green, Kogut and Etsion, fully plastic with pile-up (2.8 R δ there, 2.86 R δ
+    // here)
     let radius = |law: &Law, x: f64| law.contact_radius(&law.loaded_to(x)) * bodies.yield_radius_ratio();
     let jackson_green = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
     let kogut_etsion = law_of(&KogutEtsion { yield_factor: Some(factor()), ..Default::default() });
@@ -149,15 +150,15 @@ fn loading_of_the_other_laws_is_the_tabulated_one() {
     }
 }
 
-/// A peak as an unloading law sees it; what loading took does not matter for a law's own dent.
+/// The state of a peak as an unloading law gets it. The work of loading does not matter for the dent.
 fn loaded(peak: &Peak, radius: f64) -> PeakState {
     let Peak { indentation, force, .. } = *peak;
     PeakState { indentation, force, radius, elastic_approach: None, spent: f64::INFINITY }
 }
 
-/// The table has δ_r/δ_m = 0.229, 0.690, 0.724, 0.892, 0.902 for the fully plastic law with its own loading. They follow
-/// from a² = 4c² R δ, which is a mean pressure of 1.5 σ_Y under the same force: not the 3 σ_Y of the law. With a² = 2c² R δ
-/// (and 3 σ_Y) the dents are shallower; here that is taken.
+/// The table has δ_r/δ_m = 0.229, 0.690, 0.724, 0.892, 0.902 for the fully plastic law with its own loading. These
+/// follow from a² = 4c² R δ, which is a mean pressure of 1.5 σ_Y under the same force, not the 3 σ_Y of the law. With
+/// a² = 2c² R δ the pressure is 3 σ_Y and the dents are shallower; the program uses this.
 #[test]
 fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
     let choice = LawChoice::from_name("mesarovic_johnson").unwrap();
@@ -175,8 +176,8 @@ fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
     }
 }
 
-/// All unloading laws from one state: indentation, force and contact radius of Jackson and Green. δ_r/δ_m and e, computed from
-/// the same published formulas by an independent program.
+/// All unloading laws from the same state: indentation, force and contact radius of Jackson and Green. The expected
+/// δ_r/δ_m and e were computed from the same published formulas by an independent program.
 #[test]
 fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
     let bodies = case_3();
@@ -185,7 +186,7 @@ fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
     let jcg = JacksonGreen { yield_factor: Some(factor()), ..Default::default() };
     let named = |name: &str| LawChoice::from_name(name).unwrap();
     let stronge_unit = bodies.yield_at(1.65);
-    // in units of the C_ν yield point the table takes Stronge's δ_Y for the common one
+    // for Stronge the table uses the yield indentation of this law as δ_Y of C_ν
     let stronge = Stronge { yield_pressure_ratio: bodies.yield_point.factor / 1.5, unloading_factor: 1.0 };
     assert!(stronge_unit > 1.04);
     let (johnson, thornton, brake) = (named("johnson"), named("thornton"), named("brake"));

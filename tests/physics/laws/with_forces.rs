@@ -1,4 +1,4 @@
-//! Every law under gravity and damping: the branch, the first yield and the elastic regime are its own.
+//! Every law under gravity and damping, with its own unloading branch, first yield and elastic regime.
 
 use plm_impact::impact::{Contact, Damping, Event, Forces, Impact, Method, Spot, Warning};
 use plm_impact::law::stronge::Stronge;
@@ -20,18 +20,18 @@ fn by_name(name: &str) -> LawChoice {
     LawChoice::from_name(name).unwrap()
 }
 
-/// v_Y by C_ν, which is the unit of speed of every law.
+/// The yield speed v_Y by C_ν, which is the unit of speed for every law.
 fn unit_speed(contact: &Contact) -> f64 {
     contact.pair().yield_point.unwrap().speed(contact.mass()).unwrap()
 }
 
-/// g at which the sphere weighs `share` of F_Y.
+/// The gravity at which the weight of the sphere is `share` of F_Y.
 fn gravity_of(scene: &Scene, share: f64) -> f64 {
     let contact = scene.contact();
     share * contact.pair().yield_point.unwrap().force / contact.mass()
 }
 
-/// All laws, with yield points of their own below and above that of C_ν.
+/// All laws, also with yield points below and above that of C_ν.
 fn laws() -> Vec<(String, LawChoice)> {
     let mut laws = whole_laws();
     for pressure in [300e6, 900e6] {
@@ -67,7 +67,8 @@ fn damping_of_nothing_changes_no_law_at_any_speed() {
 
 #[test]
 fn a_law_without_an_elastic_regime_loses_as_much_below_first_yield() {
-    // Walton and Braun: straight up k_1 and down k_1/0.36, so e = 0.6 at every speed; damping of 1e-9 takes nothing
+    // Walton and Braun: loading with k_1 and unloading with k_1/0.36, so e = 0.6 at every speed; a damping of 1e-9
+    // takes nothing
     let law = LawChoice::WaltonBraun(WaltonBraun { stiffness_ratio: 0.36, ..Default::default() });
     let scene = Scene::case_3();
     let weight = gravity_of(&scene, 1e-9);
@@ -114,7 +115,7 @@ fn traces_under_forces_stop_where_each_law_yields() {
     }
 }
 
-/// What the peak of an impact and its dent make of the force at a later δ, by the printed formula of each law.
+/// The force at δ during unloading, from the peak and the dent of an impact, by the printed formula of each law.
 fn printed_force(name: &str, impact: &Impact, indentation: f64) -> f64 {
     let (deepest, residual) = (impact.peak_indentation, impact.residual_indentation);
     if name.contains("mesarovic") {
@@ -143,7 +144,7 @@ fn rows_of_a_damped_trace_lie_on_branches_that_are_no_powers() {
                 for row in back {
                     let want = printed_force(name, &impact, row.indentation.max(impact.residual_indentation));
                     let miss = (row.elastic_force.unwrap() - want).abs();
-                    // the last rows carry what is left of digits at the residual indentation
+                    // the last rows have fewer digits, because δ − δ_r is small
                     assert!(miss < 1e-7 * impact.peak_force, "{name}, {method:?}: {row:?} {want}");
                 }
             }
@@ -155,14 +156,14 @@ fn rows_of_a_damped_trace_lie_on_branches_that_are_no_powers() {
 fn a_captured_sphere_rests_where_its_own_branch_carries_the_weight() {
     for name in NO_POWERS {
         let scene = Scene::case_3();
-        // 2000 F_Y: more than 1 m/s can climb out of
+        // the weight is 2000 F_Y, so an impact at 1 m/s cannot leave the dent
         let contact = under(&scene, &by_name(name), Some(gravity_of(&scene, 2000.0)), None);
         let impact = contact.impact(1.0, &solver(Method::Rk8, 1e-12), Some(20)).unwrap();
         let report = *impact.captured().unwrap();
         let weight = contact.mass() * contact.forces().gravity.unwrap();
         let carried = printed_force(name, &impact, report.static_indentation.unwrap());
         assert!(off(carried, weight) < 1e-9, "{name}: {carried} {weight}");
-        // and the run ends there
+        // the run ends there
         let last = impact.trace.last().unwrap();
         assert!(off(last.force, weight) < 1e-9 && last.event == Some(Event::Captured), "{name}: {last:?}");
     }
@@ -170,8 +171,8 @@ fn a_captured_sphere_rests_where_its_own_branch_carries_the_weight() {
 
 #[test]
 fn energy_that_leaves_no_dent_is_accounted_for() {
-    // straight up and, as A = f/ε is above that of the PLM, without a dent back along Hertz: ½ F δ is spent, (2/5) F δ
-    // recovered, so e² = 4/5
+    // loading is linear. A = f/ε is above that of the PLM, so unloading has no dent and follows Hertz: ½ F δ is spent
+    // and (2/5) F δ is recovered, so e² = 4/5
     let scene = Scene::case_3();
     for name in ["johnson + plm", "mesarovic_johnson + plm"] {
         let plain = contact(&scene, &by_name(name));
@@ -183,7 +184,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
                 assert!(off(impact.restitution.powi(2), 0.8) < 1e-6, "{name} {method:?}: {}", impact.restitution);
                 let energy = impact.energy;
                 let sum = energy.recovered + energy.plastic.unwrap();
-                // without a dent gravity gives back what it gave
+                // without a dent the work of gravity is zero in the end
                 assert!(off(sum, energy.kinetic_in) < 2.0 * factor * 1e-11 + 1e-12, "{name} {method:?}: {energy:?}");
                 assert!(energy.drift < factor * 1e-11 + 1e-12, "{name} {method:?}: {energy:?}");
             }
@@ -194,7 +195,8 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
 #[test]
 fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
     let gains = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::EnergyGain { .. }));
-    // an exponent of 1.02 would give back more than is spent just above first yield, and a damping of 1.5 % take less
+    // just above first yield an exponent of 1.02 would give back more than is spent, and a damping of 1.5 % takes less
+    // than that
     let exponent = UnloadingExponent::Fixed(1.02);
     let contact = Scene { exponent, ..Scene::case_3() }.contact();
     let speed = 2.4 * unit_speed(&contact);
@@ -203,7 +205,8 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
         let impact = damped.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(impact.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
     }
-    // a second hit across a knot gains 1e-5 of e (as in `energy_gained_at_a_knot_is_said`), and damping takes less
+    // a second hit beyond a knot gains 1e-5 of e (as in `energy_gained_at_a_knot_is_said`), and damping takes less than
+    // that
     let soft = Scene {
         radius: 1.0,
         density: 5000.0,
@@ -221,7 +224,8 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
         let second = hit(&mut spot);
         assert!(second.restitution > 1.0 && gains(&second), "{} {:?}", second.restitution, second.warnings);
     }
-    // a heavy sphere that hardly moves when it touches falls on into its own dent: faster out than in, with energy lost
+    // a heavy sphere that is slow at first touch falls into its own dent: it leaves faster than it came, although
+    // energy is lost
     let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
     let heavy = Scene {
         radius: 3.114e-6,
@@ -243,7 +247,7 @@ fn samples_between_long_steps_keep_the_tolerance_on_every_law() {
         for damping in [None, Some(NOTHING)] {
             let contact = under(&Scene::case_3(), &choice, None, damping);
             for tolerance in [1e-4, 1e-6, 1e-8] {
-                // 20 m/s: steps on a curved branch of a deep dent are long
+                // at 20 m/s the steps on the curved branch of a deep dent are long
                 let Ok(impact) = contact.impact(20.0, &solver(Method::Rk8, tolerance), Some(60)) else { continue };
                 let drift = impact.energy.drift;
                 assert!(drift < 10.0 * tolerance, "{name} at {tolerance:e}: {drift:e}");
