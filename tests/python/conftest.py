@@ -12,7 +12,7 @@ STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
 @pytest.fixture(scope="session")
 def command() -> Path:
-    # as .ci/run builds it, so that nothing is built twice
+    # the same build as in .ci/run, so that nothing is built twice
     build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
     subprocess.run(build, cwd=ROOT, check=True)
     return ROOT / "target" / "debug" / "plm-impact"

@@ -34,7 +34,7 @@ def test_restitutions_are_those_of_the_table(contact: plm.Contact) -> None:
     speeds = np.logspace(-4, 1.5, 5000)
     table = plm.impacts(contact, speed=speeds)
     assert contact.restitution(speeds).tobytes() == table["restitution"].tobytes()
-    # an impact that does not yield comes back as fast as it came; e falls as v^(-1/4) where the contact is fully plastic
+    # an elastic impact has e = 1; e falls as v^(-1/4) if the contact is fully plastic
     assert table["restitution"][0] == 1.0
     assert contact.restitution(3.0) == contact.restitution("3 m/s") == contact.restitution([3])[0]
     assert contact.restitution(speeds.reshape(50, 100)[::2, ::-1]).shape == (25, 100)
@@ -50,7 +50,7 @@ def test_the_speed_may_be_part_of_the_contact() -> None:
         steel().impact()
 
 
-# every law under which an impact at 1 m/s has a trace without jumps
+# the laws for which an impact at 1 m/s has a trace without jumps
 @pytest.mark.parametrize("law", ["plm", "thornton", "johnson", "stronge", "yigit_christoforou"])
 def test_the_force_along_a_trace_is_that_of_the_trace(law: str) -> None:
     contact = steel(law={law: {}})
@@ -67,16 +67,16 @@ def test_a_memory_is_handed_in_and_out(contact: plm.Contact) -> None:
     force, memory = contact.force(deepest)
     assert force.shape == (10_000,) and memory.shape == (10_000, 3)
     assert np.array_equal(memory[:, 0], deepest) and np.array_equal(memory[:, 1], force)
-    # below the largest indentation nothing is remembered anew, and what was remembered is not touched
+    # below the largest indentation the memory does not change
     for share in (0.0, 0.5, 0.9, 1.0):
         less, same = contact.force(share * deepest, memory)
         assert same.tobytes() == memory.tobytes() and np.all(less <= force * (1 + 1e-15))
     again, _ = contact.force(2 * deepest, memory)
     fresh, _ = contact.force(2 * deepest, np.zeros((10_000, 3)))
     assert again.tobytes() == fresh.tobytes()
-    # written to a file with few digits it is still a memory
+    # a memory with few digits, as from a text file, is still valid
     contact.force(deepest, np.array([[float(f"{part:.8g}") for part in row] for row in memory]))
-    # an elastic contact forgets
+    # an elastic contact has no memory
     elastic = plm.Contact(sphere=dict(radius="5 mm", density=7850, **STEEL), half_space=STEEL)
     assert not elastic.force(deepest)[1].any()
 

@@ -34,7 +34,7 @@ def test_a_table_divided_over_dask_is_the_undivided_one() -> None:
 
 @pytest.mark.parametrize("name", ["restitution.py", "dask_table.py"])
 def test_mypy_accepts_the_examples(name: str, tmp_path: Path) -> None:
-    # some functions of Dask have no types
+    # some functions of Dask have no type annotations
     strict = ["-m", "mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports", "--cache-dir", tmp_path]
     run(*strict, EXAMPLES / name, cwd=tmp_path)
 

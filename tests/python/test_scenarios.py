@@ -90,7 +90,7 @@ def test_laws_and_schema_are_those_of_the_command(command: Path) -> None:
 
 
 def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
-    # made with the strength that is to be found
+    # the data are computed with the strength that has to be found
     speeds = np.linspace(0.5, 3, 12)
     steel = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, calibrate=dict(noise=dict(restitution=1e-3)))

@@ -25,10 +25,10 @@ def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -
     assert list(table) == list(expected)
     for name in table:
         assert table[name].ravel().tolist() == expected[name].tolist(), name
-    # paired, row by row
+    # arrays of the same shape are paired row by row
     paired = plm.impacts(contact, speed=speeds[:3], half_space_yield_strength=strengths)
     assert paired["restitution"].tolist() == [table["restitution"][k, k] for k in range(3)]
-    # all numeric keys, in any order, texts with a unit too
+    # numeric keys in any order, and texts with a unit
     radii = plm.impacts(contact, **{"impact.speed": "3 m/s", "sphere.radius": [1e-3, 5e-3]})
     assert radii["restitution"][1] == contact.restitution(3.0)
     assert plm.impacts(contact, speed=3)["restitution"].shape == ()
@@ -106,7 +106,7 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
     table = plm.impacts(contact, speed=np.linspace(0.001, 5, 6).reshape(2, 3))
     expected = {name: column.ravel().tolist() for name, column in table.to_dict().items()}
     arrow = table.to_arrow()
-    # the same memory, and safe in it: NumPy may only read
+    # both use the same memory, and the NumPy array is read-only
     buffer = arrow["restitution"].chunk(0).buffers()[1]
     assert buffer.address == table["restitution"].__array_interface__["data"][0]
     assert not table["restitution"].flags.writeable
@@ -126,9 +126,9 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
 
 
 def test_ctrl_c_ends_a_long_table() -> None:
-    # a shell lets what it starts in the background ignore Ctrl-C
+    # a process that a shell starts in the background ignores Ctrl-C by default
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    # hours of rows with a fixed step of a hundred-thousandth of the contact
+    # rows that would take hours: fixed steps of a hundred-thousandth of the contact time
     contact = steel(solver=dict(method="verlet", steps_per_contact=100_000))
     threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
     begun = time.monotonic()

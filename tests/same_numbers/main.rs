@@ -1,23 +1,24 @@
-//! Every number of the program is the one that it was.
+//! Checks that no number of the program has changed.
 //!
-//! This test is for changes that must not move any number, such as a redesign. It runs the real command on every scenario
-//! of `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), on `validate` and on `fit-plm`,
-//! takes all numbers of all files that they write (`numbers.rs`), and compares them to the last bit with
+//! This test is for changes that must not change any number, such as a redesign. It runs the command on every scenario
+//! of `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), on `validate` and on
+//! `fit-plm`. It takes all numbers of all files that they write (`numbers.rs`), and compares them to the last bit with
 //! `tests/same_numbers/record.csv`. Counts of steps and of evaluations are compared like all other numbers.
 //!
 //! The record has a line for every column of every file (for JSON, every path of keys): the number of rows, the first
-//! and the last value, the sum, and a digest of the bits of all values; run and file stand where they change. Where the test fails it names run, file and column,
-//! and says how far the first value, the last value or the sum moved. Columns and keys that the record does not have do not
-//! matter; those that it has must be there. A new scenario must be recorded.
+//! and the last value, the sum, and a digest of the bits of all values. Run and file are written only on lines where
+//! they change. If the test fails, it names run, file and column, and says how much the first value, the last value or
+//! the sum changed. Columns and keys that are not in the record are ignored; those in the record must exist. A new
+//! scenario must be recorded.
 //!
-//! Where numbers are meant to change, write the record anew and say in the commit which numbers changed, why, and how far:
+//! If numbers have to change, write the record again, and say in the commit which numbers changed, why, and how much:
 //!
 //! ```sh
 //! PLM_IMPACT_RECORD=write cargo test --test same_numbers
 //! ```
 //!
-//! How far all numbers moved is found by a comparison with the program as it was before, in full digits. It fails if any
-//! number differs, and lists for every column the largest difference:
+//! To see how much all numbers changed, compare with the earlier program in full digits. The comparison fails if any
+//! number differs, and lists the largest difference for every column:
 //!
 //! ```sh
 //! PLM_IMPACT_OTHER=path/to/the/old/plm-impact cargo test --test same_numbers -- --ignored
@@ -78,7 +79,7 @@ fn refuse(differences: &[String]) {
     );
 }
 
-/// The comparisons see one bit, a lost row, a lost column and a lost run, and no new column.
+/// The comparisons notice one changed bit, a missing row, a missing column and a missing run. They ignore a new column.
 #[test]
 fn what_differs_is_seen() {
     let place = ("trace.csv".to_owned(), "force_N".to_owned());

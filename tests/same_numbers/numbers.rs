@@ -1,4 +1,4 @@
-//! All numbers of a run: of every file that it writes, column by column.
+//! Reads all numbers of a run from all files that it writes, column by column.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,9 +10,9 @@ use tempfile::TempDir;
 
 use super::runs::Run;
 
-/// The columns whose words are results and are compared too. Texts elsewhere are messages, names of files, versions,
-/// command lines and sources: they are left out, and so is a column that has nothing but such texts. All that depends on
-/// the machine is a text of this kind today; a number that did (a time, a count of threads) would have to be left out here.
+/// The columns whose words are results, which are compared too. All other texts are messages, names of files, versions,
+/// command lines and sources. They are ignored, and so is a column that has only such texts. Today only such texts
+/// depend on the machine; a number that does (a time, a number of threads) would have to be left out here.
 const WORDS: [&str; 12] = [
     "branch",
     "distribution",
@@ -33,19 +33,19 @@ const WORDS: [&str; 12] = [
 pub enum Cell {
     Number(f64),
     Word(String),
-    /// Some text that is not compared.
+    /// A text that is not compared.
     Text,
     Empty,
 }
 
-/// Where a column stands: the file and the name in it. In JSON and TOML the name is the path of the keys, and all entries
-/// of a list are one column.
+/// The place of a column: the file, and the name of the column. In JSON and TOML the name is the path of the keys, and
+/// all entries of a list are one column.
 pub type Place = (String, String);
 
 /// The values of all columns of a run.
 pub type Columns = BTreeMap<Place, Vec<Cell>>;
 
-/// Runs the program in a directory of its own and reads all that it writes. The exit code counts as a column.
+/// Runs the program in a directory of its own and reads all its files. The exit code is a column too.
 pub fn columns(program: &Path, run: &Run) -> Columns {
     let desk = TempDir::new().unwrap();
     fs::create_dir(desk.path().join("out")).unwrap();
@@ -57,7 +57,7 @@ pub fn columns(program: &Path, run: &Run) -> Columns {
         let path = entry.unwrap().path();
         let file = path.file_name().unwrap().to_string_lossy().into_owned();
         if file.starts_with('.') {
-            // the list of what the program wrote, with lengths of files
+            // the list of files that the program wrote, with their lengths
             continue;
         }
         let read = || fs::read_to_string(&path).unwrap();

@@ -1,8 +1,8 @@
-//! How far the numbers of two programs are apart.
+//! Differences between the numbers of two programs.
 
 use super::numbers::{Cell, Columns};
 
-/// What differs in a run, a line for each column.
+/// The differences in a run, with a line for each column.
 pub fn differences(run: &str, theirs: &Columns, ours: &Columns) -> Vec<String> {
     let line = |((file, name), theirs): (&(String, String), &Vec<Cell>)| {
         let what = match ours.get(&(file.clone(), name.clone())) {
@@ -17,8 +17,8 @@ pub fn differences(run: &str, theirs: &Columns, ours: &Columns) -> Vec<String> {
     theirs.iter().filter_map(line).collect()
 }
 
-/// How many values differ, the largest difference of two numbers over the larger of them, and over the largest of the
-/// column (which says more where a number is nearly zero).
+/// The number of values that differ, and the largest difference of two numbers: over the larger of both, and over the
+/// largest number of the column, which is more useful if a number is nearly zero.
 fn moved(theirs: &[Cell], ours: &[Cell]) -> Option<String> {
     let (mut count, mut words) = (0, 0);
     let (mut relative, mut absolute, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);

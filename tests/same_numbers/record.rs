@@ -1,4 +1,4 @@
-//! The record: a line for every column of every run.
+//! The record, with a line for every column of every run.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,21 +8,21 @@ use sha2::{Digest, Sha256};
 
 use super::numbers::{Cell, Columns, Place};
 
-/// What is kept of a column. Numbers have the shortest digits that read back to the same bits.
+/// The summary of a column. Numbers have the shortest digits that give the same bits.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Summary {
-    /// Values in the column.
+    /// Number of values in the column.
     rows: usize,
-    /// The first value. A column of one value is known by it, and the rest of the line is empty.
+    /// The first value. If the column has only one value, the rest of the line is empty.
     first: String,
     last: String,
-    /// All numbers added up, in their order.
+    /// Sum of all numbers, in their order.
     sum: String,
-    /// Over all values in their order, by their bits: 16 hexadecimal digits.
+    /// Digest of the bits of all values in their order: 16 hexadecimal digits.
     digest: String,
 }
 
-/// A line of the file. Run and file are left out where they are those of the line above.
+/// A line of the file. Run and file are left out if they are the same as in the line above.
 #[derive(Serialize, Deserialize)]
 struct Line {
     run: String,
@@ -35,10 +35,10 @@ struct Line {
     digest: String,
 }
 
-/// What is kept of every run, by its name.
+/// The summaries of all columns, by the name of the run.
 pub type Record = BTreeMap<String, BTreeMap<Place, Summary>>;
 
-/// What is kept of the columns of a run.
+/// The summaries of the columns of a run.
 pub fn summaries(columns: &Columns) -> BTreeMap<Place, Summary> {
     columns.iter().map(|(place, cells)| (place.clone(), Summary::of(cells))).collect()
 }
@@ -82,7 +82,7 @@ fn written(cell: &Cell) -> String {
     }
 }
 
-/// What differs from the record, a line for each column. A column that the record does not have is no difference.
+/// The differences from the record, with a line for each column. A column that is not in the record is ignored.
 pub fn differences(record: &Record, now: &Record) -> Vec<String> {
     let mut differences = Vec::new();
     for (run, recorded) in record {
@@ -104,7 +104,7 @@ pub fn differences(record: &Record, now: &Record) -> Vec<String> {
     differences
 }
 
-/// Says what the record can say about how far the values moved.
+/// Describes how much the values of a column changed, as far as the record shows it.
 fn moved(before: &Summary, after: &Summary) -> String {
     let mut parts = Vec::new();
     if before.rows != after.rows {
@@ -143,7 +143,7 @@ pub fn read(path: &Path) -> Record {
     record
 }
 
-/// Writes the record anew.
+/// Writes the record.
 pub fn write(path: &Path, record: &Record) {
     let mut writer = csv::Writer::from_path(path).unwrap();
     for (run, columns) in record {

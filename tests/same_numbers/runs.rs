@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 
 /// One call of the command.
 pub struct Run {
-    /// Its name in the record: the file, and what is set besides.
+    /// The name in the record: the file, and the keys that are set.
     pub name: String,
-    /// What the command is called with; it writes into the directory `out`.
+    /// The arguments of the command, which writes into the directory `out`.
     pub arguments: Vec<String>,
 }
 
-/// A scenario of this folder, and the keys that are set in it. Every choice of a group is set in turn, and groups multiply.
-/// A choice may be no key, or two keys with a blank between them. All values are in SI units.
+/// A scenario of this folder, and groups of keys that are set in it. All combinations of one choice from each group are
+/// run. A choice may be no key, or two keys separated by a blank. All values are in SI units.
 const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("impact", &[METHODS, FORCES]),
     ("impact", &[&["solver.method=verlet"], &["solver.steps_per_contact=20", "solver.steps_per_contact=333"]]),
@@ -63,7 +63,7 @@ const DAMPING: &[&str] = &["", "damping.viscous=0.05", "damping.hunt_crossley=0.
 
 const SPOTS: &[&str] = &["", "repeat.spot=fresh"];
 
-/// Laws with pieces that are no straight line and no Hertz curve.
+/// Laws with pieces that are neither straight nor a Hertz curve.
 const CURVED: &[&str] =
     &["law.plm.unloading_exponent=1.2", "law.plm.unloading_exponent=pressure-shape", "law.jackson_green.jumps=crossed"];
 
@@ -98,7 +98,7 @@ const LAWS: &[&str] = &[
     "law.johnson.dynamic_pressure=900e6",
 ];
 
-/// All runs: every scenario of `scenarios/` and of this folder, the variants, and the commands besides `run`.
+/// All runs: every scenario of `scenarios/` and of this folder, the variants, and other commands than `run`.
 pub fn all() -> Vec<Run> {
     let ours = folder("tests/same_numbers");
     let mut runs: Vec<Run> = scenarios(&folder("scenarios")).iter().map(|file| run("scenarios/", file, &[])).collect();
@@ -137,7 +137,7 @@ fn products(groups: &[&[&'static str]]) -> Vec<Vec<&'static str>> {
     first.iter().flat_map(with_rest).collect()
 }
 
-/// A run of a scenario with some of its keys set.
+/// A run of a scenario in which these keys are set.
 fn run(folder: &str, file: &Path, keys: &[&str]) -> Run {
     let stem = file.file_stem().unwrap().to_string_lossy();
     let name = [&[format!("{folder}{stem}").as_str()], keys].concat().join(" ");
@@ -147,7 +147,7 @@ fn run(folder: &str, file: &Path, keys: &[&str]) -> Run {
     Run { name, arguments: arguments.map(str::to_owned).collect() }
 }
 
-/// The table of a scenario as JSON.
+/// A run that writes the table of a scenario as JSON.
 fn as_json(file: &Path) -> Run {
     let mut run = run("", file, &[]);
     run.name += " as JSON";
@@ -160,7 +160,7 @@ fn validate() -> Run {
     Run { name: "validate".to_owned(), arguments: arguments.map(str::to_owned).into() }
 }
 
-/// Coefficients fitted to the loading curves of the finite elements.
+/// A run that fits coefficients to the loading curves of the finite elements.
 fn fit() -> Run {
     let curve = |case| folder(&format!("src/reference/fe_loading_case{case}.csv")).to_string_lossy().into_owned();
     let words = ["fit-plm", "-o", "out/coefficients.toml"].map(str::to_owned);

@@ -1,8 +1,9 @@
-//! `[output] columns`: a table with fewer results, and what `check` says of a sweep. Through the real process.
+//! `[output] columns`: a table with fewer results, and the output of `check` for a sweep. Tested with the command as a
+//! process.
 
 use crate::common::command::{self, Desk};
 
-/// Without `[output]`, so that a test can add one, and without a yield strength.
+/// A scenario without `[output]`, which tests can add, and without a yield strength.
 const ELASTIC: &str = r#"
 [sphere]
 radius = "5 mm"
@@ -77,6 +78,6 @@ fn check_says_what_a_sweep_will_be() {
     let random = "[monte_carlo]\nsamples = 10\nseed = 3\n\"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"300 MPa\" } }\n";
     let output = Desk::with(format!("{ELASTIC}{YIELDING}{random}")).call(&["check", "s.toml"]);
     let text = String::from_utf8(output.stdout).unwrap();
-    // Φ(345/300) = Φ(1.15) = 0.8749 of the normal distribution is positive
+    // the share of the normal distribution above 0 is Φ(345/300) = Φ(1.15) = 0.8749
     assert!(text.contains("10 cases, drawn with seed 3") && text.contains("keeps 87.49 %"), "{text}");
 }

@@ -1,4 +1,4 @@
-//! Shards and unfinished tables that are not what was written, through real processes: never merged, never continued.
+//! Damaged shards and unfinished tables are never merged and never resumed. Tested with the command as a process.
 
 mod limits;
 mod merged;
@@ -14,10 +14,11 @@ use tempfile::TempDir;
 
 use crate::common::STEEL;
 
-/// Shards of every table of these tests.
+/// Number of shards of every table in these tests.
 const SHARDS: usize = 3;
 
-/// A scenario of 40 speeds and two strengths in its own directory; the modulus makes it another table of the same columns.
+/// A scenario of 40 speeds and two strengths in its own directory. With another modulus it gives another table with the
+/// same columns.
 fn scenario(directory: &Path, modulus: &str) -> PathBuf {
     let path = directory.join("scenario.toml");
     let bodies = STEEL.replace("210 GPa", modulus);
@@ -45,7 +46,7 @@ fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// Exit code 2, and all of the words on standard error.
+/// Asserts exit code 2, and that standard error has all of the words.
 #[track_caller]
 fn refused(output: &Output, words: &[&str]) {
     let text = stderr(output);
@@ -60,13 +61,13 @@ fn done(output: &Output) {
     assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
 }
 
-/// Names of what is in a directory.
+/// The names of the files in a directory.
 fn names(directory: &Path) -> Vec<String> {
     let entries = fs::read_dir(directory).unwrap();
     entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
-/// The name of a shard's table.
+/// The name of the table of a shard.
 fn name(shard: usize, format: &str) -> String {
     format!("table-{shard}-of-{SHARDS}.{format}")
 }
@@ -74,9 +75,9 @@ fn name(shard: usize, format: &str) -> String {
 /// The shards of two tables, in both formats.
 struct Tables {
     _directory: TempDir,
-    /// `csv` and `json`.
+    /// The directory of the shards, with the folders `csv` and `json`.
     ours: PathBuf,
-    /// The same columns and numbers of rows, other values.
+    /// The directory of shards with the same columns and rows, but other values.
     others: PathBuf,
 }
 
@@ -105,7 +106,8 @@ fn copy(format: &str) -> TempDir {
     directory
 }
 
-/// Merges shards of which one is damaged: refused with that shard's name and what to do, and nothing is left.
+/// Merges shards of which one is damaged. The merge has to be refused with the name of the shard and the way out, and
+/// must leave no file.
 #[track_caller]
 fn is_refused(shards: &Path, shard: &str) {
     let out = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Files under two writers, kills, full disks, links and the files of others: real processes, real signals.
+//! Output files with two writers, killed runs, full disks, links, and files of the user. Tested with processes and
+//! signals.
 
 #![cfg(unix)]
 use std::fs;
@@ -11,7 +12,7 @@ use crate::common::STEEL;
 use crate::common::command::{Desk, text};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
-/// The program's list of what it wrote.
+/// The list of the files that the program wrote.
 const LIST: &str = ".plm-impact.json";
 
 /// Two axes of numbers, so that there are two pictures.
@@ -33,7 +34,7 @@ fn code(output: &Output) -> Option<i32> {
     output.status.code()
 }
 
-/// Runs, and gives standard error of a run that has to end with this code.
+/// Runs the command, which has to end with this code, and returns its standard error.
 fn ends(desk: &Desk, arguments: &[&str], want: i32) -> String {
     let output = desk.call(arguments);
     let message = text(&output.stderr);
@@ -41,7 +42,7 @@ fn ends(desk: &Desk, arguments: &[&str], want: i32) -> String {
     message
 }
 
-/// Waits until `is_so` or the child ends; whether it is still at work.
+/// Waits until `is_so` is true or the child ends; returns whether the child is still running.
 fn is_reached(child: &mut Child, is_so: impl Fn() -> bool) -> bool {
     let begun = Instant::now();
     while !is_so() {
@@ -73,7 +74,7 @@ fn of_two_runs_into_one_place_the_second_is_refused_and_the_table_is_whole() {
         ends(&desk, &arguments("alone"), 0);
         let part = desk.path(&format!("out/{name}.part"));
         let mut refused = 0;
-        // on a busy machine the first may be done before the second looks
+        // on a busy machine the first run may end before the second begins
         for _ in 0..10 {
             let mut first = start(&desk, &arguments("out"));
             if is_reached(&mut first, || has_rows(&part)) {
@@ -132,7 +133,7 @@ fn no_link_is_followed() {
             let (mine, link) = (desk.path("mine"), desk.path("out").join(name));
             if is_hard { fs::hard_link(&mine, &link) } else { symlink(&mine, &link) }.unwrap();
             ends(&desk, &["run", "s.toml", "--out", "out"], 2);
-            // a result that has a second name loses this one
+            // with --force a result that is a hard link is replaced, and the file under its other name is kept
             let is_result = ["table.csv", "summary.json", "restitution.png"].contains(&name);
             ends(&desk, &["run", "s.toml", "--out", "out", "--force"], if is_hard && is_result { 0 } else { 2 });
             assert_eq!(desk.read("mine"), "mine", "{name}");
@@ -174,18 +175,18 @@ fn files_of_others_are_replaced_by_force_alone() {
     ends(&desk, &["run", "s.toml", "--out", "out", "--force"], 0);
     let trace = desk.read("out/trace.csv");
     assert!(trace.starts_with("time_s,"), "{trace}");
-    // its own are replaced, but not with what somebody wrote into them
+    // files of the program are replaced, except if somebody has changed them
     ends(&desk, &arguments, 0);
     fs::write(desk.path("out/trace.csv"), trace.replacen('0', "1", 1)).unwrap();
     ends(&desk, &arguments, 2);
     assert_ne!(desk.read("out/trace.csv"), trace);
-    // a table, before any row of it is computed
+    // a table is refused before any row is computed
     let desk = Desk::with(sweep(2));
     fs::create_dir(desk.path("out")).unwrap();
     fs::write(desk.path("out/summary.json"), "mine").unwrap();
     ends(&desk, &arguments, 2);
     assert_eq!(desk.files("out"), ["summary.json"]);
-    // coefficients
+    // a file of coefficients
     fs::write(desk.path("c.toml"), "mine").unwrap();
     let curve = format!("{}/src/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
     let message = ends(&desk, &["fit-plm", &curve, "-o", "c.toml"], 2);
@@ -206,7 +207,7 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
     let message = ends(&desk, &["run", "b/s.toml"], 2);
     assert!(message.contains("holds results of ../../a/s.toml, and these are of ../../b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
-    // an edited scenario, overrides, and a copy of the scenario are welcome
+    // an edited scenario, overrides, and a copy of the scenario are allowed
     ends(&desk, &["run", "a/s.toml", "--set", "impact.speed=2"], 0);
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
     ends(&desk, &["run", "a/s.toml"], 0);
@@ -214,7 +215,7 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
     ends(&desk, &["run", "b/s.toml"], 0);
     fs::write(desk.path("a/s.toml"), STEEL).unwrap();
     ends(&desk, &["run", "a/s.toml"], 2);
-    // of the other scenario nothing stays but its table
+    // with --force only the files of the new run are left
     fs::write(desk.path("a/s.toml"), sweep(2)).unwrap();
     ends(&desk, &["run", "a/s.toml", "--force"], 0);
     assert_eq!(desk.files("plots/s"), ["restitution.png", "summary.json", "table.csv"]);
@@ -227,7 +228,7 @@ fn results_of_a_version_that_kept_no_list_are_replaced_and_it_is_said() {
     fs::remove_file(desk.path("out").join(LIST)).unwrap();
     let message = ends(&desk, &["run", "s.toml", "--out", "out"], 0);
     assert!(message.contains("out: the results of an earlier version"), "{message}");
-    // but not what is no result
+    // a file that is not a result is not replaced
     fs::remove_file(desk.path("out").join(LIST)).unwrap();
     fs::write(desk.path("out/trace.csv"), "t,F\n0,0\n").unwrap();
     ends(&desk, &["run", "s.toml", "--out", "out"], 2);
@@ -248,7 +249,7 @@ fn is_kept(format: &str) {
     for _ in 0..20 {
         let desk = Desk::with(sweep(20));
         ends(&desk, &arguments, 0);
-        // an edited scenario, whose table takes the place of the first
+        // an edited scenario, whose table replaces the first table
         fs::write(desk.path("s.toml"), sweep(200)).unwrap();
         let old = fs::metadata(desk.path(&table)).unwrap().ino();
         let mut child = start(&desk, &arguments);
@@ -271,7 +272,7 @@ fn is_kept(format: &str) {
     panic!("twenty runs ended before they could be killed");
 }
 
-/// Rows of milliseconds each: velocity Verlet with very many steps.
+/// A scenario with rows that take milliseconds each: velocity Verlet with very many steps.
 fn slow(desk: &Desk) {
     let solver = "[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n";
     fs::write(desk.path("s.toml"), format!("{}{solver}", sweep(2000))).unwrap();
@@ -292,7 +293,7 @@ fn signals_are_heard_between_slow_rows_and_each_has_its_exit_code() {
             assert!(is_reached(&mut child, begins));
             std::thread::sleep(Duration::from_millis(400));
             signal(&child, name);
-            // 80 000 rows take minutes
+            // all 80 000 rows would take minutes
             let begun = Instant::now();
             let output = child.wait_with_output().unwrap();
             assert_eq!(code(&output), Some(want), "{format}: {}", text(&output.stderr));
@@ -307,7 +308,7 @@ fn signals_are_heard_between_slow_rows_and_each_has_its_exit_code() {
     assert!(desk.files("out").iter().all(|name| !name.starts_with(".table.parquet")), "{:?}", desk.files("out"));
 }
 
-/// A limit on the size of files stands for a full disk; with it ignored the signal becomes an error of writing.
+/// A limit on the size of files acts as a full disk. Its signal is ignored, so that writing fails with an error.
 #[test]
 fn a_full_disk_ends_with_1_and_the_same_command_goes_on() {
     let desk = Desk::with(sweep(4000));
@@ -325,7 +326,7 @@ fn a_full_disk_ends_with_1_and_the_same_command_goes_on() {
 fn a_file_of_somebody_else_gives_way_only_to_the_same_bytes() {
     let desk = Desk::with(STEEL);
     ends(&desk, &["run", "s.toml", "--out", "out"], 0);
-    // as in a fresh clone: the picture is there, and nothing says who wrote it
+    // as in a fresh clone: the picture exists, but no list says who wrote it
     fs::remove_file(desk.path("out/.plm-impact.json")).unwrap();
     fs::remove_file(desk.path("out/summary.json")).unwrap();
     fs::remove_file(desk.path("out/trace.csv")).unwrap();
@@ -341,7 +342,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
     let desk = Desk::with("");
     ends(&desk, &["init", "repeat"], 0);
     ends(&desk, &["init", "calibrate"], 0);
-    // impacts of some milliseconds each
+    // impacts that take some milliseconds each
     let slow = ["--set", "solver.method=verlet", "--set", "solver.steps_per_contact=1000000", "--out", "out/deep"];
     let repeat = [&["run", "repeat.toml", "--set", "repeat.impacts=100000"][..], &slow].concat();
     let calibrate = [&["calibrate", "calibrate.toml", "--law", "all"][..], &slow].concat();
@@ -349,7 +350,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
     for arguments in [repeat, calibrate, validate] {
         for (name, want) in [("-INT", 130), ("-TERM", 143)] {
             let mut child = start(&desk, &arguments);
-            // the folder is made before anything is computed
+            // the folder is made before the computation starts
             assert!(is_reached(&mut child, || desk.path("out/deep").exists()), "{arguments:?}");
             std::thread::sleep(Duration::from_millis(200));
             signal(&child, name);

@@ -1,4 +1,4 @@
-//! The bytes of a table are the same on every machine: other variants of the C library, other processors.
+//! The bytes of a table are the same on every machine: with other variants of the C library and on other processors.
 
 use std::process::Command;
 
@@ -7,10 +7,10 @@ use crate::common::command::Desk;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 
-/// glibc then takes the variants of a processor without fused multiply-add and wide registers.
+/// With this setting glibc uses its variants for a processor without fused multiply-add and wide registers.
 const PLAIN_GLIBC: &str = "glibc.cpu.hwcaps=-AVX2,-AVX,-FMA,-FMA4,-AVX512F,-AVX2_Usable,-FMA_Usable";
 
-/// Tables of all kinds, with one of so many of their rows.
+/// Tables of all kinds, with the number of rows divided by `one_of`.
 fn tables(one_of: u32) -> Vec<(&'static str, String)> {
     let bodies = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     let sweep = |more: &str, points: u32, rest: &str| {
@@ -110,7 +110,7 @@ fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
         assert!(resumed.contains(&format!("holds a shard of {machine}")), "{resumed}");
         assert!(merged.contains("table-1-of-2.csv: foreign") && merged.contains(machine), "{merged}");
         assert!(!desk.path("merged/table.csv").exists());
-        // the same variant goes on, and merges
+        // with the same variant, shards are resumed and merged
         std::fs::remove_dir_all(desk.path("shards")).unwrap();
         for part in ["0/2", "1/2", "0/2"] {
             assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard(part)).0, 0);
@@ -128,14 +128,14 @@ fn a_table_does_not_depend_on_the_processor() {
         eprintln!("skipped: no {emulator} here (package qemu-user), or not an x86-64 machine");
         return;
     }
-    // without AVX and fused multiply-add, and with both
+    // a processor without AVX and fused multiply-add, and one with both
     for processor in ["Nehalem", "Haswell"] {
         let machine = || {
             let mut command = Command::new(emulator);
             command.args(["-cpu", processor, PROGRAM]);
             command
         };
-        // an emulator takes its time
+        // the emulator is slow, so there are fewer rows
         is_the_same_under(machine, 5);
     }
 }

@@ -1,4 +1,4 @@
-//! Tables: rows, files, shards, interruptions, and the same bytes on every machine.
+//! Tests of tables: rows, files, shards, interruptions, and the same bytes on every machine.
 
 #![allow(clippy::unwrap_used)]
 

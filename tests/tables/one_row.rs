@@ -1,4 +1,5 @@
-//! A row of a table and the single run of the same scene: the same bits, or nearly so where they are computed otherwise.
+//! A row of a table and the single run of the same scene have the same bits, or nearly the same numbers if they are
+//! computed by different methods.
 
 use plm_impact::impact::{Damping, Event, Forces, Impact, Method};
 use plm_impact::integrate::Work;
@@ -7,11 +8,11 @@ use proptest::prelude::*;
 use crate::common::command::{Desk, column, text};
 use crate::common::{STEEL, Scene, any_scene, solver};
 
-/// What `summary.json` and a row both hold, by one name.
+/// Results that have the same name in `summary.json` and in a row.
 const NAMES: [&str; 6] =
     ["restitution", "contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m", "dent_radius_m"];
 
-/// The number of a key of `summary.json`, from its digits: a reader of JSON may round them.
+/// The number of a key of `summary.json`, read from its digits, because a reader of JSON may round them.
 fn number(summary: &str, key: &str) -> Option<f64> {
     let start = format!("  \"{key}\": ");
     let line = summary.lines().find_map(|line| line.strip_prefix(start.as_str())).unwrap();
@@ -43,17 +44,17 @@ fn a_row_has_the_bits_of_the_single_run() {
     let methods = ["auto", "rk8", "dopri5", "dop853", "verlet", "closed_form"];
     for (which, of_forces) in forces.into_iter().enumerate() {
         for method in methods {
-            // a single run writes a trace, for which there is no closed form under forces
+            // a single run writes a trace, which has no closed form under forces
             if method == "closed_form" && which > 0 {
                 continue;
             }
-            // elastic, just beyond first yield, far beyond it
+            // elastic, just beyond first yield, and far beyond it
             for speed in ["5 mm/s", "9.8 mm/s", "3 m/s"] {
                 let solver = format!("[solver]\nmethod = \"{method}\"\ntolerance = 1e-9\n");
                 for (name, one, row) in numbers(&format!("{STEEL}{of_forces}{solver}"), speed) {
                     let about = format!("{name} by {method}, {of_forces:?}, {speed}: {one:?} {row:?}");
-                    // by `auto` the row is the closed form and the single run rk8, which keeps to ten times the tolerance;
-                    // by `closed_form` the single run lands its trace, which rounds otherwise
+                    // with `auto` the row is by closed form and the single run by rk8, which is accurate to ten times
+                    // the tolerance; with `closed_form` the trace of the single run changes the rounding
                     let bound = match method {
                         "auto" if which < 2 => 10.0 * 1e-9,
                         "closed_form" => 1e-14,
@@ -69,7 +70,8 @@ fn a_row_has_the_bits_of_the_single_run() {
     }
 }
 
-/// All digits that an impact comes to, but for the cost and the trace with its share in the ledger.
+/// All digits of the results of an impact, without its work, its trace, and the drift of the energy, which the trace
+/// changes.
 fn results(impact: &mut Impact) -> String {
     (impact.energy.drift, impact.work) = (0.0, Work::default());
     impact.warnings.clear();

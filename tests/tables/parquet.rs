@@ -1,4 +1,5 @@
-//! Parquet tables of many row groups, through real processes: against the CSV table, and whatever the number of threads.
+//! Parquet tables of many row groups, compared with the CSV table and for different numbers of threads. Tested with the
+//! command as a process.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -13,7 +14,8 @@ half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength 
 impact = { speed = "1 m/s" }
 "#;
 
-/// Row groups of one law and of two, of results alone, of failures alone, and of both; the last word changes every row.
+/// A grid with row groups of one law and of two laws, with results, failures, or both; the last word changes in every
+/// row.
 const GRID: &str = r#"
 [sweep]
 "law" = ["plm", "thornton"]
@@ -28,7 +30,7 @@ samples = 70_000
 "half_space.yield_strength" = { lognormal = { mean = 345e6, sd = 30e6 } }
 "#;
 
-/// Runs a sweep into a directory of its own, and gives its exit code.
+/// Runs a sweep in a directory of its own, and returns the exit code.
 fn run(tables: &str, out: &Path, arguments: &[&str]) -> Option<i32> {
     fs::create_dir_all(out).unwrap();
     let file = out.join("scenario.toml");
@@ -38,7 +40,7 @@ fn run(tables: &str, out: &Path, arguments: &[&str]) -> Option<i32> {
     command.status().unwrap().code()
 }
 
-/// Compares every field, and gives the number of row groups.
+/// Compares every field, and returns the number of row groups.
 fn compare(csv: &Path, parquet: &Path) -> usize {
     let mut csv = csv::Reader::from_path(csv).unwrap();
     let reader = SerializedFileReader::new(File::open(parquet).unwrap()).unwrap();
@@ -70,7 +72,7 @@ fn row_groups_hold_what_the_csv_table_holds() {
         assert_eq!(run(tables, &parquet, &["--format", "parquet"]), Some(code));
         let row_groups = compare(&csv.join("table.csv"), &parquet.join("table.parquet"));
         assert!(row_groups > 4, "{row_groups} row groups");
-        // the summary counts rows and, where they are random, e: all of it but the command
+        // the summaries have to be the same, except for the command
         let summary = |out: &Path| {
             let text = fs::read_to_string(out.join("summary.json")).unwrap();
             let mut summary: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -95,7 +97,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
     }
 }
 
-/// The table of contents says where each number lies, so a reader can skip row groups.
+/// The table of contents has the range of each column in a row group, so a reader can skip row groups.
 #[test]
 fn row_groups_tell_the_range_of_their_numbers() {
     let directory = tempfile::tempdir().unwrap();
@@ -113,7 +115,7 @@ fn row_groups_tell_the_range_of_their_numbers() {
     assert_eq!(next, 70_000);
 }
 
-/// All rows of a file as text, with what the folder says in place of the column that the file does not have.
+/// All rows of a file as text. The column that is not in the file gets the value in the name of the folder.
 fn rows(file: &Path, column: &str, value: &str) -> Vec<String> {
     let reader = SerializedFileReader::new(File::open(file).unwrap()).unwrap();
     let row = |row: parquet::record::Row| {
@@ -124,7 +126,8 @@ fn rows(file: &Path, column: &str, value: &str) -> Vec<String> {
     reader.get_row_iter(None).unwrap().map(|found| row(found.unwrap())).collect()
 }
 
-/// The axis of the files as the slowest, the fastest, and one between. The name of the second law has signs that paths may not have.
+/// The axis that divides the table is the slowest, the fastest, or one between. The name of the second law has
+/// characters that are not allowed in paths.
 #[test]
 fn a_divided_table_has_the_rows_of_the_whole_one() {
     let laws = r#"law = ["plm", "jackson_green + brake", "thornton"]"#;
@@ -192,7 +195,7 @@ fn a_divided_table_is_refused_where_it_would_mix_with_other_files_or_has_no_word
     assert_eq!(says(tables, &["--partition-by", "law", "--shard", "0/2"]).0, Some(2));
     assert!(!table.exists(), "a refused run leaves folders");
 
-    // the same table again is kept; a file of a law that is no longer there, or of somebody else, is not read as part of it
+    // the same table again is kept; a file of a law that was removed from the axis, or a file of the user, is refused
     assert_eq!(says(tables, &["--partition-by", "law"]), (Some(0), says(tables, &["--partition-by", "law"]).1));
     let fewer = "[sweep]\n\"impact.speed\" = [1, 2]\nlaw = [\"plm\"]\n";
     let (code, text) = says(fewer, &["--partition-by", "law"]);

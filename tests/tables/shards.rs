@@ -1,4 +1,4 @@
-//! Shards, interruption, resumption and merging, through real processes.
+//! Shards, interruption, resuming and merging, with the command as a process.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -41,8 +41,8 @@ fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// Starts a run and stops it once it has written a megabyte; `stop` says whether that was before its end. On a busy machine
-/// it may be done by then: then all it wrote is removed, and it starts again.
+/// Starts a run and stops it after it has written a megabyte. `stop` returns whether that was before the end of the
+/// run. On a busy machine the run may end earlier; then its files are removed and it is started again.
 fn at_work(out: &Path, part: &Path, start: impl Fn() -> Child, stop: impl Fn(&mut Child) -> bool) {
     for _ in 0..20 {
         let mut child = start();
@@ -67,7 +67,7 @@ fn a_shard_killed_midway_resumes_and_the_merge_is_the_undivided_table() {
     assert!(run(&file, &whole, &[]).status().unwrap().success());
 
     let start = |i: u32| run(&file, &shards, &["--shard", &format!("{i}/7")]).spawn().unwrap();
-    // the fourth shard alone first, so that it is surely at work when it is killed
+    // the fourth shard alone first, so that it is surely running when it is killed
     let part = shards.join("table-3-of-7.csv.part");
     at_work(
         &shards,
@@ -79,7 +79,7 @@ fn a_shard_killed_midway_resumes_and_the_merge_is_the_undivided_table() {
             part.exists() && !shards.join("table-3-of-7.csv").exists()
         },
     );
-    // and a line that was torn, as on a full disk
+    // an incomplete line, as after a full disk
     let mut torn = fs::read(&part).unwrap();
     torn.extend_from_slice(b"99999,0.1,345");
     fs::write(&part, torn).unwrap();
@@ -144,7 +144,8 @@ fn summary(directory: &Path) -> String {
     rest.join("\n")
 }
 
-/// Runs a scenario undivided and in five shards, takes away all that it was read from, merges, and compares every file.
+/// Runs a scenario undivided and in five shards, removes the files that it was read from, merges, and compares every
+/// file.
 fn merged_is_whole(directory: &Path, scenario: &Path, more: &[&str], pictures: &[&str]) {
     let [whole, shards, merged] = ["whole", "shards", "merged"].map(|name| directory.join(name));
     assert!(run(scenario, &whole, more).status().unwrap().success());
@@ -185,7 +186,7 @@ coefficients = "my.toml"
     fs::write(directory.path().join("my.toml"), include_str!("../../src/law/plm/coefficients.toml")).unwrap();
     let more = ["--set", "half_space.yield_strength=500 MPa", "--set", "sphere.density=7.9 g/cm^3"];
     merged_is_whole(directory.path(), &path, &more, &["restitution.png", "restitution_map.png"]);
-    // the speeds go beyond the range of the model, which is said in both
+    // the speeds go beyond the range of the model, and both summaries have the warning
     assert!(summary(&directory.path().join("merged")).contains("impact.speed = 100 m/s"));
 }
 
@@ -231,14 +232,14 @@ fn merge_refuses_shards_of_another_version_and_damaged_ones() {
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
     let older = |text: &str| text.replace(&version, "\"version\": \"0.0.1\"");
     refused("table-1-of-3.csv.sidecar.json", &older, "table-1-of-3.csv: foreign: its version is 0.0.1");
-    // a sidecar as it was before it held the scenario
+    // a sidecar of an older version, without the scenario
     let without = |text: &str| {
         let mut fields: serde_json::Map<String, serde_json::Value> = serde_json::from_str(text).unwrap();
         assert!(fields.remove("scenario").is_some());
         serde_json::to_string(&fields).unwrap()
     };
     refused("table-2-of-3.csv.sidecar.json", &without, "table-2-of-3.csv: foreign: its sidecar");
-    // one whose scenario was edited
+    // a sidecar with an edited scenario
     let edited = |text: &str| text.replace("100 m/s", "200 m/s");
     refused("table-0-of-3.csv.sidecar.json", &edited, "its scenario has another hash");
     let header = |text: &str| text.replacen("restitution", "Restitution", 1);
@@ -297,7 +298,7 @@ fn a_merge_takes_the_place_of_no_shard_and_leaves_nothing_half_written() {
             stderr(&refused)
         );
     }
-    // a shard that somebody cut is found on the way
+    // a shard that was cut off is found during the merge
     fs::write(&second, &text[..text.len() / 2]).unwrap();
     let damaged = merge(&shards, &shards.join("whole.csv"));
     assert_eq!(code(&damaged), 2);
@@ -323,7 +324,7 @@ fn unfinished_rows_of_a_changed_scenario_are_refused_and_others_go_on() {
     let file = scenario(directory.path(), 50);
     let out = directory.path().join("out");
     assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
-    // as if killed: a part of the rows and a torn line
+    // as after a kill: a part of the rows and an incomplete line
     let (table, part) = (out.join("table-0-of-2.csv"), out.join("table-0-of-2.csv.part"));
     let complete = fs::read(&table).unwrap();
     fs::write(&part, &complete[..complete.len() / 2]).unwrap();
@@ -335,11 +336,11 @@ fn unfinished_rows_of_a_changed_scenario_are_refused_and_others_go_on() {
 
     assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
     assert!(fs::read(&table).unwrap() == complete && !part.exists());
-    // a scheduler that starts a finished shard again does no harm
+    // starting a finished shard again, as a scheduler may, changes nothing
     assert!(run(&file, &out, &["--shard", "0/2"]).status().unwrap().success());
     assert!(fs::read(&table).unwrap() == complete);
 
-    // a row that is not the one that belongs there (blocks of 3 cases: 0 1 2, 6 7 8, ...)
+    // a row with a wrong case number (blocks of 3 cases: 0 1 2, 6 7 8, ...)
     let text = String::from_utf8(complete).unwrap().replacen("\n6,", "\n66,", 1);
     fs::remove_file(&table).unwrap();
     fs::write(&part, text).unwrap();
@@ -364,7 +365,7 @@ fn an_interrupt_leaves_130_and_a_state_to_go_on_from() {
     });
     let bytes = fs::read(&part).unwrap();
     assert_eq!(bytes.last(), Some(&b'\n'));
-    // what is there stays; the scenario is not run again to its end here
+    // the unfinished table and its sidecar are kept; the run is not finished here
     assert!(out.join("table.csv.sidecar.json").exists());
 }
 
@@ -380,7 +381,7 @@ fn shards_that_do_not_exist_are_refused() {
     refused(&["--shard", "7/7"], "the last of 7 is 6");
     refused(&["--shard", "seven"], "write i/n");
     refused(&["--shard", "0/0"], "there are no shards of 0");
-    // said once
+    // the message is printed once
     let output = run(&file, &directory.path().join("out"), &["--shard", "7/7"]).output().unwrap();
     assert_eq!(stderr(&output).matches("the last of 7 is 6").count(), 1, "{}", stderr(&output));
     refused(&["--shard-env", "PLM_NO_SUCH_VARIABLE/3"], "PLM_NO_SUCH_VARIABLE is not set");

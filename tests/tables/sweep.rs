@@ -1,4 +1,4 @@
-//! Tables: numbers against the reference, edge cases of axes.
+//! Tables: numbers compared with the reference, and edge cases of axes.
 
 mod random;
 mod refusals;
@@ -26,7 +26,7 @@ fn run(text: &str, directory: &Path) -> Output {
     Command::new(program).arg("run").arg(file).arg("--out").arg(directory.join("out")).output().unwrap()
 }
 
-/// The message of a scenario that is refused with exit code 2 and nothing written.
+/// The message for a scenario that is refused with exit code 2; nothing may be written.
 fn refusal(tables: &str) -> String {
     let directory = tempfile::tempdir().unwrap();
     let output = run(&format!("{STEEL}{tables}"), directory.path());
@@ -74,7 +74,7 @@ unloading_exponent = {exponent}
         let got = [row.restitution, row.contact_time, row.peak_force, row.peak_indentation, row.residual_indentation];
         for (got, column) in got.into_iter().zip([10, 11, 13, 14, 15]) {
             let want: f64 = record[column].parse().unwrap();
-            // the closed form reaches 5e-14 (tests/physics/oracle.rs)
+            // the closed form is accurate to 5e-14 (tests/physics/oracle.rs)
             assert!((got - want).abs() <= 1e-12 * want.abs(), "{}, column {column}: {got} against {want}", &record[0]);
         }
         count += 1;
@@ -105,7 +105,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let table = std::fs::read_to_string(directory.path().join("out/table.csv")).unwrap();
     let swept: Vec<String> = table.lines().map(|line| line.split(',').take(4).collect::<Vec<_>>().join(",")).collect();
-    // falling limits are a falling axis; one point is the first end
+    // if the first limit is larger, the axis falls; with one point the axis has only the first limit
     let want = [
         "case,impact_speed_m_per_s,half_space_yield_strength_Pa,sphere_radius_m",
         "0,3.0,345000000.0,0.002",
@@ -125,7 +125,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
     let scene = scene.unwrap().resolve().unwrap();
     let impact = scene.contact().unwrap().closed_form(3.0).unwrap();
     let number = |i: usize| first[i].parse::<f64>().unwrap();
-    // shortest round-trip digits: exactly the numbers of a single impact
+    // the digits give exactly the numbers of a single impact
     assert_eq!(number(4), impact.restitution);
     assert_eq!(number(5), impact.contact_time);
     assert_eq!(number(9), impact.dent_radius.unwrap());
@@ -165,7 +165,7 @@ fn stepped_methods_can_be_swept() {
 fn the_unloading_exponent_can_be_swept() {
     let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [1.4, 1.5, 2]\n"));
     let e: Vec<f64> = rows.results.iter().map(|row| row.unwrap().restitution).collect();
-    // e² = f ε/((n + 1) w): only n differs
+    // e² = f ε/((n + 1) w), in which only n differs
     assert_relative_eq!(e[2] / e[1], (2.5f64 / 3.0).sqrt(), max_relative = 1e-14);
     assert!(e[0] > e[1]);
 }
@@ -186,7 +186,7 @@ fn a_case_without_a_result_is_a_row_with_a_status() {
 
 #[test]
 fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
-    // so heavy that it leaves a dent
+    // gravity is so large that the sphere leaves a dent
     let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
     let directory = tempfile::tempdir().unwrap();
@@ -207,7 +207,7 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     table(&[]);
     let whole = std::fs::read_to_string(out.join("table.csv")).unwrap();
     assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
-    // such a row is read back when a run goes on: the shard is told as if it had been killed after its first row
+    // such a row can be read when a run is resumed: the shard is made as after a kill with one row written
     table(&["--shard", "0/2"]);
     let (shard, part) = (out.join("table-0-of-2.csv"), out.join("table-0-of-2.csv.part"));
     let complete = std::fs::read_to_string(&shard).unwrap();
@@ -220,7 +220,7 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
 
 #[test]
 fn shares_beyond_double_precision_are_a_status_and_no_number() {
-    // some 80 J of gravity's work go into the dent, 10^309 times the kinetic energy
+    // about 80 J of the work of gravity go into the dent, which is 10^309 times the kinetic energy
     let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.speed\" = [1e-152, 1e-3]\n";
     let results = rows(&format!("{STEEL}{tables}")).results;
     assert_eq!(results[0].unwrap_err().name(), "out_of_float_range");
@@ -292,7 +292,7 @@ fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
     assert_eq!(inputs["half_space_yield_strength_Pa"], 345e6);
     assert_eq!(inputs["law"], "plm");
     assert!(!inputs.contains_key("impact_speed_m_per_s") && !inputs.contains_key("sphere_radius_m"), "{inputs:?}");
-    // a/R = 0.45 is passed at some 20 m/s for the softer half-space; the worst corner is named
+    // a/R = 0.45 is exceeded above about 20 m/s for the softer half-space; the warning names the worst corner
     let axes = "\"impact.speed\" = [1, 40, 2]\n\"half_space.yield_strength\" = [\"200 MPa\", \"2 GPa\"]\n";
     let beyond = summary(&format!("[sweep]\n{axes}"));
     let warning = beyond["warnings"][0].as_str().unwrap();

@@ -1,16 +1,16 @@
-//! Limits of the machine, and numbers that no machine has.
+//! Limits of the machine, and numbers of shards and threads that are too large.
 
 use std::fs;
 use std::process::{Command, Output};
 
 use super::{done, program, refused, run, scenario, stderr};
 
-/// The program under a limit of the shell.
+/// Runs the program under a limit set by the shell.
 #[cfg(unix)]
 fn under(limit: &str, arguments: &[&str]) -> Output {
     let script = format!("ulimit {limit} && exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");
-    // one heap for all threads, so that little but stacks takes memory
+    // one heap for all threads, so that mainly the stacks use memory
     command.env("MALLOC_ARENA_MAX", "1");
     command.arg("-c").arg(script).arg(env!("CARGO_BIN_EXE_plm-impact")).args(arguments).output().unwrap()
 }
@@ -37,7 +37,7 @@ fn more_shards_than_any_array_has_are_refused() {
     let file = scenario(directory.path(), "210 GPa");
     let out = directory.path().join("out");
     refused(&run(&file, &out, &["--shard", "0/1000000000"]), &["1000000000", "100000"]);
-    // the most there may be, of which merge says in one line what is missing
+    // with the largest number of shards, merge lists all missing ones in one line
     done(&run(&file, &out, &["--shard", "7/100000"]));
     let output = super::merge(&out, &directory.path().join("merged.csv"));
     refused(&output, &["missing: shards 0-6, 8-99999 of 100000"]);
@@ -53,7 +53,7 @@ fn so_many_threads_that_a_machine_stops_are_refused_from_the_environment_too() {
         command.arg("run").arg(&file).arg("--quiet").arg("--out").arg(&out).args(more);
         command.env("RAYON_NUM_THREADS", threads).output().unwrap()
     };
-    // a bound that is missed shall not stop the machine that tests it: not many more than the bound
+    // only slightly more than the limit, so that a missing check does not stop the machine of the test
     for threads in ["1025", "-1", "many"] {
         refused(&with(threads, &[]), &[&format!("RAYON_NUM_THREADS={threads}"), "0 to 1024"]);
         assert!(!out.join("table.csv").exists());
@@ -61,13 +61,13 @@ fn so_many_threads_that_a_machine_stops_are_refused_from_the_environment_too() {
     for threads in ["3", "0", ""] {
         done(&with(threads, &[]));
     }
-    // the option goes first
+    // the option is used before the variable
     done(&with("1025", &["--threads", "2"]));
 }
 
-/// The stacks of so many threads do not fit into the memory that is allowed, so that the system refuses to start them. Where
-/// the memory ends inside the start of a thread or on the heap instead, the standard library ends the program; so there are
-/// several limits, of which one has to meet a stack.
+/// The stacks of the threads do not fit into the allowed memory, so the system refuses to start some threads. If the
+/// memory ends elsewhere, inside the start of a thread or on the heap, the standard library ends the program. Therefore
+/// several limits are tried, and for one of them the memory has to end at a stack.
 #[cfg(target_os = "linux")]
 #[test]
 fn where_fewer_threads_start_than_were_asked_for_the_table_is_made_with_those() {

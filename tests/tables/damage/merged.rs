@@ -7,22 +7,22 @@ use serde_json::Value;
 
 use super::{SHARDS, TABLES, copy, done, is_refused, merge, name};
 
-/// What happens to the bytes of a shard. Places are shares of its length or of its rows.
+/// A damage of a shard. Places are shares of its length or of its rows.
 #[derive(Debug, Clone)]
 enum Damage {
-    /// The first digit from there on becomes the next one.
+    /// The first digit after this place is increased by one.
     Digit(f64),
-    /// A field of a row becomes this.
+    /// A field of a row is replaced by a word.
     Field(f64, usize, &'static str),
-    /// So much is cut off.
+    /// The file is cut off at this place.
     Cut(f64),
-    /// Something is appended.
+    /// A text is appended.
     Appended(&'static str),
-    /// So many bytes become NUL, as in a hole that a crash leaves.
+    /// This number of bytes are set to NUL, as after a crash.
     Hole(f64, usize),
-    /// Two rows change places.
+    /// Two rows are exchanged.
     Swapped(f64, f64),
-    /// Every row loses a column.
+    /// A column is removed from every row.
     Column(usize),
     /// The rows are those of another scenario, with the same columns and cases.
     Foreign,
@@ -48,7 +48,7 @@ fn place(share: f64, length: usize) -> usize {
     (share * length as f64) as usize
 }
 
-/// The row with its field changed, or without it.
+/// The row with a field replaced, or removed.
 fn with_field(row: &str, field: usize, word: Option<&str>) -> String {
     let mut fields: Vec<&str> = row.split(',').collect();
     let field = field % fields.len();
@@ -127,7 +127,7 @@ fn shards_as_they_were_written_are_merged() {
 
 #[test]
 fn an_edited_sidecar_is_never_merged() {
-    // what somebody may write there: beside the entries that are there, those that say how rows are dealt out
+    // values that somebody may write into the sidecar
     let values = ["0", "1", "7", "-1", "1e300", "1000000000", "null", "\"x\"", "\"json\"", "{}", "[]"];
     let values: Vec<Value> = values.iter().map(|text| serde_json::from_str(text).unwrap()).collect();
     let (format, shard) = ("csv", 1);
@@ -151,7 +151,7 @@ fn an_edited_sidecar_is_never_merged() {
         let mut without = sidecar.clone();
         without.remove(&key);
         refused(&without);
-        // and inside an entry
+        // also inside an entry
         for inner in sidecar.get(&key).and_then(Value::as_object).iter().flat_map(|entry| entry.keys()) {
             for value in &values {
                 let mut edited = sidecar.clone();
@@ -180,7 +180,7 @@ fn all_sidecars_with_fewer_shards_or_cases_give_no_short_table() {
     is_refused(shards.path(), "table-2-of-3.csv");
     let third = ["", ".sidecar.json"].map(|suffix| shards.path().join(name(2, "csv") + suffix));
     let away = third.clone().map(|path| (fs::read(&path).unwrap(), fs::remove_file(path).unwrap()).0);
-    // two shards that say there are two: dealt out in blocks of 2 cases, and not of 1
+    // two shards whose sidecars say that there are two; then the blocks would have 2 cases, not 1
     is_refused(shards.path(), "table-0-of-3.csv");
     third.iter().zip(away).for_each(|(path, bytes)| fs::write(path, bytes).unwrap());
     edit("\"shards\": 2", "\"shards\": 3");

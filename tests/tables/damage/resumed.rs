@@ -1,4 +1,4 @@
-//! What a run finds when it goes on: unfinished rows, and shards that were finished.
+//! Resuming a run: unfinished rows, and finished shards.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ fn unfinished_rows_that_are_damaged_are_refused() {
         let row = rows[5];
         let last_field = row.rfind(',').unwrap();
         let goes_on = |damaged: &str| {
-            // as if stopped after ten rows
+            // as after a stop with ten rows written
             let text = [&rows[..5], &[damaged], &rows[6..11]].concat().concat();
             fs::write(&part, text).unwrap();
             run(&file, shards.path(), &["--format", format, "--shard", "1/3"])
@@ -58,12 +58,12 @@ fn a_finished_shard_that_was_damaged_is_made_again() {
     let good = fs::read(&table).unwrap();
     let written = || fs::metadata(&table).unwrap().modified().unwrap();
 
-    // as it was written: left alone
+    // an unchanged file is kept
     let before = written();
     done(&again());
     assert_eq!(written(), before);
 
-    // a digit, a torn end, and the rows of another scenario
+    // a changed digit, a missing end, and the rows of another scenario
     let mut digit = good.clone();
     let place = digit.len() - 20;
     digit[place] = if digit[place] == b'1' { b'2' } else { b'1' };
@@ -110,7 +110,7 @@ fn the_one_shard_of_an_array_of_one_is_a_shard() {
     let output = merge(&shards, &merged.join("table.csv"));
     done(&output);
     assert!(fs::read(merged.join("table.csv")).unwrap() == fs::read(whole.join("table.csv")).unwrap());
-    // beside an undivided table in the same directory each keeps its own name
+    // an undivided table in the same directory has another name
     done(&run(&file, &shards, &[]));
     let again = run(&file, &shards, &["--shard", "0/1"]);
     done(&again);

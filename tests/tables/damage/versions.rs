@@ -1,4 +1,4 @@
-//! Rows of other numbers are neither continued nor merged.
+//! Rows by a version with other table numbers are neither resumed nor merged.
 
 use std::fs;
 use std::path::Path;
@@ -29,7 +29,7 @@ fn rows_of_other_numbers_are_refused_and_both_versions_are_named() {
     let ours = format!("{} (table numbers {})", env!("CARGO_PKG_VERSION"), entries["numbers"]);
 
     let older = |entries: &mut Map<String, Value>| drop(entries.insert("numbers".to_owned(), Value::from(7_000)));
-    // before there was such a number
+    // a version without such a number
     let oldest = |entries: &mut Map<String, Value>| drop(entries.remove("numbers"));
     let other = |entries: &mut Map<String, Value>| drop(entries.insert("version".to_owned(), Value::from("0.0.1")));
     #[allow(clippy::type_complexity)] // one list

@@ -17,12 +17,12 @@ fn random_values_follow_their_distribution() {
         let mean = values.iter().sum::<f64>() / n;
         (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n).sqrt())
     };
-    // standard error of the mean is sd/447, of sd about sd/632; five of them
+    // the standard error of the mean is sd/447 and that of sd about sd/632; five standard errors are allowed
     for (text, want_mean, want_sd) in [
         ("{ normal = { mean = 1000, sd = 50 } }", 1000.0, 50.0),
         ("{ lognormal = { mean = 1000, sd = 500 } }", 1000.0, 500.0),
         ("{ uniform = [1000, 2000] }", 1500.0, 1000.0 / 12f64.sqrt()),
-        // cut at 0, the half-normal: mean √(2/π) sd, variance (1 − 2/π) sd²
+        // truncated at 0 it is the half-normal distribution: mean √(2/π) sd, variance (1 − 2/π) sd²
         (
             "{ normal = { mean = 1e-9, sd = 100 } }",
             100.0 * (2.0 / std::f64::consts::PI).sqrt(),
@@ -34,7 +34,7 @@ fn random_values_follow_their_distribution() {
         assert!(values.iter().all(|value| *value > 0.0));
         let (mean, sd) = moments(&values);
         assert!((mean - want_mean).abs() < 5.0 * want_sd / 447.0, "{text}: mean {mean}");
-        // the lognormal's fourth moment is large: its sd is known less well
+        // the fourth moment of the lognormal distribution is large, so its sd is less accurate
         assert!((sd / want_sd - 1.0).abs() < 0.02, "{text}: sd {sd}");
     }
 }
@@ -63,7 +63,7 @@ fn a_sample_depends_on_seed_key_and_number_alone() {
     evaluator.rows(7_777..7_779, &mut part);
     assert_eq!(part.swept, whole.swept[2 * 7_777..2 * 7_779]);
     assert_eq!(part.results, whole.results[7_777..7_779]);
-    // the two keys have streams of their own
+    // the two keys have different random numbers
     assert!(whole.swept.chunks(2).all(|pair| pair[0] != pair[1]));
     let other = text.replace("seed = 7", "seed = 8");
     assert!(rows(&other).swept != whole.swept);
@@ -71,7 +71,7 @@ fn a_sample_depends_on_seed_key_and_number_alone() {
 
 #[test]
 fn quantiles_of_a_known_distribution() {
-    // at a fixed peak state e = √(c/(n + 1)) falls with n, so quantiles of e are e at the quantiles of n
+    // at the same peak e = √(c/(n + 1)) falls with n, so the quantiles of e are e at the quantiles of n
     let summary = summary(
         "[monte_carlo]\nsamples = 50000\nseed = 1\n\"law.plm.unloading_exponent\" = { uniform = [1.2, 1.8] }\n",
     );
@@ -81,7 +81,7 @@ fn quantiles_of_a_known_distribution() {
     };
     let got = &summary["restitution"];
     for (name, n) in [("quantile_05", 1.77), ("quantile_50", 1.5), ("quantile_95", 1.23)] {
-        // standard error of a uniform's quantile: 0.6 √(p (1 − p)/50000) < 1.4e-3 in n, de/dn about −0.1
+        // the standard error of a quantile of a uniform n is 0.6 √(p (1 − p)/50000) < 1.4e-3, and de/dn is about −0.1
         assert_relative_eq!(got[name].as_f64().unwrap(), e_of(n), epsilon = 5.0 * 1.4e-4);
     }
     assert_eq!(got["samples"], 50_000);

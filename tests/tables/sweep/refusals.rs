@@ -1,4 +1,4 @@
-//! Tables that are refused, and what is said of them.
+//! Tables that are refused, and the messages.
 
 use std::process::Command;
 
@@ -33,7 +33,7 @@ fn bad_axes_are_refused_with_axis_value_and_way_out() {
     says(&speed("{ logspace = [1], points = 3 }"), &["two ends"]);
     says(&speed("[1, \"-3 m/s\"]"), &["impact.speed", "-3 m/s", "> 0"]);
     says(&speed("[\"3 kg\"]"), &["impact.speed", "kg"]);
-    // line 15 holds the key: shown where it stands, not at its table
+    // the key is in line 15, and the message points to it, not to its table
     says("[sweep]\n\"impact.sped\" = [1]\n", &["toml:15:1: sweep.impact.sped", "did you mean \"impact.speed\""]);
     says("[sweep]\nlaw = [\"plm\", \"plmm\"]\n", &["toml:15:15: sweep.law", "did you mean \"plm\""]);
     says(
@@ -89,7 +89,7 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     let same = |without: &str, tables: &str| {
         assert!(STEEL.contains(without), "{without}");
         let gap = STEEL.replacen(without, "", 1);
-        // by hand: the key in its table and on the axis
+        // the same scenario with the key also in its own table
         let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
         assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
     };
@@ -102,11 +102,11 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     same("youngs_modulus = \"210 GPa\"\n", modulus);
     let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
     same("yield_strength = \"345 MPa\"\n", strength);
-    // a drop height brings its gravity, from an axis or not
+    // a drop height needs gravity, which may be an axis too
     let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
     assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));
-    // and what is on no axis is still missed
+    // a missing key that is on no axis is still refused
     let text = Scenario::from_text("test", &format!("{fall}{strength}"), &[]).unwrap().plan().unwrap_err().to_string();
     assert!(text.contains("[impact] is missing"), "{text}");
     let bad = format!("{fall}[sweep]\n\"impact.speed\" = [\"3 kg\"]\n");
@@ -129,7 +129,7 @@ fn strict_makes_a_table_beyond_the_model_an_error() {
 
 #[test]
 fn a_tolerance_can_vary_wherever_auto_integrates_under_gravity_and_only_there() {
-    // a law that is no power has no balance under gravity that closes: its rows are integrated, to the tolerance
+    // a law whose branches are not powers has no closed form under gravity: its rows are integrated with the tolerance
     let table = "[gravity]\nacceleration = 9.81\n[sweep]\n\"solver.tolerance\" = [1e-3, 1e-9]\n";
     for (law, is_stepped) in [
         ("[law.stronge]\n", true),
@@ -148,7 +148,7 @@ fn a_tolerance_can_vary_wherever_auto_integrates_under_gravity_and_only_there() 
             assert!(refusal(&scenario).contains("the closed form takes no steps"), "{law}");
         }
     }
-    // any law of an axis may be the one
+    // it is enough that one law of an axis has no closed form
     let laws = table.to_owned() + "law = [\"plm\", \"stronge\"]\n";
     assert_eq!(rows(&format!("{STEEL}{laws}")).results.len(), 4);
 }
