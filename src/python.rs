@@ -59,7 +59,7 @@ mod _core {
         Ok(laws)
     }
 
-    /// The materials that scenarios may name, each as a dict: name, title, note, and for each of its properties the
+    /// The materials that scenarios may name, each as a dict: name, title, note, and properties. Each property has the
     /// value and the range in SI units, the basis and the sources.
     #[pyfunction]
     fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {

@@ -37,7 +37,7 @@ pub struct Inner {
     contact: impact::Contact,
 }
 
-/// A sphere, a half-space and the law between them, from the tables of a scenario, each as a dict:
+/// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
 /// `Contact(sphere=dict(radius="5 mm", ...), half_space=dict(...), law=dict(plm={}), damping=dict(viscous=0.05))`.
 /// All tables and keys of a single impact are allowed; the speed may be left out.
 #[pyclass(frozen, module = "plm_impact")]
@@ -105,9 +105,10 @@ fn speed_key() -> PyResult<&'static Key> {
     KEYS.iter().find(|key| key.path == SPEED).ok_or_else(|| PyValueError::new_err(SPEED))
 }
 
-/// A table of impacts of a contact. Every other argument is a numeric key with its values, by the last part of its path
-/// (`speed`), by the whole of it (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`). Values
-/// are numbers in SI, arrays of them, or a text with a unit; arrays are broadcast against each other.
+/// A table of impacts of a contact. Every other argument is a numeric key with its values. The key is named by the last
+/// part of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed":
+/// v}`). Values are numbers in SI units, arrays of numbers, or a text with a unit; arrays are broadcast against each
+/// other.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
 pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {
@@ -124,14 +125,14 @@ impl Contact {
         Self::of(py, &Source { text, ..Source::default() })
     }
 
-    /// The coefficient of restitution at these speeds, an array or a number, as tables have it: by the closed form
-    /// where there is one, on all cores.
+    /// The coefficient of restitution at these speeds (an array or a number), as in a table: by the closed form if
+    /// there is one, and on all cores.
     fn restitution<'py>(&self, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         cases::restitution(&self.scenario, speed_key()?, speed)
     }
 
-    /// One impact at a speed, a number in m/s or a text with a unit; with a trace of so many rows, if `samples` are
-    /// given.
+    /// One impact at a speed, which is a number in m/s or a text with a unit. With `samples` it has a trace with
+    /// this number of rows evenly spaced in time, and a row for every event.
     #[pyo3(signature = (speed=None, *, samples=None))]
     fn impact(&self, py: Python<'_>, speed: Option<&Bound<'_, PyAny>>, samples: Option<usize>) -> PyResult<Impact> {
         let speed = self.speed(speed)?;
@@ -147,9 +148,9 @@ impl Contact {
     }
 
     /// The force of the law \[N\] on n contacts at their indentations \[m\], and their memory afterwards. The memory
-    /// has a row for each contact: largest indentation so far \[m\], force there \[N\], what of that indentation is
-    /// recovered \[m\]; zeros (or no memory at all) are a contact that was never loaded. Neither speed nor damping
-    /// counts.
+    /// has a row for each contact: the largest indentation so far \[m\], the force there \[N\], and the part of this
+    /// indentation that is recovered on unloading \[m\]. A row of zeros, or no memory, is a contact that was never
+    /// loaded. Speed and damping are not included.
     #[pyo3(signature = (indentation, memory=None))]
     fn force<'py>(
         &self,
@@ -159,7 +160,7 @@ impl Contact {
         force(&self.contact, indentation, memory)
     }
 
-    /// What was understood, as `plm-impact check` shows it.
+    /// The bodies and the law, as `plm-impact check` shows them.
     fn __repr__(&self) -> String {
         let lines = overview(&self.scene, &self.contact);
         let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.scene.speed.is_finite());
@@ -183,7 +184,7 @@ fn unexpected(error: serde_json::Error) -> PyErr {
 }
 
 /// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
-/// `impact.contact_time_s`, `impact.energy` (a dict); `dir(impact)` lists them. `None` where a result has no value.
+/// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Impact {

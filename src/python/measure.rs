@@ -13,7 +13,7 @@ use crate::sweep::throughput::compute_rate;
 /// Number of impacts that are timed together.
 const BURST: u32 = 20;
 
-/// Seconds of a table of so many speeds, and of one impact at 3 m/s: each once.
+/// Seconds for a table of `rows` speeds, and for one impact at 3 m/s.
 #[pyfunction]
 pub fn _measure(py: Python<'_>, contact: &Contact, rows: u32) -> PyResult<(f64, f64)> {
     let axis = format!("sweep.\"impact.speed\"={{ logspace = [0.001, 100], points = {rows} }}");

@@ -21,12 +21,12 @@ use crate::scenario::Scenario;
 use crate::sweep::count::Count;
 use crate::sweep::sidecar::Tally;
 
-/// What came of a scenario: `files` are the files that the command writes, `tables` those of them that are tables, and
-/// `pictures` those that are pictures (PNG).
+/// The results of a scenario: `files` are the files that the command writes, `tables` are the tables among them, and
+/// `pictures` are the pictures (PNG).
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Outcome {
-    /// Where scene, model or run are doubtful.
+    /// The warnings about scene, model and run.
     #[pyo3(get)]
     warnings: Vec<String>,
     text: String,
@@ -35,8 +35,8 @@ pub struct Outcome {
     table: Option<Py<Table>>,
 }
 
-/// Runs a scenario, from a file or from a dict of the same form, with other values for the keys in `set`. Nothing is
-/// written.
+/// Runs a scenario from a file or from a dict of the same form. The keys in `set` replace those of the scenario. No
+/// file is written.
 #[pyfunction]
 #[pyo3(signature = (scenario, /, *, set=None))]
 pub fn run(py: Python<'_>, scenario: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Outcome> {

@@ -84,7 +84,7 @@ impl Column {
     }
 }
 
-/// Numbers of a column, which NumPy looks at where they are.
+/// The numbers of a column, which NumPy reads without a copy.
 #[pyclass(frozen, module = "plm_impact")]
 struct Shared(Float64Array);
 
@@ -103,8 +103,8 @@ impl Shared {
     }
 }
 
-/// A table: columns by name. `table["restitution"]` is a NumPy array, which is only to be read; `to_dict` gives all of
-/// them. The table itself is Arrow data, which polars, pandas, pyarrow and DuckDB take without a copy.
+/// A table of named columns. `table["restitution"]` is a read-only NumPy array; `to_dict` returns all columns. The
+/// table itself is Arrow data, which polars, pandas, pyarrow and DuckDB read without a copy.
 #[pyclass(frozen, mapping, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Table {
@@ -140,7 +140,7 @@ impl Table {
 
 #[pymethods]
 impl Table {
-    /// The shape of its columns; rows are counted with the last number of it fastest.
+    /// The shape of the columns. In the order of the rows the last index varies fastest.
     #[getter]
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         PyTuple::new(py, &self.shape)

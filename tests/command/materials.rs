@@ -54,7 +54,7 @@ fn value(name: &str, property: Property) -> f64 {
 #[test]
 fn values_are_those_that_are_published() {
     use Property::{Density, HardeningExponent, Hardness, PoissonsRatio, YoungsModulus};
-    // mean pressure \[Pa\] of a Vickers hardness
+    // mean pressure [Pa] of a Vickers hardness
     let vickers = |hv: f64| 9.806_65e6 * hv / 0.9272;
     let published = [
         // EN 1993-1-1, 3.2.6
