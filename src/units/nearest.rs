@@ -1,9 +1,14 @@
 //! "Did you mean": the known word most like an unknown one.
 
-/// The candidate that takes the fewest typing errors to become `word`, whatever the case of its letters; `None` if more
-/// than a third of it would have to change.
+/// The only candidate that begins with `word`, or else the one that takes the fewest typing errors to become `word`. The
+/// case of letters does not count. `None` if more than a third of the candidate would have to change.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    let mut longer = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&lower));
+    if let (false, Some(only), None) = (word.is_empty(), longer.next(), longer.next()) {
+        return Some(only);
+    }
     candidates
         .into_iter()
         .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
@@ -42,5 +47,8 @@ mod tests {
         assert_eq!(nearest("Density", known), Some("density"));
         assert_eq!(nearest("temperature", known), None);
         assert_eq!(nearest("mPa", ["Pa", "kPa", "MPa"]), Some("MPa"));
+        // the beginning of one name alone
+        assert_eq!(nearest("steel-316", ["steel-s355", "steel-316l-annealed"]), Some("steel-316l-annealed"));
+        assert_eq!(nearest("steel", ["steel-s355", "steel-316l-annealed"]), None);
     }
 }
