@@ -9,6 +9,7 @@ use crate::calibrate::{Calibration, Measurements};
 use crate::error::Error;
 use crate::plot::calibrate::pictures;
 use crate::progress::Counter;
+use crate::provenance::PROGRAM;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
 
@@ -55,7 +56,8 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
     of_scene.chain(refusal).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
 }
 
-/// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay.
+/// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
+/// line says which keys are new.
 fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
     // both were read before
     let mut document: DocumentMut = scenario.document.text().parse().unwrap_or_default();
@@ -84,7 +86,12 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         speeds.sort_by(f64::total_cmp);
         set(&mut document, "impact.speed", value(speeds[speeds.len() / 2]));
     }
-    document.to_string()
+    let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
+    format!(
+        "# {}: found by {PROGRAM}. The other comments are those of {}.\n{document}",
+        keys.join(", "),
+        scenario.document.name()
+    )
 }
 
 /// Puts a value where its path says; what stood there loses its place, not its comment.

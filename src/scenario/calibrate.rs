@@ -9,6 +9,7 @@ use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, Plan};
 use crate::scene::{Key, Scene};
+use crate::strength::hardness::CONSTRAINT;
 
 /// Where the measurements are.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,8 +41,12 @@ pub struct Wanted {
     pub laws: Vec<LawChoice>,
 }
 
-/// The key that is wanted where the scenario names none, and its range over the modulus of the half-space.
-const STRENGTH: (&str, [f64; 2]) = ("half_space.yield_strength", [1e-5, 0.1]);
+/// The key that is wanted where the scenario names none; a hardness, where the scenario gives one in place of it.
+const STRENGTH: &str = "half_space.yield_strength";
+const HARDNESS: &str = "half_space.hardness";
+
+/// The range of that strength over the modulus of the half-space; the range of a hardness is wider by [`CONSTRAINT`].
+const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
     /// What is to be found, and from what.
@@ -113,10 +118,10 @@ impl Scenario {
         if !given.is_empty() {
             return given;
         }
-        let (path, [low, high]) = STRENGTH;
-        let modulus = scene.half_space.material.youngs_modulus;
-        let key = Key::find(path).into_iter();
-        key.map(|key| Free { key, from: low * modulus, to: high * modulus, is_logarithmic: true }).collect()
+        let (path, factor) = if self.entries.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (STRENGTH, 1.0) };
+        let [from, to] = RANGE.map(|share| share * scene.half_space.material.youngs_modulus * factor);
+        let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
+        Key::find(path).map(free).into_iter().collect()
     }
 
     /// Refuses keys that are wanted, or columns of the data, that change nothing, and impacts that lack a speed or a mass.

@@ -85,7 +85,7 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data": Text("drops.csv");
     /// One or two numeric keys that are wanted, each with its range and, if need be, its scale.
-    "calibrate.free": Free = "half_space.yield_strength, from 1e-5 to 0.1 of the modulus";
+    "calibrate.free": Free = "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high";
     /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
     "calibrate.robust": Word(&ROBUSTS) = "\"none\"";
     /// Laws that are fitted too, and ranked.

@@ -32,7 +32,7 @@ pub enum Scale {
 pub const STRAIN: f64 = 0.08;
 
 /// Mean contact pressure over flow stress in a fully plastic indentation.
-const CONSTRAINT: f64 = 2.9;
+pub const CONSTRAINT: f64 = 2.9;
 
 /// One kgf in N.
 const KILOGRAM_FORCE: f64 = 9.806_65;

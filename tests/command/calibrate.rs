@@ -156,6 +156,20 @@ fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
     }
 }
 
+/// A hardness is 2.9 times the strength of a metal that does not harden, so that the same rebound gives both.
+#[test]
+fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
+    let of_hardness = crate::common::STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"");
+    let arguments = ["--restitution", "0.49", "--speed", "3 m/s"];
+    let (_, strength) = calibrated(crate::common::STEEL, "", &arguments, 0);
+    let (desk, hardness) = calibrated(&of_hardness, "", &arguments, 0);
+    assert_eq!(hardness["keys"][0]["key"], "half_space.hardness");
+    near(&hardness["keys"][0]["estimate"], 2.9 * strength["keys"][0]["estimate"].as_f64().unwrap(), 1e-6);
+    assert_eq!(desk.call(&["run", "o/calibrated.toml", "--out", "p"]).status.code(), Some(0));
+    let run: Value = serde_json::from_str(&desk.read("p/summary.json")).unwrap();
+    near(&run["restitution"], 0.49, 1e-6);
+}
+
 fn text_of(bytes: &[u8]) -> String {
     text(bytes)
 }

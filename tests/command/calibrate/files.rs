@@ -185,7 +185,13 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
     let (desk, summary) =
         calibrated(&text, &restitutions(), &["--set", "law=thornton", "--set", "sphere.radius=4 mm"], 3);
     let new = desk.read("o/calibrated.toml");
-    assert!(new.starts_with("# of a block\n") && new.contains(" # guess\n") && !new.contains("calibrate"), "{new}");
+    assert!(
+        new.starts_with("# half_space.yield_strength: found by plm-impact")
+            && new.contains("\n# of a block\n")
+            && new.contains(" # guess\n")
+            && !new.contains("calibrate"),
+        "{new}"
+    );
     assert!(new.contains("[law.thornton]") && new.contains("\"4 mm\""), "{new}");
     let run = desk.call(&["run", "o/calibrated.toml", "--set", "impact.speed=2.5", "--out", "p"]);
     assert_eq!(run.status.code(), Some(0), "{}", text_of(&run.stderr));
