@@ -5,6 +5,7 @@
 //! as 0.005.
 
 pub mod aligned;
+pub mod csv_text;
 mod dimension;
 mod format;
 pub mod nearest;
@@ -13,5 +14,5 @@ pub mod rounded;
 mod table;
 
 pub use dimension::Dimension;
-pub use format::{describe, four_digits, human, number, si};
+pub use format::{capital, describe, four_digits, human, number, si};
 pub use parse::{UnitError, parse};

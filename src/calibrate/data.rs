@@ -17,6 +17,7 @@ use super::error::CalibrateError;
 use super::quantity::{CURVE, MEASURED, Measured};
 use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scene::{KEYS, Key};
+use crate::units::csv_text::CsvText;
 use crate::units::nearest::did_you_mean;
 use crate::units::{Dimension, parse};
 
@@ -101,20 +102,12 @@ impl Data {
     /// [`CalibrateError::Data`] with the line, what is wrong and what is allowed.
     pub fn parse(name: &str, text: &str) -> Result<Self, CalibrateError> {
         let refuse = |line: Option<u64>, message: String| CalibrateError::Data { name: name.to_owned(), line, message };
-        // spreadsheets put a byte order mark first
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|error| refuse(None, error.to_string()))?.clone();
-        let first_line = header.position().map(csv::Position::line);
+        let refused = |(line, message)| refuse(line, message);
+        let table = CsvText::new(text).map_err(refused)?;
         let mut data = Self { name: name.to_owned(), ..Self::default() };
-        let columns = data.columns(&header).map_err(|message| refuse(first_line, message))?;
-        for record in reader.records() {
-            let record = record.map_err(|error| {
-                let message = format!("has not as many values as there are columns ({})", columns.len());
-                refuse(error.position().map(csv::Position::line), message)
-            })?;
-            let line = record.position().map_or(0, csv::Position::line);
+        let columns = data.columns(&table.header).map_err(|message| refuse(table.line, message))?;
+        for row in table.rows() {
+            let (line, record) = row.map_err(refused)?;
             data.row(line, &record, &columns).map_err(|message| refuse(Some(line), message))?;
         }
         if data.values.is_empty() {
@@ -124,9 +117,6 @@ impl Data {
     }
 
     fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Column>, String> {
-        if header.len() == 1 && header[0].contains([';', '\t']) {
-            return Err("the columns are not separated by commas: write a,b,c, with decimal points".to_owned());
-        }
         let mut columns: Vec<Column> = Vec::new();
         for name in header {
             let column = self.column(name)?;

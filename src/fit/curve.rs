@@ -29,6 +29,7 @@ use super::header::{Bodies, Header};
 use crate::material::Pair;
 use crate::math::functions::ln;
 use crate::scenario::read_text;
+use crate::units::csv_text::{CsvText, without_mark};
 
 /// Smallest number of points beyond first yield that a curve must have.
 pub const FEWEST_POINTS: usize = 8;
@@ -94,23 +95,16 @@ impl LoadingCurve {
     /// # Errors
     /// [`CurveError`] with the line, what is wrong and what is needed.
     pub fn parse(name: &str, text: &str) -> Result<Self, CurveError> {
-        // spreadsheets put a byte order mark first
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let refuse = |line: Option<u64>, message: String| CurveError { name: name.to_owned(), line, message };
-        let bodies =
-            Header::read(text).and_then(|header| header.bodies()).map_err(|(line, message)| refuse(line, message))?;
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|error| refuse(None, error.to_string()))?.clone();
-        let first_line = header.position().map(csv::Position::line);
-        let columns = Columns::find(&header, &bodies).map_err(|message| refuse(first_line, message))?;
+        let refused = |(line, message)| refuse(line, message);
+        let text = without_mark(text);
+        let bodies = Header::read(text).and_then(|header| header.bodies()).map_err(refused)?;
+        let table = CsvText::new(text).map_err(refused)?;
+        let columns = Columns::find(&table.header, &bodies).map_err(|message| refuse(table.line, message))?;
         let mut points: Vec<LoadingPoint> = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|error| {
-                let line = error.position().map(csv::Position::line);
-                refuse(line, "this line has not as many values as there are columns".to_owned())
-            })?;
-            let line = record.position().map(csv::Position::line);
+        for row in table.rows() {
+            let (line, record) = row.map_err(refused)?;
+            let line = Some(line);
             let point = columns.point(&record, &bodies.pair).map_err(|message| refuse(line, message))?;
             if let Some(last) = points.last() {
                 let rises = |what: &str, from: f64, to: f64| {

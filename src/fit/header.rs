@@ -2,10 +2,8 @@
 
 use crate::material::{HalfSpace, Material, Pair};
 use crate::scene::Key;
+use crate::units::csv_text::Refusal;
 use crate::units::nearest::did_you_mean;
-
-/// The line, and what is wrong in it.
-type Refusal = (Option<u64>, String);
 
 /// Keys of a scenario that a comment line may give.
 const KEYS: [&str; 6] = [

@@ -5,6 +5,7 @@ use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::strength::hardness::strength_of_hardness;
+use crate::units::csv_text::{CsvText, Refusal};
 
 /// The table of the flow curve.
 pub(super) const FLOW: &str = "half_space.flow_stress";
@@ -118,21 +119,20 @@ impl Scenario {
         let path = self.directory.join(name);
         let refuse = |message: String| self.document.refuse(&key, message);
         let text = self.flow_text().map_err(|error| refuse(error.to_string()))?.unwrap_or_default();
-        let mut reader =
-            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let header = reader.headers().cloned().unwrap_or_default();
-        if header.iter().collect::<Vec<_>>() != COLUMNS {
-            let message = format!("{}: its columns must be {}", path.display(), COLUMNS.join(", "));
-            return Err(refuse(message));
+        let refused = |(line, message): Refusal| {
+            let line = line.map(|line| format!(":{line}")).unwrap_or_default();
+            refuse(format!("{}{line}: {message}", path.display()))
+        };
+        let table = CsvText::new(&text).map_err(refused)?;
+        if table.header.iter().collect::<Vec<_>>() != COLUMNS {
+            return Err(refused((table.line, format!("its columns must be {}", COLUMNS.join(", ")))));
         }
         let mut points = Vec::new();
-        for row in reader.records() {
-            let row = row.map_err(|error| refuse(format!("{}: {error}", path.display())))?;
-            let line = row.position().map_or(0, csv::Position::line);
+        for row in table.rows() {
+            let (line, row) = row.map_err(refused)?;
             let number = |i: usize| {
-                row[i].parse::<f64>().map_err(|_| {
-                    refuse(format!("{}:{line}: {} is no number, but \"{}\"", path.display(), COLUMNS[i], &row[i]))
-                })
+                let no_number = |_| refused((Some(line), format!("{} is no number, but \"{}\"", COLUMNS[i], &row[i])));
+                row[i].parse::<f64>().map_err(no_number)
             };
             points.push([number(0)?, number(1)?]);
         }

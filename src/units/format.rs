@@ -53,3 +53,9 @@ pub fn describe(value: f64, dimension: Dimension) -> String {
     let (exact, short) = (si(value, dimension), human(value, dimension));
     if exact == short { exact } else { format!("{exact} ({short})") }
 }
+
+/// The text with a capital letter at its beginning.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

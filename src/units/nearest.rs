@@ -1,5 +1,7 @@
 //! "Did you mean": the known word most like an unknown one.
 
+use super::capital;
+
 /// The only candidate that begins with `word`, or else the one that takes the fewest typing errors to become `word`. The
 /// case of letters does not count. `None` if more than a third of the candidate would have to change.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
@@ -21,9 +23,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 /// what there is: ", did you mean `plm`? Laws are plm, hertz", or "; laws are plm, hertz".
 pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
     let Some(near) = nearest(word, candidates) else { return format!("; {rest}") };
-    let mut letters = rest.chars();
-    let first = letters.next().into_iter().flat_map(char::to_uppercase);
-    format!(", did you mean {mark}{near}{mark}? {}{}", first.collect::<String>(), letters.as_str())
+    format!(", did you mean {mark}{near}{mark}? {}", capital(rest))
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ use crate::fit::CurveError;
 use crate::impact::{Contact, Method, Solver};
 use crate::law::{LawChoice, PlmCoefficients};
 use crate::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, read_text};
+use crate::units::csv_text::{CsvText, without_mark};
 
 /// A file of measured restitution, with the restitution by the law.
 #[derive(Debug, Clone)]
@@ -81,7 +82,7 @@ pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Expe
 
 fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, ValidationError> {
     let text = read_text(path, LARGEST_SCENARIO).map_err(ValidationError::Unreadable)?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let text = without_mark(&text);
     let contact = contact(path, text, coefficients)?;
     let source =
         text.lines().find_map(|line| line.strip_prefix('#')?.trim().strip_prefix("source")?.trim().strip_prefix('='));
@@ -128,35 +129,30 @@ fn key(comment: &str) -> Option<String> {
 }
 
 fn rows(path: &Path, text: &str, contact: &Contact) -> Result<Vec<Measured>, ValidationError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-    let header = reader.headers().map_err(|error| refusal(path, None, error.to_string()))?.clone();
-    let first = (1..).zip(text.lines()).find(|(_, line)| !line.starts_with('#') && !line.trim().is_empty());
-    let first = first.map(|(line, _)| line);
+    let refused = |(line, message)| refusal(path, line, message);
+    let table = CsvText::new(text).map_err(refused)?;
+    let (header, first) = (table.header.clone(), table.line);
     let places = COLUMNS.map(|name| header.iter().position(|column| column == name));
     let [Some(speed), Some(restitution), sd] = places else {
         let problem = format!("needs the columns {} and {}, and may have {}", COLUMNS[0], COLUMNS[1], COLUMNS[2]);
         return Err(refusal(path, first, problem));
     };
     let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| {
-            let line = error.position().map(csv::Position::line);
-            refusal(path, line, "this line has not as many values as there are columns".to_owned())
-        })?;
-        let line = record.position().map(csv::Position::line);
+    for row in table.rows() {
+        let (line, record) = row.map_err(refused)?;
         let number = |place: usize, what: &str, is_allowed: fn(f64) -> bool| {
             let text = &record[place];
             let value = text.parse().ok().filter(|value| is_allowed(*value));
             value.ok_or_else(|| {
-                refusal(path, line, format!("{} = {text:?} is not allowed: it must be {what}", &header[place]))
+                refusal(path, Some(line), format!("{} = {text:?} is not allowed: it must be {what}", &header[place]))
             })
         };
         let speed = number(speed, "a speed in m/s, above 0 and finite", |value| value > 0.0 && value.is_finite())?;
         let restitution = number(restitution, "a number above 0, and at most 1", |value| value > 0.0 && value <= 1.0)?;
         let sd = sd.filter(|place| !record[*place].is_empty());
         let sd = sd.map(|place| number(place, "0 or more, and finite", |value| value >= 0.0 && value.is_finite()));
-        let law = law(contact, speed).map_err(|error| refusal(path, line, error.to_string()))?;
-        rows.push(Measured { line: line.unwrap_or(0), speed, restitution, sd: sd.transpose()?, law });
+        let law = law(contact, speed).map_err(|error| refusal(path, Some(line), error.to_string()))?;
+        rows.push(Measured { line, speed, restitution, sd: sd.transpose()?, law });
     }
     if rows.is_empty() {
         return Err(refusal(path, first, "has no rows: give at least one measured restitution".to_owned()));
