@@ -1,6 +1,7 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and a comparison of laws.
 
 use super::of_key::{axis_of, title_of};
+use super::style::{BLACK, LAW};
 use super::{Axis, Canvas, Guide, Lines, PlotError, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::problem::Problem;
@@ -252,11 +253,6 @@ fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     let title = "Laws with their best keys, and how far their AIC is above the least".to_owned();
     Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: Vec::new() }.draw()
 }
-
-/// Style of the fitted law: a solid line in the second colour.
-const LAW: usize = 15;
-/// Style of the measurements: a black circle. No curve of a law has this style.
-const BLACK: usize = 13;
 
 /// A value with four digits, in a fitting unit.
 fn say(value: f64, of: &Free) -> String {

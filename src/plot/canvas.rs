@@ -235,11 +235,9 @@ fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
             done += left;
             let share = done / length;
             let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+            piece.push(at);
             if phase % 2 == 0 {
-                piece.push(at);
                 pieces.push(std::mem::take(&mut piece));
-            } else {
-                piece.push(at);
             }
             phase = (phase + 1) % pattern.len();
             left = pattern[phase];

@@ -1,5 +1,6 @@
 //! The picture of a comparison: force against indentation while each law unloads from one peak.
 
+use super::style::BLACK;
 use super::{Axis, Canvas, Lines, PlotError, Series};
 use crate::compare::{Comparison, Origin};
 use crate::law::Unloading;
@@ -21,8 +22,6 @@ fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
 /// # Errors
 /// [`PlotError`].
 pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
-    /// Style of the finite elements: a black circle. No curve of a law has this style.
-    const BLACK: usize = 13;
     let point = &comparison.bodies.yield_point;
     let (length, force) = (point.indentation, point.force);
     let mut series: Vec<Series> = comparison

@@ -2,6 +2,7 @@
 
 use super::Axis;
 use crate::scene::Key;
+use crate::units::capital;
 
 /// The path of a key in words, such as "half-space Young's modulus".
 pub(super) fn words(path: &str) -> String {
@@ -11,9 +12,7 @@ pub(super) fn words(path: &str) -> String {
 
 /// The path of a key as a title, such as "Half-space Young's modulus".
 pub(super) fn title_of(path: &str) -> String {
-    let words = words(path.trim_start_matches("impact."));
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capital(&words(path.trim_start_matches("impact.")))
 }
 
 /// The axis of a key.

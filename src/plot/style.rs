@@ -73,6 +73,11 @@ pub enum Mark {
 const MARKS: [Mark; 7] =
     [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
 
+/// Index of the style of finite elements and of measurements beside curves of laws: a black circle.
+pub(super) const BLACK: usize = 13;
+/// Index of the style of a fitted law: a solid line in the second colour.
+pub(super) const LAW: usize = 15;
+
 /// Colour, dash and marker of a series. There are 7 colours and 5 dashes, so their combination repeats only after 35
 /// series. The markers move by one after each round of colours.
 pub(super) fn series(index: usize) -> (Stroke, Mark) {

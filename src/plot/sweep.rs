@@ -1,6 +1,7 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, or a histogram of e of random cases.
 
 use super::of_key;
+use super::style::BLACK;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting};
 use crate::plan::{Cases, Plan, label};
@@ -11,6 +12,7 @@ use crate::strength::hardness::vickers;
 use crate::sweep::count::Count;
 use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::sidecar::Tally;
+use crate::units::capital;
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -82,10 +84,7 @@ fn words(axis: &Axis) -> String {
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let mut title = words(axis);
-    if let Some(first) = title.get(..1).map(str::to_uppercase) {
-        title.replace_range(..1, &first);
-    }
+    let title = capital(&words(axis));
     let unit = match &axis.setting {
         Setting::Number { key, .. } if key.quantity.notation == Notation::Hardness => "HV",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
@@ -166,9 +165,6 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
         .collect();
     (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(BLACK))
 }
-
-/// Style of the finite elements: a black circle. No curve has this style.
-const BLACK: usize = 13;
 
 /// The axis with the range of the data, so that guides do not extend it.
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {

@@ -12,6 +12,7 @@ use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{exp, ln};
+use crate::math::root;
 use crate::reference::measured::{self, Device};
 
 const REFERENCE: &str = "Leeb test blocks, nominal values of public manuals, leeb.csv";
@@ -45,13 +46,10 @@ pub(super) fn restitution(
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, ValidationError> {
-    let (mut low, mut high) = (ln(1e7), ln(1e11));
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if restitution(device, exp(middle), coefficients)? < wanted { low = middle } else { high = middle }
-    }
-    Ok(exp(0.5 * (low + high)))
+fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> f64 {
+    let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
+    let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
+    exp(0.5 * (low + high))
 }
 
 pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
@@ -60,7 +58,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
     let mut checks = Vec::new();
     for (block, of_device) in measured::BLOCKS {
-        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients)?;
+        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients);
         for device in others {
             let measured = of_device(device) / 1000.0;
             let numbers = [measured, restitution(device, strength, &coefficients)?];

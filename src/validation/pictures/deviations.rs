@@ -10,6 +10,7 @@ use super::super::unloading::{branch, farthest};
 use super::{Picture, log_sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::plot::{Axis, Guide, Series};
+use crate::units::capital;
 
 fn depth(title: &str) -> Axis {
     Axis::log(title, "")
@@ -54,11 +55,6 @@ fn loading(cases: &[Case], coefficients: &PlmCoefficients) -> Vec<Picture> {
         .with_guides(vec![zero()])
     };
     QUANTITIES.iter().map(one).collect()
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// The deviation of the residual indentation, as in Fig. 6.
