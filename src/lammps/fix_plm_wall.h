@@ -8,7 +8,6 @@
 #include "plm_impact.h"
 
 #include <map>
-#include <vector>
 #include <string>
 #include <vector>
 
