@@ -1,8 +1,7 @@
 //! Restitution measured by the user: a directory of CSV files, each with the properties of its bodies in comment lines.
 //!
 //! ```text
-//! # sphere.radius = 1.5 mm                   (keys of a scenario: of [sphere], [half_space], [law], [gravity],
-//! [damping])
+//! # sphere.radius = 1.5 mm                   (keys of [sphere], [half_space], [law], [gravity], [damping])
 //! # half_space.hardness = 300 HV
 //! # source = who measured it, and where it is published
 //! speed_m_per_s,restitution,restitution_sd
