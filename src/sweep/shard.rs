@@ -14,8 +14,8 @@ pub struct Shard {
     pub count: u64,
 }
 
-/// The largest number of shards. Merging needs a buffer for every shard. An indexed job of Kubernetes has at most as
-/// many parts.
+/// The largest number of shards: merging needs a buffer for every shard, and an indexed job of Kubernetes has the same
+/// limit.
 pub const MOST_SHARDS: u64 = 100_000;
 
 /// Why a text or a number names no shard.
