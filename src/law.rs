@@ -9,28 +9,16 @@
 //! * Weng, Yin, Hu et al. (2021), Tribology International 162, 107114, doi 10.1016/j.triboint.2021.107114: the
 //!   piecewise-linear loading model (PLM). Its coefficients are in no public text; the built-in ones were fitted anew to
 //!   finite-element curves, see [`plm`].
-//! * The other published laws, one file each, name theirs; [`catalogue`] lists them, and those that are not public.
+//! * The other published laws name theirs: [`catalogue`] has them, and lists those that are not public.
 
-pub mod brake;
 pub mod catalogue;
 mod contact_law;
 pub mod curve;
-pub mod hertz;
-pub mod jackson_green;
-pub mod johnson;
 pub mod jumps;
-pub mod kogut_etsion;
-pub mod kogut_komvopoulos;
-pub mod ma_liu;
-pub mod mesarovic_johnson;
 pub mod plm;
 pub mod published;
 pub mod reloading;
-pub mod stronge;
-pub mod thornton;
 pub mod unloading;
-pub mod walton_braun;
-pub mod yigit_christoforou;
 
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};

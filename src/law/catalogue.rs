@@ -5,29 +5,30 @@
 //! is half the law's own pressure under the same force. Here it is a² = 2c²Rδ. Thornton's closed form of e(v) is met to
 //! 1e-12, and so are its limits, e = 1.185 (V_y/V)^¼ and the slope −1/4; Johnson's closed form is met to 1e-13.
 
-use super::brake::Brake;
+pub mod brake;
+pub mod hertz;
+pub mod jackson_green;
+pub mod johnson;
+pub mod kogut_etsion;
+pub mod kogut_komvopoulos;
+pub mod ma_liu;
+pub mod mesarovic_johnson;
+pub mod stronge;
+pub mod thornton;
+pub mod walton_braun;
+pub mod yigit_christoforou;
+
 use super::contact_law::{About, Bodies, ContactLaw};
-use super::hertz::Hertz;
-use super::jackson_green::JacksonGreen;
-use super::johnson::Johnson;
-use super::kogut_etsion::KogutEtsion;
-use super::kogut_komvopoulos::KogutKomvopoulos;
-use super::ma_liu::MaLiu;
-use super::mesarovic_johnson::MesarovicJohnson;
-use super::plm::Plm;
+use super::plm;
 use super::published::{Loading, RecoveryRule};
-use super::stronge::Stronge;
-use super::thornton::Thornton;
-use super::walton_braun::WaltonBraun;
-use super::yigit_christoforou::YigitChristoforou;
 use crate::strength::flow::FlowCurve;
 
 macro_rules! laws {
-    ($($law:ident),* $(,)?) => {
+    ($($file:ident::$law:ident),* $(,)?) => {
         /// A law with its parameters.
         #[derive(Debug, Clone, PartialEq)]
         pub enum LawChoice {
-            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*
+            $(#[doc = concat!("See [`", stringify!($file), "::", stringify!($law), "`].")] $law($file::$law),)*
             /// Two halves.
             Combined(Combined),
         }
@@ -35,7 +36,7 @@ macro_rules! laws {
         impl LawChoice {
             /// Every law but combinations, with its default parameters.
             pub fn all() -> Vec<Self> {
-                vec![$(Self::$law($law::default())),*]
+                vec![$(Self::$law($file::$law::default())),*]
             }
 
             /// What it is.
@@ -50,24 +51,24 @@ macro_rules! laws {
 }
 
 laws!(
-    Plm,
-    Hertz,
-    Thornton,
-    Stronge,
-    JacksonGreen,
-    KogutEtsion,
-    KogutKomvopoulos,
-    YigitChristoforou,
-    MaLiu,
-    Brake,
-    MesarovicJohnson,
-    WaltonBraun,
-    Johnson,
+    plm::Plm,
+    hertz::Hertz,
+    thornton::Thornton,
+    stronge::Stronge,
+    jackson_green::JacksonGreen,
+    kogut_etsion::KogutEtsion,
+    kogut_komvopoulos::KogutKomvopoulos,
+    yigit_christoforou::YigitChristoforou,
+    ma_liu::MaLiu,
+    brake::Brake,
+    mesarovic_johnson::MesarovicJohnson,
+    walton_braun::WaltonBraun,
+    johnson::Johnson,
 );
 
 impl Default for LawChoice {
     fn default() -> Self {
-        Self::Plm(Plm::default())
+        Self::Plm(plm::Plm::default())
     }
 }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use serde_json::Value;
 
 use crate::impact::Method;
-use crate::law::jackson_green::Hardness;
+use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
 use crate::scenario::Scenario;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Scenario, ScenarioError};
 use crate::impact::Method;
 use crate::law::Combined;
-use crate::law::jackson_green::Hardness;
+use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
 use crate::scene::{KEYS, Scene};

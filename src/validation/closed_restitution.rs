@@ -3,8 +3,8 @@
 use super::ValidationError;
 use super::check::{Check, Tolerance};
 use crate::impact::{Contact, Method, Solver};
-use crate::law::johnson::{self, Johnson};
-use crate::law::thornton::{self, Thornton};
+use crate::law::catalogue::johnson::{self, Johnson};
+use crate::law::catalogue::thornton::{self, Thornton};
 use crate::law::{ContactLaw, PlmCoefficients};
 use crate::material::{HalfSpace, Material, Sphere};
 

@@ -11,10 +11,10 @@ mod tabulated;
 mod with_forces;
 
 use plm_impact::impact::Contact;
-use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::catalogue::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
+use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::jumps::Jumps;
-use plm_impact::law::kogut_etsion::KogutEtsion;
-use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{Bodies, ContactLaw, Law, LawChoice};
 use plm_impact::material::{HalfSpace, Pair, Sphere};
 

@@ -2,7 +2,7 @@
 
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
 use plm_impact::impact::{Contact, Essentials, Impact, Method, Solver, Warning};
-use plm_impact::law::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::jackson_green::JacksonGreen;
 use plm_impact::law::jumps::Jumps;
 use plm_impact::law::{Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};

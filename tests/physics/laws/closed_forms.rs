@@ -2,8 +2,8 @@
 
 use plm_impact::impact::closed_form;
 use plm_impact::law::LawChoice;
-use plm_impact::law::jackson_green::JacksonGreen;
-use plm_impact::law::thornton::{self, Thornton};
+use plm_impact::law::catalogue::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::thornton::{self, Thornton};
 
 use super::{contact, factor, law_of};
 use crate::common::{Scene, off};
@@ -41,7 +41,8 @@ fn johnson_gives_his_closed_form() {
     for speed in [1.0, 3.0, 10.0] {
         let e = contact.closed_form(speed).unwrap().restitution;
         let modulus = contact.pair().effective_modulus;
-        let closed = plm_impact::law::johnson::restitution(modulus, 3.0 * 345e6, contact.mass(), scene.radius, speed);
+        let closed =
+            plm_impact::law::catalogue::johnson::restitution(modulus, 3.0 * 345e6, contact.mass(), scene.radius, speed);
         assert!(off(e, closed) < 1e-13, "{e} {closed}");
     }
     let error = contact.closed_form(1e-3).unwrap_err();

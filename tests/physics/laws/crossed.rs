@@ -1,10 +1,10 @@
 //! Laws with printed jumps, with their pieces cut where they cross: for all materials and parameters the force neither
 //! jumps nor falls.
 
-use plm_impact::law::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::catalogue::jackson_green::{Hardness, JacksonGreen};
+use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
+use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::jumps::Jumps;
-use plm_impact::law::kogut_etsion::KogutEtsion;
-use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{Bodies, ContactLaw, Law};
 use plm_impact::material::Material;
 use proptest::prelude::*;

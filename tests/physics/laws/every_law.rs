@@ -2,11 +2,11 @@
 
 use plm_impact::impact::{Contact, Damping, Event, Forces, ImpactError, Method, TraceRow, closed_form};
 use plm_impact::law::Combined;
-use plm_impact::law::brake::Brake;
-use plm_impact::law::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::brake::Brake;
+use plm_impact::law::catalogue::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
+use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::jumps::Jumps;
-use plm_impact::law::kogut_etsion::KogutEtsion;
-use plm_impact::law::kogut_komvopoulos::KogutKomvopoulos;
 use plm_impact::law::{ContactLaw, Law, LawChoice, OutsideLaw};
 use plm_impact::material::HalfSpace;
 

@@ -1,11 +1,11 @@
 //! Forces, dents and restitutions of the published laws, compared with tables for case 3.
 
-use plm_impact::law::jackson_green::JacksonGreen;
-use plm_impact::law::kogut_etsion::KogutEtsion;
+use plm_impact::law::catalogue::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
+use plm_impact::law::catalogue::stronge::Stronge;
+use plm_impact::law::catalogue::thornton::Thornton;
+use plm_impact::law::catalogue::yigit_christoforou::YigitChristoforou;
 use plm_impact::law::published::{PeakState, Recovered};
-use plm_impact::law::stronge::Stronge;
-use plm_impact::law::thornton::Thornton;
-use plm_impact::law::yigit_christoforou::YigitChristoforou;
 use plm_impact::law::{ContactLaw, Law, LawChoice, Peak, Unloading};
 
 use super::{case_3, factor, law_of};

@@ -1,9 +1,9 @@
 //! Every law under gravity and damping, with its own unloading branch, first yield and elastic regime.
 
 use plm_impact::impact::{Contact, Damping, Event, Forces, Impact, Method, Spot, Warning};
-use plm_impact::law::stronge::Stronge;
-use plm_impact::law::thornton::Thornton;
-use plm_impact::law::walton_braun::WaltonBraun;
+use plm_impact::law::catalogue::stronge::Stronge;
+use plm_impact::law::catalogue::thornton::Thornton;
+use plm_impact::law::catalogue::walton_braun::WaltonBraun;
 use plm_impact::law::{Law, LawChoice, UnloadingExponent};
 use plm_impact::material::Material;
 

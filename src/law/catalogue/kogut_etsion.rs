@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::UnloadingShape;
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::jumps::Jumps;
-use super::published::{Loading, Recovered, RecoveryRule};
+use crate::law::UnloadingShape;
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::jumps::Jumps;
+use crate::law::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::pow;
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::UnloadingShape;
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use crate::law::UnloadingShape;
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, Recovered, RecoveryRule};
 
 /// The hysteretic spring.
 ///

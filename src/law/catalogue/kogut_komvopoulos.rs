@@ -1,10 +1,10 @@
 //! Kogut and Komvopoulos (2004): indentation of an elastic-perfectly plastic half-space by a rigid sphere.
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::jumps::{Jumps, crossing};
-use super::plm::Plm;
-use super::published::{Loading, RecoveryRule};
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::jumps::{Jumps, crossing};
+use crate::law::plm::Plm;
+use crate::law::published::{Loading, RecoveryRule};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::UnloadingShape;
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, Recovered, RecoveryRule};
+use crate::law::UnloadingShape;
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, Recovered, RecoveryRule};
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///

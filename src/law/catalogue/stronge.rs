@@ -1,8 +1,8 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, RecoveryRule, hertzian};
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 

@@ -1,9 +1,9 @@
 //! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, RecoveryRule, hertzian};
 use super::thornton;
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{cbrt, ln, powi};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, RecoveryRule, hertzian};
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, RecoveryRule, hertzian};
 
 use crate::math::functions::{cbrt, pow, powi};
 

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::jumps::{Jumps, crossing};
-use super::published::{Loading, RecoveryRule, hertzian};
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::jumps::{Jumps, crossing};
+use crate::law::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 

@@ -1,9 +1,9 @@
 //! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
 
-use super::Law;
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::curve::Curve;
-use super::published::{Loading, RecoveryRule, hertzian};
+use crate::law::Law;
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::curve::Curve;
+use crate::law::published::{Loading, RecoveryRule, hertzian};
 
 use crate::math::functions::pow;
 

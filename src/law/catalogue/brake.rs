@@ -1,7 +1,7 @@
 //! Brake (2015): unloading only.
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::published::{RecoveryRule, hertzian};
+use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::published::{RecoveryRule, hertzian};
 
 /// The unloading of Brake.
 ///
