@@ -1,4 +1,4 @@
-//! What integrators are measured on: problems with exact solutions, and cases that break careless ones.
+//! The problems on which the integrators are measured, with exact solutions, and the hard cases on which they are tested.
 
 pub mod hard_cases;
 pub mod measure;

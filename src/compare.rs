@@ -30,16 +30,16 @@ pub struct Comparison {
     pub origin: Origin,
     /// The laws, in the order of table and picture.
     pub laws: Vec<LawChoice>,
-    /// What of the scenario has no effect.
+    /// Warnings about keys of the scenario that have no effect.
     pub warnings: Vec<Warning>,
 }
 
-/// What one law makes of the peak.
+/// The unloading of one law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Compared {
     /// The law.
     pub name: String,
-    /// Its branch, or why there is none.
+    /// Its branch, or why the law has no answer.
     pub unloading: Result<Unloading, OutsideLaw>,
 }
 
@@ -71,7 +71,7 @@ impl Comparison {
             .min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
-    /// The finite-element curve there, if it is at hand.
+    /// The finite-element curve of that unloading, if the library has it.
     pub fn curve(&self) -> Option<&'static UnloadingCurve> {
         quasi_static::unloading_curve(self.sphere_modulus, &self.bodies, self.peak.indentation)
     }

@@ -1,10 +1,10 @@
-//! The impact: which branch now, what can end it, what comes of it.
+//! The impact of a sphere on a half-space: its motion, how it ends, and its results.
 //!
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
-//! The files depend on each other in this order: what acts ([`scales`], [`forces`], `scaled_forces`); what an impact comes
-//! to ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
+//! The files depend on each other in this order: what acts ([`scales`], [`forces`], `scaled_forces`); the dimensionless
+//! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
 //! is reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
 //! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
 

@@ -39,7 +39,7 @@ pub enum IndentationError {
     /// A law that has no loading or no unloading.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
-    /// A step that leaves off where the law says nothing.
+    /// A step that ends where the law has no answer.
     #[error("step {step}: {reason}")]
     Outside {
         /// From 1.
@@ -67,13 +67,13 @@ pub enum IndentationError {
     },
 }
 
-/// A doubt about a step.
+/// A warning about a step.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("step {step}: {warning}")]
 pub struct Doubt {
     /// From 1.
     pub step: usize,
-    /// What is doubtful, and what to do.
+    /// The warning.
     pub warning: Warning,
 }
 
@@ -90,16 +90,16 @@ pub struct Memory {
     pub unloading_stiffness: f64,
     /// n \[1\].
     pub unloading_exponent: f64,
-    /// a_m \[m\]: how good it is, [`Law::contact_radius`] says.
+    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`].
     pub contact_radius: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub mean_pressure: f64,
 }
 
-/// What a step comes to. SI units.
+/// The result of a step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// Where it was to end.
+    /// Its target.
     pub target: Target,
     /// The branch on which it ended.
     pub branch: Branch,
@@ -136,18 +136,18 @@ pub struct TraceRow {
     pub branch: Branch,
 }
 
-/// An indentation: what every step came to, and the way there.
+/// The results of an indentation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Indentation {
-    /// In order.
+    /// Those of the steps, in order.
     pub steps: Vec<Step>,
-    /// Empty if none was asked for.
+    /// The trace; empty if none was asked for.
     pub trace: Vec<TraceRow>,
-    /// Where the model is to be doubted.
+    /// The warnings.
     pub doubts: Vec<Doubt>,
 }
 
-/// The sphere that indents; a mass it does not need.
+/// The sphere that indents. It needs no mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Indenter {
     /// R \[m\].
@@ -289,7 +289,7 @@ impl StaticContact {
         })
     }
 
-    /// Doubts that this step is the first to raise.
+    /// Adds the warnings that no step before this one had.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
         let mut doubt = |warning| doubts.push(Doubt { step: number, warning });
         let ratio = |step: &Step| step.memory.contact_radius / self.indenter.radius;

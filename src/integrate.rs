@@ -1,10 +1,10 @@
 //! Integrators for one smooth piece of motion, d'' = γ − g(d) − drag(d, d'), landed on its end.
 //!
-//! Nothing here knows bodies, laws or units: of contact mechanics only that a force grows along a piece, and that drag can be
-//! made of it or of its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any other
-//! smooth force. A [`Path`] is the way along it with the pull γ and the drag that act there, and an [`Integrator`] carries a
-//! state to where that way ends: at a given distance, where the speed or the contact force vanishes, or near rest. The state
-//! lands *on* the end, so that no step ever crosses a kink.
+//! Nothing here knows bodies, laws or units. Of contact mechanics only this is used: a force grows along a piece, and drag
+//! depends on that force or on its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any
+//! other smooth force. A [`Path`] is the way along a piece, with the pull γ and the drag that act there. An [`Integrator`]
+//! carries a state to the end of the path: to a given distance, to zero speed, to zero contact force, or near to rest. The
+//! state lands *on* the end, so that no step crosses a kink.
 
 mod cubic;
 pub mod damped;
@@ -84,7 +84,7 @@ pub struct State {
     pub distance: f64,
     /// d'; negative on the way back.
     pub speed: f64,
-    /// ∫ drag d' dt: what drag has taken so far, in units of speed².
+    /// ∫ drag d' dt: the energy that drag has taken so far, in units of speed².
     pub loss: f64,
 }
 
@@ -180,7 +180,7 @@ impl<T: lanes::Lane> Drag<T> {
     }
 }
 
-/// √g' for a slope g'. A formula may slope down by its rounding where it should be level: it is level there.
+/// √g' for a slope g'. By rounding, a formula may give a slope below 0 where it should be 0; it counts as 0.
 #[inline]
 fn root_of(slope: f64) -> f64 {
     max_or_nan(slope, 0.0).sqrt()
@@ -204,7 +204,7 @@ pub struct Path {
     pub restoring: Restoring,
     /// From where to where.
     pub leg: Leg,
-    /// What errors are measured against.
+    /// The sizes that errors are measured against.
     pub sizes: Sizes,
     /// γ ≥ 0: a constant acceleration outward.
     pub pull: f64,
@@ -267,7 +267,7 @@ enum Crossing {
     LiftOff,
 }
 
-/// What the integration cost.
+/// The cost of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Work {
     /// Accepted steps.
@@ -289,8 +289,9 @@ impl std::ops::Add for Work {
     }
 }
 
-/// More steps than any leg needs, accepted and rejected, unless its drag is hundreds of times beyond critical: explicit steps
-/// are no longer than the fast decay, a creep lasts as long as the slow one, and their ratio goes with the square of the drag.
+/// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one is more needed: explicit
+/// steps are then no longer than the fast decay, and the creep lasts as long as the slow decay. The ratio of the two grows
+/// with the square of the drag.
 pub(crate) const MOST_STEPS: u64 = 1_000_000;
 
 /// Why an integration stopped.
@@ -301,7 +302,7 @@ pub enum IntegrationError {
         "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use another method"
     )]
     StepUnderflow {
-        /// Where.
+        /// The time reached.
         time: f64,
         /// The step.
         step: f64,
@@ -314,7 +315,7 @@ pub enum IntegrationError {
         /// The limit.
         steps: u64,
     },
-    /// A motion that creeps, damped far beyond critical.
+    /// A motion damped far beyond critical, which creeps.
     #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
     Creeping {
         /// The limit.
@@ -323,7 +324,7 @@ pub enum IntegrationError {
     /// A state that is no number.
     #[error("the state became infinite or not a number at dimensionless time {time:e}")]
     NotFinite {
-        /// Where.
+        /// The time reached.
         time: f64,
     },
 }

@@ -1,6 +1,6 @@
-//! Finite-element results of this project for the five material cases of Xie et al. (2024) and for whole impacts, which
-//! checks, comparisons and pictures show beside the laws: the one reader of `src/reference/fe_*.csv`. Each table tells in
-//! its head where it comes from, how it was obtained and its error. Only numbers: whoever asks compares.
+//! Reference data that checks, comparisons and pictures show beside the laws: finite-element results of this project for the
+//! five material cases of Xie et al. (2024), for half-spaces that harden and for whole impacts; 30-digit impacts; measured
+//! rebound hardness. The head of each table in `src/reference` says where it comes from, how it was obtained and its error.
 
 pub mod hardening;
 pub mod impacts;
@@ -11,9 +11,9 @@ pub mod unloading;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
-/// Who is compared with: the quasi-static campaign.
+/// Name of the quasi-static finite elements in reports.
 pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
-/// The whole impacts.
+/// Name of the finite elements of whole impacts in reports.
 pub const DYNAMIC: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
 
 /// The loading curves: name of the case, and its file in the form that `fit-plm` reads.
@@ -25,7 +25,7 @@ pub const LOADING: [(&str, &str); 5] = [
     ("case 5", include_str!("reference/fe_loading_case5.csv")),
 ];
 
-/// A reference table that is compiled in is damaged.
+/// A damaged reference table; the tables are compiled in.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("reference table {table}: {problem}")]
 pub struct ReferenceError {

@@ -40,7 +40,7 @@ use crate::progress::Counter;
 use flight::Flight;
 pub use sequence::{End, Hit, Sequence};
 
-/// More impacts than anyone will look at.
+/// The largest number of impacts that a scenario may ask for.
 pub const MOST_IMPACTS: u64 = 1_000_000;
 
 /// Rows of a trace that are recorded in all; impacts after that have none.
@@ -51,7 +51,7 @@ pub const MOST_ROWS: usize = 200_000;
 pub enum Place {
     /// All on one spot.
     Same,
-    /// Each on surface that nothing has touched.
+    /// Each on fresh surface.
     Fresh,
 }
 
@@ -195,8 +195,8 @@ impl Repeat {
     }
 }
 
-/// One impact on a spot, with a trace if there are samples. The cheapest method takes no steps for the numbers that the
-/// next impact depends on, so that a long series gathers no error of steps; its trace is then a run of its own.
+/// One impact on a spot, with a trace if there are samples. The method `auto` takes the closed form, if there is one, for the
+/// numbers that the next impact depends on, so that a long series gathers no error of steps. The trace is then another run.
 fn strike(
     contact: &Contact,
     spot: &mut Spot,

@@ -1,4 +1,4 @@
-//! Impacts that break careless integrators, each with its restitution and where that comes from.
+//! Impacts that are hard for integrators, each with its restitution and the source of it.
 //!
 //! All are dimensionless: a [`Law`] and a speed ratio. Some come from scenes in SI units that are hard, such as nanometres or
 //! a modulus ratio of 10¹².
@@ -139,7 +139,7 @@ pub fn hard_cases() -> Result<Vec<HardCase>, ImpactError> {
         let (law, speed) = extreme.law()?;
         cases.push(balanced(name, law, speed));
     }
-    // in raw SI units these three break peers; the restitution of the first is an independent 30-digit value
+    // in SI units other programs fail on these three; the restitution of the first is an independent 30-digit value
     let first = balanced("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
     cases.push(HardCase { origin: PRINTED, restitution: 0.301_220_801_577_325_58, ..first });
     cases.push(balanced("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));

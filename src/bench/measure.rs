@@ -1,5 +1,5 @@
-//! Time against error: every method with each of its settings on one problem. The settings take turns, and the best time of
-//! each counts.
+//! Time against error: every method with each of its settings on one problem. The settings are timed in turn, round after
+//! round, and the best time of each counts.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

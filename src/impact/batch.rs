@@ -1,9 +1,9 @@
 //! Many impacts in lock step: the batch form of rk8, for sweeps of scenes that need stepping.
 //!
-//! Lanes do the straight and the Hertz pieces, without gravity and damping or with damping. An impact that meets another
-//! piece (a law that is no power, or an unloading exponent other than 3/2) leaves its lane and is integrated to its end by
-//! itself; so are the last few, when most lanes would idle, and impacts that no lanes are for. Each outcome has the bits
-//! that rk8 gives by itself.
+//! Lanes integrate the straight and the Hertz pieces, without gravity and damping or with damping. An impact that comes to
+//! another piece (a force that is no power law, or an unloading exponent other than 3/2) leaves its lane and is integrated
+//! alone to its end. Two more kinds are integrated alone: the last few impacts, when most lanes would be idle, and impacts
+//! under gravity without damping. Each outcome has the same bits as that of rk8 alone.
 
 use super::course::Course;
 use super::outcome::Outcome;
@@ -26,7 +26,7 @@ pub fn integrate(problems: &[Problem], tolerance: f64) -> Vec<Result<Outcome, In
     outcomes
 }
 
-/// The same; every outcome is handed over as soon as it is known, in any order, with its place among the problems.
+/// As [`integrate`], but calls `put` with each outcome as soon as it is known: in any order, with its index in `problems`.
 pub fn each(problems: &[Problem], tolerance: f64, mut put: impl FnMut(usize, Result<&Outcome, &IntegrationError>)) {
     let mut alone = Rk8::new(tolerance);
     let drag = |problem: &Problem| problem.2.drag();
@@ -47,7 +47,7 @@ struct InLane<'a> {
 }
 
 impl InLane<'_> {
-    /// Puts the next leg into a lane. If there is none that the lane can do, this is the outcome.
+    /// Puts the next leg into a lane. Returns the outcome instead if no leg is left that the lane can integrate.
     fn set_out(
         &mut self,
         lanes: &mut impl Lanes,
@@ -67,7 +67,7 @@ impl InLane<'_> {
         }
     }
 
-    /// On to the start of the next leg from where one has landed. The outcome, if that is the end.
+    /// Goes on to the start of the next leg after a landing. Returns the outcome if the impact ends there.
     fn go_on(&mut self, landed: Ended) -> Option<Result<Outcome, IntegrationError>> {
         match landed {
             Ok((landing, at)) => {
@@ -92,7 +92,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
         return;
     }
     let mut lanes = new_lanes();
-    // starts the next impact in a lane, where there is one left; it stays where it is put, since it is large
+    // starts the next impact in a lane, if one is left; it is made in its slot, because it is large and moving it costs time
     let mut launch = |lane, slot: &mut Option<InLane<'a>>, lanes: &mut L, alone: &mut Rk8, put: &mut P| {
         *slot = None;
         for index in waiting.by_ref() {

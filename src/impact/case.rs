@@ -22,8 +22,8 @@ pub(super) struct Case<'a> {
 }
 
 impl Contact {
-    /// Units, law and dimensionless speed of an impact without gravity and damping: an elastic one is the same for every
-    /// scene.
+    /// Units, law and dimensionless speed of an impact without gravity and damping. In its own units every elastic impact
+    /// is the same.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where peak force, indentation or energy leave double precision.
@@ -34,7 +34,7 @@ impl Contact {
         }
     }
 
-    /// The impact at a speed; on a spot that was loaded before, by the law of that spot, in units of the yield point.
+    /// The impact at a speed. `spot` is the law of a spot that was loaded before; the units are then those of the yield point.
     #[inline]
     pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
         if !self.forces().is_none() {
@@ -47,7 +47,7 @@ impl Contact {
         Ok(Case { scales, law, q, forces: ScaledForces::NONE })
     }
 
-    /// The same under gravity or damping, also for a sphere that is let go at rest.
+    /// The same under gravity or damping. The speed may be 0: a sphere that is let go at rest.
     fn case_with_forces<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;

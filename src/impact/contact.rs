@@ -1,4 +1,4 @@
-//! What stays the same along a speed axis: bodies, law, scales and what acts beside the law.
+//! Everything about an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
 
 use super::error::ImpactError;
 use super::forces::Forces;
@@ -40,7 +40,7 @@ impl Contact {
         let scales =
             pair.yield_point.map(|point| Ok::<_, OutOfFloatRange>(Scales::of_yield(&point, point.speed(mass)?)));
         let yielding = scales.transpose()?.zip(law.of_pair(&pair, &half_space)?);
-        // ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y, as Hertz up to there
+        // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
         let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
             let until = law.elastic_until();
             if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) }
@@ -65,7 +65,7 @@ impl Contact {
         Self { forces, ..self }
     }
 
-    /// The same contact, where the sphere is only the tip of the body that moves: nothing is known of waves in it.
+    /// The same contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
     pub(crate) fn of_a_body(self) -> Self {
         Self { is_tip: true, ..self }
     }

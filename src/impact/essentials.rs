@@ -22,12 +22,12 @@ pub struct Essentials {
     pub peak_indentation: f64,
     /// δ_r \[m\]: depth of the dent; 0 without one.
     pub residual_indentation: f64,
-    /// a_m \[m\]: how good it is, [`Law::contact_radius`](crate::law::Law::contact_radius) says. With a dent, the radius of
-    /// its rim.
+    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::law::Law::contact_radius). If there is a dent, this
+    /// is the radius of its rim.
     pub peak_contact_radius: f64,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
-    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: share that loading and unloading have spent; 0 for an elastic impact.
+    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known, under
     /// gravity or damping, and where the force of the law jumps on the way.
@@ -42,7 +42,7 @@ impl Essentials {
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
         let Case { scales, law, .. } = case;
-        // the kinetic energy of a sphere at rest is 0, no number out of range
+        // a sphere that is let go at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
         let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
@@ -57,7 +57,7 @@ impl Essentials {
         }
         let residual = law.dent(&peak).residual();
         let lost = law.plastic(&outcome.unloading);
-        // under gravity it may be more than the kinetic energy; without one there is no share
+        // under gravity the share may exceed 1; without kinetic energy there is none
         let has_share = lost != 0.0 && kinetic_in > 0.0;
         let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
         if share.is_infinite() {
@@ -82,7 +82,8 @@ impl Essentials {
         self.residual_indentation > 0.0
     }
 
-    /// Whether it came with a speed: let go at first touch there is no restitution, nor a share of its energy.
+    /// Whether the sphere arrived with a speed. If it was let go at first touch, it has no restitution and no kinetic energy
+    /// to take shares of.
     pub fn has_speed(&self) -> bool {
         self.kinetic_in > 0.0
     }

@@ -14,9 +14,9 @@
 //!   pieces, and are quadratures on the others.
 //! * Hunt-Crossley damping alone: the phase curve is known, G(u) = G(v) − W/m with G(u) = u/χ − ln(1 + χ u)/χ². For small
 //!   χ v, e = 1 − (2/3) χ v + (4/9) (χ v)²; the first term is that of Hunt and Crossley (1975).
-//! * Else there is none, and the energy balance is watched: kinetic + stored + plastic + damping − m g δ = ½ m v². The
-//!   largest errors measured, in units of the tolerance: rk8 10, dop853 25, dopri5 79. Three of 150 000 random scenes
-//!   exceeded this, by at most 60 tolerances. All three had a tolerance above 1e-4 and a weight above the force at first
+//! * In other cases there is none, and the energy balance is the check: kinetic + stored + plastic + damping − m g δ =
+//!   ½ m v². The largest errors measured, in units of the tolerance: rk8 10, dop853 25, dopri5 79. Three of 150 000 random
+//!   scenes exceeded this, by at most 60 tolerances. All three had a tolerance above 1e-4 and a weight above the force at first
 //!   yield: such a weight takes a slow sphere to hundreds of times its speed, and the error of the first step grows with
 //!   it.
 //!
@@ -27,7 +27,7 @@
 //! * Without damping this is so where F_m ≤ (n + 1) m g. The trace ends at the static indentation on the way out.
 //! * With damping it is so where the sphere turns back before it has left. The trace ends there; or, for an overdamped
 //!   sphere (ζ from 0.9 on), where it has come within 0.1 % of the static indentation.
-//! * A sphere let go at first touch is always captured: it has brought no speed to leave with. It has no restitution.
+//! * A sphere let go at first touch is always captured, because it has no kinetic energy. It has no restitution.
 
 use super::scales::ACCELERATION;
 use crate::integrate::Drag;
@@ -60,8 +60,8 @@ impl Damping {
         }
     }
 
-    /// Fraction of critical damping of small swings about a place where the contact carries this weight, and where they
-    /// have the circular frequency `omega` without damping.
+    /// Fraction of critical damping of small swings about the indentation at which the contact carries this weight. `omega`
+    /// is their circular frequency without damping.
     pub(super) fn fraction_of_critical(self, weight: f64, omega: f64) -> f64 {
         match self {
             Self::HuntCrossley(chi) => 0.5 * ACCELERATION * weight * chi / omega,
@@ -80,7 +80,7 @@ pub struct Forces {
 }
 
 impl Forces {
-    /// Whether there are none: the impact is that of the law alone.
+    /// Whether neither gravity nor damping acts.
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none()
     }

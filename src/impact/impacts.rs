@@ -53,7 +53,7 @@ impl Contact {
             return self.essentials_of_law(speed);
         }
         let case = self.case(None, speed)?;
-        // the closed form itself, or the duration that a fixed step is a part of
+        // the closed form is the result, or its duration is what the fixed step divides
         let needs_exact = match solver.method {
             Method::Auto => case.forces.is_conservative(),
             method => matches!(method, Method::ClosedForm | Method::Verlet),
@@ -66,8 +66,8 @@ impl Contact {
         self.essentials_of(speed, &case, &outcome)
     }
 
-    /// e alone, to the last bit that of [`Contact::essentials`]. Without gravity and damping it takes no times, and so half as
-    /// long; whether the contact time leaves double precision is then not asked.
+    /// e alone, with the same bits as from [`Contact::essentials`]. Without gravity and damping no times are computed, which
+    /// takes half as long; a contact time outside double precision is then no error.
     ///
     /// # Errors
     /// As there.
@@ -113,7 +113,7 @@ impl Contact {
                 Ok(case) if is_stepped(&case) => {
                     problems.push((case.law, case.q, case.forces));
                     stepped.push((rows.len(), case));
-                    // until it is known
+                    // replaced below
                     Err(IntegrationError::NotFinite { time: 0.0 }.into())
                 }
                 Ok(_) => contact.essentials_by(*speed, solver),
@@ -138,8 +138,8 @@ impl Contact {
         self.forces().damping.is_some() || self.forces().gravity.is_some() && is_open()
     }
 
-    /// Whether double precision holds an impact at `speed` \[m/s\], or the one without damping, which is deeper: what it does
-    /// not hold no integration can.
+    /// Checks that double precision holds the results of an impact at `speed` \[m/s\]. With damping, the impact without
+    /// damping is checked instead, which is deeper.
     ///
     /// # Errors
     /// [`ImpactError`], see [`Contact::scaled`].
@@ -149,7 +149,7 @@ impl Contact {
         let forces = ScaledForces { damping: None, ..case.forces };
         if let Some(outcome) = closed_form::solve_with(case.law, case.q, &forces) {
             match self.essentials_of(speed, &case, &outcome) {
-                // the shallower peak may be one that the law has an answer for
+                // with damping the peak is shallower, and the law may have an answer there
                 Err(ImpactError::Law(_)) if is_damped => {}
                 row => drop(row?),
             }
@@ -185,7 +185,7 @@ impl Contact {
         if let Some(exact) = exact.as_ref().filter(|_| forces.is_none()) {
             law.accept(&exact.unloading.peak)?;
         }
-        // an impact under forces does not say beforehand how long it lasts: once to know, once to sample
+        // the duration under gravity or damping is not known beforehand: the first run finds it, the second one samples
         let duration = match (&exact, samples) {
             (_, None) => 0.0,
             (Some(exact), _) if forces.is_none() => exact.contact_time,

@@ -20,11 +20,11 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// δ' \[m/s\]: positive into the half-space, negative on the way out.
     pub speed: f64,
-    /// F \[N\]: what the half-space exerts, with damping.
+    /// The contact force \[N\]: F of the law and damping.
     pub force: f64,
-    /// That of the law alone, where there is damping.
+    /// F of the law alone \[N\], if there is damping.
     pub elastic_force: Option<f64>,
-    /// Where on the law.
+    /// Branch of the law.
     pub branch: Branch,
     /// The event, if the row is one.
     pub event: Option<Event>,
@@ -40,7 +40,7 @@ pub(super) struct Ledger<'a> {
     kinetic: f64,
     /// V/v.
     unit_of_speed: f64,
-    /// Spent on the dent.
+    /// The work spent on the dent.
     spent: f64,
 }
 
@@ -53,7 +53,7 @@ impl<'a> Ledger<'a> {
         Self { case, outcome, kinetic, unit_of_speed: scales.speed / speed, spent }
     }
 
-    /// The sum over ½ m v² + m g δ_m, less what it should be. While loading W(x) is stored and plastic together.
+    /// The error of the sum, over ½ m v² + m g δ_m. While loading, W(x) stands for stored and plastic energy together.
     fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
         let Case { law, forces, .. } = self.case;
         if forces.is_none() {
@@ -65,7 +65,7 @@ impl<'a> Ledger<'a> {
         (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
 
-    /// By the loss at the end: the way back takes from it what it takes.
+    /// The error at the end of the contact.
     pub(super) fn at_end(&self) -> f64 {
         let Outcome { unloading, restitution, end_indentation, end_speed, loss, .. } = self.outcome;
         if self.case.forces.is_none() {
@@ -74,7 +74,7 @@ impl<'a> Ledger<'a> {
         self.drift(*end_speed, self.spent + unloading.stored(*end_indentation), *loss, *end_indentation)
     }
 
-    /// Without damping the peak is a balance of its own.
+    /// The error at the peak. With damping the loss up to the peak is not known, and this is 0.
     pub(super) fn at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {
             return 0.0;

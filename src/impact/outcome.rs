@@ -7,7 +7,7 @@ use crate::law::Unloading;
 pub enum Fate {
     /// The total contact force vanished.
     Separated,
-    /// It never does.
+    /// It never vanishes: the sphere stays.
     Captured,
 }
 
@@ -21,14 +21,14 @@ impl Fate {
     }
 }
 
-/// When a code with fixed steps sees what happens: at the end of the step in which it does.
+/// The times at which a code with fixed steps sees peak and separation: each is the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedSteps {
     /// Length of a step.
     pub step: f64,
-    /// The deepest step.
+    /// Time of the deepest step.
     pub loading_time: f64,
-    /// The first step without a pushing force, or where the run of a captured sphere ends.
+    /// Time of the first step without a pushing force, or of the end of the run of a captured sphere.
     pub contact_time: f64,
 }
 

@@ -76,7 +76,7 @@ impl Along<'_> {
     }
 }
 
-/// The point of a state on the loading curve, which has come to `loaded` there; only its distance is not asked for.
+/// The point of a state on the loading curve. `loaded` is the state of the law there; `at.distance` is not used.
 pub(super) fn loading_point(
     loaded: Peak,
     slope: impl FnOnce() -> f64,
@@ -86,7 +86,7 @@ pub(super) fn loading_point(
 ) -> Point {
     let Peak { indentation, force, elastic_approach } = loaded;
     let of_drag = drag.at(force, || slope() / ACCELERATION) * at.speed;
-    // where it lifts off the total is zero up to rounding
+    // at lift-off the total force is zero but for rounding
     let total_force = if drag == Drag::NONE { force } else { max_or_nan(force + of_drag, 0.0) };
     let (time, speed, loss) = (at.time, at.speed, at.loss / ACCELERATION);
     Point { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }

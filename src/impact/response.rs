@@ -4,10 +4,10 @@ use super::contact::Contact;
 use crate::law::Peak;
 use crate::math::power::power;
 
-/// The largest state that a contact has seen, all that it remembers: zero for a fresh one.
+/// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros.
 ///
-/// A code that moves spheres sets it back to zero where the sphere has left the surface that it knows (δ ≤ 0), and not yet
-/// where the force ends, at the depth of the dent. A sphere that comes back to the same spot keeps its memory.
+/// A code that moves spheres sets it back to zero when the sphere has left the original surface (δ ≤ 0). It must not do so
+/// earlier, where the force ends at the depth of the dent. A sphere that comes back to the same spot keeps its memory.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Memory {
     /// δ_m \[m\].
@@ -33,20 +33,20 @@ impl Memory {
     }
 }
 
-/// Where the work of a contact is.
+/// How the work done on a contact is divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactEnergy {
     /// What unloading from here gives back \[J\].
     pub stored: f64,
-    /// What the dent has taken \[J\].
+    /// What was spent on the dent \[J\].
     pub plastic: f64,
 }
 
 impl Contact {
-    /// Force \[N\] at an indentation δ \[m\], by the law alone, and in `memory` what the contact knows afterwards.
+    /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is put into `memory`.
     ///
-    /// Below the largest indentation so far it is the unloading branch, beyond it the loading curve. The force is 0 for
-    /// δ ≤ 0 and not a number for a δ or a memory that is none.
+    /// Below the largest indentation so far the force is that of the unloading branch, beyond it that of the loading curve.
+    /// It is 0 for δ ≤ 0, and NaN if δ or the memory is NaN.
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
         let Some((scales, law)) = &self.yielding else {
             return self.hertz(indentation, 1.5);
@@ -67,7 +67,7 @@ impl Contact {
         force * scales.force
     }
 
-    /// Where the work of the contact is after [`Contact::force`] gave this `force` at this indentation and memory.
+    /// How the work is divided after [`Contact::force`] gave this `force` at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
         let Some((scales, law)) = &self.yielding else {
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };

@@ -1,4 +1,4 @@
-//! What an impact comes to in SI units, as every report and plot reads it.
+//! The result of an impact in SI units, as every report and plot reads it.
 
 use std::ops::Deref;
 
@@ -40,7 +40,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Of an outcome; not a number without a closed form.
+    /// The errors of an outcome; NaN without a closed form.
     fn of(outcome: &Outcome, exact: Option<&Outcome>) -> Self {
         let relative = |got: f64, want: f64| if got == want { 0.0 } else { (got / want - 1.0).abs() };
         let error = |part: fn(&Outcome) -> f64| exact.map_or(f64::NAN, |exact| relative(part(outcome), part(exact)));
@@ -52,7 +52,7 @@ impl Accuracy {
     }
 }
 
-/// What only an impact under gravity or damping has. SI units.
+/// Results that only an impact under gravity or damping has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderForces {
     /// Whether the sphere left.
@@ -116,7 +116,7 @@ pub struct Impact {
     pub dent_radius: Option<f64>,
     /// Where the energy went.
     pub energy: Energy,
-    /// What it cost.
+    /// Steps and force evaluations.
     pub work: Work,
     /// Error against the closed form; not a number where damping leaves none.
     pub accuracy: Accuracy,
@@ -227,7 +227,7 @@ impl Impact {
         })
     }
 
-    /// What became of a sphere that stays, if it does.
+    /// The results of a captured sphere; `None` for one that left.
     pub fn captured(&self) -> Option<&UnderForces> {
         self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
     }
@@ -238,7 +238,7 @@ impl Impact {
     }
 }
 
-/// A sample, or a peak, at the very time at which the run ends says nothing beside the end.
+/// Removes rows at the time of the last one, a sample or a peak: the row of the end says the same.
 fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
     while let [.., before, end] = trace.as_slice()
         && before.time == end.time

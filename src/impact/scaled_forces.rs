@@ -25,7 +25,7 @@ impl ScaledForces {
         self.weight == 0.0 && self.damping.is_none()
     }
 
-    /// Whether nothing takes energy but the dent.
+    /// Whether there is no damping, so that only the dent takes energy.
     pub(crate) fn is_conservative(&self) -> bool {
         self.drag() == Drag::NONE
     }
@@ -33,7 +33,7 @@ impl ScaledForces {
     /// Without damping: whether a sphere that came at q = v/V stays in its dent.
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
         let held = (unloading.exponent + 1.0) * self.weight;
-        // an elastic contact gives back what it took, to rounding
+        // an elastic contact gives back what it took, but for rounding
         let held = if unloading.peak.residual() > 0.0 { held } else { held * (1.0 - GRAZING) };
         self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= held)
     }
@@ -64,12 +64,12 @@ impl ScaledForces {
     }
 }
 
-/// How near to its static indentation an overdamped sphere counts as captured there, as a share of the static depth.
+/// An overdamped sphere that is nearer to its static indentation than this share of the static depth counts as captured.
 const NEAR: f64 = 1e-3;
-/// The same for a sphere that the rule for creep did not stop: the integrator itself stops it.
+/// The same for a sphere that the rule for creep did not stop. The integrator itself applies it.
 const NEARER: f64 = 1e-7;
 
-/// Creep to a static indentation: overdamped, a sphere comes near it and never passes.
+/// Creep to a static indentation: an overdamped sphere approaches it and never passes it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Creep {
     /// How far from the static indentation the run ends.
@@ -92,7 +92,7 @@ impl ScaledForces {
 }
 
 impl Creep {
-    /// What the integrator itself takes for rest.
+    /// The rule by which the integrator itself ends a leg at rest.
     pub(super) fn rest(self, distance: f64) -> Rest {
         let nearer = NEARER / NEAR;
         Rest { distance, within: nearer * self.within, below: nearer * self.below }

@@ -115,7 +115,7 @@ pub fn run(
             let undamped = || closed_form::solve_with(law, q, &ScaledForces { damping: None, ..*forces });
             let duration = exact.copied().or_else(undamped).map_or(1.0, |exact| exact.contact_time);
             let steps = u64::from(solver.steps_per_contact.max(1));
-            // no contact lasts longer than a few times the exact one, however coarse the step, unless something holds it
+            // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * steps + 10;
             let mut work = Work::default();
             let step = duration / f64::from(solver.steps_per_contact.max(1));

@@ -20,8 +20,8 @@ impl Spot {
         Self::default()
     }
 
-    /// A place of a contact that was loaded to `memory`, in units of the yield point. Fresh if that is elastic, or the
-    /// half-space is.
+    /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
+    /// the half-space, is elastic.
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
         let law = contact.yielding.as_ref().filter(|(_, law)| !law.is_elastic_to(memory.indentation));
         Self { law: law.map(|(_, law)| law.reloaded(memory)) }

@@ -1,4 +1,4 @@
-//! Where the model, or the run, is to be doubted: values in the result, errors only under `--strict`.
+//! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
 
 use super::contact::Contact;
 use super::result::Impact;
@@ -7,7 +7,7 @@ use super::warning::Warning;
 use crate::law::{Law, Peak};
 use crate::math::power::max_or_nan;
 
-/// Where a peak is outside of what the law, or its flow curve, is known for.
+/// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     let stated = law.outside_stated(peak);
     let stated = stated.map(|(from, to)| Warning::OutsideStated { indentation: peak.indentation, from, to });
@@ -15,7 +15,7 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     stated.into_iter().chain(curve)
 }
 
-/// Every doubt about an impact.
+/// All warnings of an impact.
 pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
@@ -59,7 +59,7 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     warnings
 }
 
-/// A restitution that shows as more than 1.
+/// A restitution above this one is printed as more than 1.
 const LARGEST_ROUGH: f64 = 1.0005;
 
 /// A sphere that sinks into its dent may leave faster than it came by the work of gravity alone.
@@ -67,14 +67,15 @@ fn is_by_weight(contact: &Contact, impact: &Impact) -> bool {
     contact.forces().gravity.unwrap_or(0.0) > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0)
 }
 
-/// Without a closed form the ledger tells the error of e: it is relative to all the energy put in, e to that of the impact.
+/// The error of e from the drift of the ledger, for a run without a closed form. The drift is relative to all the energy put
+/// in, e to the kinetic energy of the impact.
 fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
     let weight = contact.mass() * contact.forces().gravity.unwrap_or(0.0);
     impact.energy.drift * (1.0 + weight * impact.peak_indentation / impact.energy.kinetic_in)
 }
 
-/// A run that is further from the closed form than its tolerance allows; or, where there is no closed form, one that has lost
-/// energy. The library's methods lose up to three digits to damping, which is not smooth at first touch.
+/// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
+/// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
 fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let drift = impact.energy.drift;
     let error = max_or_nan(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);

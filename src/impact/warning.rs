@@ -1,10 +1,10 @@
-//! The doubts that a result may come with.
+//! The warnings that a result may come with.
 
 use thiserror::Error;
 
 use crate::units::four_digits;
 
-/// A doubt about a result. The text says what is doubtful and what to do.
+/// A warning. Its text says what is doubtful and what to do.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum Warning {
     /// a/R beyond the finite-element data.
@@ -80,7 +80,7 @@ pub enum Warning {
         /// In the step \[J\].
         work: f64,
     },
-    /// More comes back than was spent, but the run is too rough to say so.
+    /// More comes back than was spent, but by less than the error of the run.
     #[error(
         "restitution {restitution:.6} is above 1, by no more than an energy ledger that is off by {drift:.1e} can tell: tighten the tolerance or use another method"
     )]

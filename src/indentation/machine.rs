@@ -1,9 +1,9 @@
-//! A contact in a testing machine: dimensionless, stroke after stroke, nothing but closed forms.
+//! A contact in a testing machine: dimensionless, stroke after stroke, all in closed form.
 
 use crate::law::unloading::GRAZING;
 use crate::law::{Branch, Law, Peak, Unloading};
 
-/// A step that moves by less than this share of its indentation does not move: its target differs by rounding only.
+/// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
 
 /// A state of the contact.
@@ -17,7 +17,7 @@ pub(super) struct Point {
     pub elastic_approach: f64,
     /// x_r.
     pub residual: f64,
-    /// Where on the law.
+    /// Branch of the law.
     pub branch: Branch,
 }
 
@@ -36,7 +36,7 @@ impl<'a> Machine<'a> {
         Self { law, indentation: 0.0, memory: None }
     }
 
-    /// Where the force would be `force` ≥ 0.
+    /// The x at which the force is `force` ≥ 0.
     pub fn indentation_at_force(&self, force: f64) -> f64 {
         match &self.memory {
             Some(unloading) if force <= unloading.peak.force => unloading.indentation_at_force(force),
@@ -145,7 +145,7 @@ impl Stroke<'_> {
         }
         let stored = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
         let plastic = self.loading_work() - (stored(&self.after) - self.before.as_ref().map_or(0.0, stored));
-        // where all comes back but for rounding
+        // all comes back but for rounding
         if plastic.abs() <= GRAZING * stored(&self.after) { 0.0 } else { plastic }
     }
 }

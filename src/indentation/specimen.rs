@@ -8,7 +8,7 @@ use crate::math::power::max_or_nan;
 /// A half-space that is indented, with its name and how well its numbers are known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Specimen {
-    /// Tells it from others; `None` where there is one.
+    /// Its name among several; `None` for a single one.
     pub name: Option<String>,
     /// What is indented.
     pub half_space: HalfSpace,
@@ -27,9 +27,9 @@ pub struct Tested {
     pub pair: Pair,
     /// Whether a load that is large enough leaves a dent.
     pub can_yield: bool,
-    /// What came of it.
+    /// The results.
     pub indentation: Indentation,
-    /// What its uncertainties make of each step, if it has any.
+    /// The spans of each step, if there are uncertainties.
     pub spans: Option<Vec<Spans>>,
 }
 
@@ -60,7 +60,7 @@ pub struct Spans {
 }
 
 impl Specimen {
-    /// The half-space at the ends of its intervals: two or four, or none where all is known.
+    /// The half-space with every combination of the ends of its intervals: two or four, or none without uncertainties.
     pub fn corners(&self) -> Vec<HalfSpace> {
         if self.modulus_uncertainty.is_none() && self.strength_uncertainty.is_none() {
             return Vec::new();

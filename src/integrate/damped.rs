@@ -1,11 +1,10 @@
 //! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
 //!
 //! **Landing.** A step that has passed an event is repeated with another length: first the one at which the cubic through
-//! both its ends is zero, then the one that Newton's method gives, with the rates at the end as derivative. After two repeats,
-//! as a rule, what is missing is far below the tolerance, and the end is moved along its rates.
+//! both its ends is zero, then the one that Newton's method gives, with the rates at the end as derivative. As a rule the
+//! distance to the event is far below the tolerance after two repeats. The end is then moved onto it along its rates.
 //!
-//! **One or many.** What a step has come to is judged in one place, whether steps are taken one by one or in lock step (see
-//! `lockstep`).
+//! **One or many.** A step is judged in one place, whether steps are taken one by one or in lock step (see `lockstep`).
 
 use super::dop853::{self, EVALUATIONS, Step};
 use super::piece::power::{DraggedHertz, DraggedPower};
@@ -39,11 +38,12 @@ fn step<P: Dragged>(piece: P, run: &Run, node: &Quad, rates: &Quad, length: f64)
     dop853::step(piece, node, rates, length, &run.inverse_sizes)
 }
 
-/// Takes every sample due before `end`, the time at the end of a step of this length: by a shorter step of its own.
+/// Takes every sample that is due before `end`, the time at the end of a step of this length. Each sample is the end of a
+/// shorter step of its own.
 fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Quad, &Quad), length: f64, end: f64) {
     let (node, rates) = start;
     while let Some(time) = samples.due_before(end) {
-        // the clock goes with y^m, between straight and this power
+        // first guess of the length: from y = 0 the time grows with y^m, elsewhere about in proportion
         let part = (time - node[2]) / (end - node[2]);
         let mut h = length * if node[0] == 0.0 { pow(part, 1.0 / f64::from(P::ROOT)) } else { part };
         let mut at = *node;
@@ -54,7 +54,7 @@ fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Q
             let miss = at[2] - time;
             let change = miss / next.rates[2];
             let better = (h - change).clamp(0.0, length);
-            // a short step late in time cannot hit it better than time is rounded
+            // a step that is short beside the time itself cannot hit it better than time is rounded
             let is_there = miss.abs() <= f64::EPSILON * time || change.abs() <= 1e-14 * length;
             if !change.is_finite() || is_there || better == h {
                 break;

@@ -70,7 +70,7 @@ const B: [f64; 8] = [
     0.201_365_400_804_030_34,
     0.044_710_615_727_772_59,
 ];
-/// Order 8 less order 5, the same stages.
+/// Weights of order 8 less those of order 5, the same stages.
 const E5: [f64; 8] = [
     0.013_120_044_994_194_88,
     -1.225_156_446_376_204_4,
@@ -105,7 +105,7 @@ impl Step {
     pub(super) fn error(&self, h: f64, least: f64) -> f64 {
         // Hairer et al., Eq. (II.10.17): of order h^8, and kept apart from zero where both vanish
         let scale = hypot(self.fifth, 0.1 * self.third);
-        // a step far too long leaves the numbers
+        // a step that is far too long may end in numbers that are not finite
         if !self.node.iter().all(|part| part.is_finite()) {
             f64::INFINITY
         } else if scale > 0.0 {
@@ -167,7 +167,7 @@ pub(super) fn step<T: Lane, M: Motion<T>>(
         let part = [0, 1, 3][i];
         let of_fifth = (sum(E5, stages, part) * inverse_sizes[i]).abs();
         let of_third = ((slope[part] - sum(B3, [&k1, &k9, &k12], part)) * inverse_sizes[i]).abs();
-        // what is no number does not count: so for one as for many
+        // a NaN is passed over, in one motion as in lanes
         fifth = fifth.if_less(of_fifth, of_fifth, fifth);
         third = third.if_less(of_third, of_third, third);
     }

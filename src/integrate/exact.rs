@@ -1,5 +1,5 @@
-//! The exact motion on a piece, behind the same seam as the steppers: harmonic on a straight line, an incomplete beta
-//! function on a power law, quadrature on any other. For traces without integration error, and as the reference of all others.
+//! The exact motion on a piece as an [`Integrator`]: harmonic on a straight line, an incomplete beta function on a power law,
+//! a quadrature on any other. It serves traces without integration error, and is the reference of the other integrators.
 
 use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
 use crate::math::functions::{atan, pow, sin, sin_cos};
@@ -119,7 +119,7 @@ impl SmoothWay {
             }
             Leg::Outward(_) => {
                 let so_far = force.work(start, 0.0, from);
-                // as on a straight line from x = 0 so far: it only starts the search
+                // the work so far as on a straight line from x = 0: it only starts the search
                 let before = 0.5 * start * force.value(start, 0.0);
                 let farthest = force.distance_at_work(start, before, so_far + 0.5 * begin * begin / c);
                 let lasted = force.time(start, from, farthest, 0.0, c);

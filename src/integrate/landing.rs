@@ -1,4 +1,5 @@
-//! Landing of an rk8 step on the end of a leg: predicted before the step, mended after it. Branch-free, for one or many.
+//! Landing of an rk8 step on the end of a leg: predicted before the step, corrected after it. Without branches, for one motion
+//! or for lanes.
 
 use super::Leg;
 use super::lanes::Lane;
@@ -29,14 +30,14 @@ pub(super) struct Target<T> {
     pub(super) direction: T,
 }
 
-/// How a landing came out, in every lane.
+/// The result of a landing, in every lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Landed<T> {
-    /// The landed state; g is not that of its y.
+    /// The landed state; its g is that of the step, not that of the corrected y.
     pub(super) node: Node<T>,
     /// What the landing added to the step.
     pub(super) correction: T,
-    /// Square of the first term left out of the series: the miss is mended if this is small.
+    /// Square of the first term left out of the series. If it is small, the landing is good.
     pub(super) left_out_squared: T,
     /// 1 at the end of the piece, 2 at a turning point.
     pub(super) kind: T,
@@ -48,7 +49,7 @@ pub(super) const AT_END: f64 = 1.0;
 pub(super) const AT_TURNING: f64 = 2.0;
 
 impl Target<f64> {
-    /// Energy says whether an outward leg reaches its end, and how fast.
+    /// The end of a leg: energy gives whether an outward leg reaches the end of its piece, and how fast.
     #[inline(always)]
     pub(super) fn predict<F: Variables>(field: F, leg: Leg, y: f64, u: f64) -> Self {
         let energy = 0.5 * u * u + field.potential(y);
@@ -105,9 +106,9 @@ impl<T: Lane> Target<T> {
         let one = y.all(1.0);
         let series = Series { y, u, g, j: slope * u, k: curvature * u * u + slope * g };
 
-        // outward, and the turning point about as near as the end? then to that first, else straight to the end
+        // if the turning point of an outward leg is about as near as the end, the series goes to the turning point first
         let gap = self.end - y;
-        // (with u < 0 it has turned already, and the end it would meet next is on the way back)
+        // (with u < 0 the sphere has turned already, and is on the way back)
         let near = (u * u.abs()).if_less((g * gap).abs() * 4.0, self.direction, -one);
         let d = zero.if_less(near, -u, gap) / zero.if_less(near, g, u);
         let miss = zero.if_less(near, series.velocity(d), series.position(d) - self.end);

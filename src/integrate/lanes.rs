@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
-/// What the formulas of a step need of a number. Choices are made by [`Lane::if_less`], so that lanes never diverge.
+/// The operations of numbers that the formulas of a step need. Choices are made by [`Lane::if_less`], without branches.
 pub trait Lane:
     Copy
     + Add<Output = Self>
@@ -31,7 +31,7 @@ pub trait Lane:
 }
 
 /// x^(−1/8) to 4 %, x ≥ 0. The exponent bits of a double are its logarithm to base 2 and the rest of the bits interpolates
-/// it, so the power is a shift and a subtraction; the next step waits for it, and `powf` takes as long as three stages.
+/// it, so the power is a shift and a subtraction. The next step has to wait for it, and `powf` takes as long as three stages.
 #[inline(always)]
 fn inverse_eighth_root(x: f64) -> f64 {
     /// (1 + 1/8) (1023 − 0.04) 2⁵²; 0.04 centres the interpolation error.

@@ -1,8 +1,8 @@
 //! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`].
 //!
-//! That crate stops *after* the accepted step that passed an event. That step is thrown away, and from the state before it
-//! the last stretch is integrated to the event: without pull and drag with another independent variable (`henon`), with
-//! them to the time of the event (`newton`).
+//! That crate stops *after* the accepted step that passed an event. The step is discarded, and the motion from the state
+//! before it to the event is integrated again. Without pull and drag this is done with another independent variable
+//! (`henon`), with them to the time of the event (`newton`).
 //!
 //! The crate takes one absolute tolerance for all components, so it is given variables of size one. In release 0.6.2 the
 //! twelfth node of Dop853 is 0 instead of 1 (found here: the row sums of its tableau are right, and with an explicit

@@ -1,4 +1,4 @@
-//! Many motions at once: every lane has its own piece, state and step size, and all of them step together.
+//! Many motions at once. Every lane has its own piece, state and step size, and all lanes take their steps together.
 //!
 //! The formulas are those of the steppers, evaluated on registers of whatever width the machine has (chosen at run time), so
 //! a lane gives the same bits as the stepper by itself.
@@ -14,7 +14,7 @@ use super::{IntegrationError, Landing, Path, State};
 /// Motions that step together.
 pub const LANES: usize = 32;
 
-/// Registers in flight at once: the chain of dependent operations of one step is longer than its arithmetic.
+/// Registers computed side by side, because the operations of one step have to wait for each other.
 const REGISTERS: usize = 2;
 
 /// One number of every lane.
@@ -31,25 +31,26 @@ pub enum Started {
     Foreign,
 }
 
-/// What a leg comes to.
+/// The end of a leg, or why there is none.
 pub type Ended = Result<(Landing, State), IntegrationError>;
 
 /// Lanes of one stepper.
 pub trait Lanes {
-    /// So few motions under way are done faster one by one.
+    /// At most so many motions are faster one by one than in lanes.
     const FEW: usize = 0;
 
     /// Puts a leg into a lane.
     fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started;
 
-    /// One step, accepted or rejected, in every lane. Whether any lane may have landed: they are to be asked then.
+    /// Takes one step, accepted or rejected, in every lane. True if a lane may have landed; [`Lanes::take_landing`] is then to
+    /// be called for each of them.
     fn step(&mut self) -> bool;
 
-    /// What the leg of a lane has come to, if the last step has ended it; the lane is then idle. It was started along this
-    /// path from the state `begun`.
+    /// The end of the leg of a lane, if the last step has ended it; the lane is then idle. The leg was started along this path
+    /// from the state `begun`.
     fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
 
-    /// Takes the rest of a leg out of its lane and goes it alone; `None` in a lane that is idle. Never asked without FEW.
+    /// Takes a leg out of its lane and integrates the rest of it alone; `None` for an idle lane. Only called if FEW is not 0.
     fn finish(&mut self, _lane: usize) -> Option<Ended> {
         None
     }

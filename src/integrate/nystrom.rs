@@ -96,8 +96,8 @@ pub struct Step<T> {
     pub velocity_error: T,
 }
 
-/// w_1 s_1 + … + w_N s_N, the newest stage added last: all before it is ready by then, which halves the chain of
-/// dependent operations that a step waits for.
+/// w_1 s_1 + … + w_N s_N. The newest stage is added last: the sum of the others is ready by then, which halves the chain of
+/// dependent operations in a step.
 #[inline(always)]
 fn sum<T: Lane, const N: usize>(start: T, weights: [f64; N], stages: [T; N]) -> T {
     let mut total = start;

@@ -1,5 +1,5 @@
-//! The smooth pieces of a motion, each in variables in which it is smooth. What a piece is stands in its own file: once
-//! without drag and once with it.
+//! The smooth pieces of a motion, each in variables in which it is smooth. Each kind of piece has a file of its own, where it
+//! is written once without drag and once with it.
 //!
 //! **Without drag** a piece is a Nyström problem y'' = g(y) ([`Field`], [`Variables`]), also under a constant pull γ.
 //! On a power law d'' = γ − k d^n the force is not smooth at d = 0, which costs any method its order. With s = √d and
@@ -73,7 +73,7 @@ pub(super) trait Variables: Field<f64> {
     }
 }
 
-/// 2 γ of a constant pull beside the force of a piece; where none acts, the number is not looked at.
+/// 2 γ of a constant pull beside the force of a piece. If `ACTS` is false there is no pull, and the number is not used.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pull<const ACTS: bool>(f64);
 

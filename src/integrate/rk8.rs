@@ -1,12 +1,13 @@
 //! Our own integrator. Without drag: adaptive Runge-Kutta-Nyström of order 8 on regularised variables, landed on the end of
-//! every piece. With drag, on other curves than powers and straight lines under a pull, and back to another end than the
-//! zero of the force: the stepper of [`super::damped`], by the same variables and error control.
+//! every piece. The stepper of [`super::damped`], with the same variables and error control, does the other legs: those with
+//! drag, those under a pull on curves other than powers and straight lines, and ways back that do not end at the zero of
+//! the force.
 //!
 //! **Landing.** Before a step its landing is predicted: energy gives the speed where the leg will end, and the two-point
 //! Taylor formula Δy = h/2 (u_1 + u_2) + h²/12 (g_1 − g_2), exact to h⁵, gives the h that ends there. If that is no longer
-//! than the controlled step, it is the last one. What it misses, order h⁵, is mended by the Taylor
-//! series at the end: no root finder, no step thrown away, and the distance (or the speed, at a turning point) of the
-//! landed state is exact. Prediction is all energy is used for; the state comes from the integration.
+//! than the controlled step, it is the last one. The miss, of order h⁵, is corrected by the Taylor series at the end. This
+//! needs no root finder and repeats no step, and the distance (or the speed, at a turning point) of the landed state is
+//! exact. Energy is used only to predict; the state comes from the integration.
 //!
 //! **Step size.** An error estimate of order h⁷ held at `tolerance`^(7/8) keeps h proportional to `tolerance`^(1/8), so the
 //! error of the propagated order 8 falls in proportion to the tolerance.
@@ -17,7 +18,7 @@
 //! polynomial of degree 9 through derivatives that are known, at no extra evaluation.
 //!
 //! **What did not pay.** Hénon's device (switching the independent variable) for the last step: it costs a division in
-//! every stage. A Newton step on the prediction of the landing: the mended miss needs none. 8th roots by square roots or
+//! every stage. A Newton step on the prediction of the landing: the correction is enough. 8th roots by square roots or
 //! `powf` in the control of the step: a shift of the exponent's bits does it to 4 %. Carrying the step size across
 //! pieces: a first step from the piece's own frequency is rejected less often. Plain arrays for the batch: without AVX
 //! the compiler's vectors gain little, so the instruction set is chosen at run time.
@@ -39,7 +40,7 @@ use crate::math::smooth::Variable;
 #[derive(Debug, Clone)]
 pub struct Rk8 {
     tolerance: f64,
-    /// What the error estimate is held at: tolerance^(7/8).
+    /// The limit of the error estimate: tolerance^(7/8).
     estimate_limit: f64,
     /// First step in units of 1/ω.
     first_step: f64,
@@ -62,7 +63,7 @@ impl Rk8 {
         }
     }
 
-    /// The leg without drag, under this pull; `None` if it is left to the stepper with drag.
+    /// Integrates a leg without drag under this pull; `None` if the leg is left to the stepper with drag.
     #[inline(always)]
     fn conservative<const PULLED: bool>(
         &mut self,
@@ -159,7 +160,7 @@ impl Rk8 {
     }
 }
 
-/// What stays the same along a leg.
+/// The constants of a leg.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants<T> {
     pub(super) target: Target<T>,
@@ -167,7 +168,7 @@ pub(super) struct Constants<T> {
     pub(super) inverse_y: T,
     /// The same for u.
     pub(super) inverse_u: T,
-    /// How much a landing may leave out, squared.
+    /// Limit of [`Landed::left_out_squared`](super::landing::Landed::left_out_squared).
     pub(super) left_out_squared: T,
 }
 
@@ -203,7 +204,8 @@ pub(super) fn shrunk<T: Lane>(h: T, error: T) -> T {
     h.abs() * (error.inverse_eighth_root() * 0.9).max(error.all(0.2))
 }
 
-/// Whether the balance of energy sees a way back to the zero of the force: rounding may not, where all of it is needed.
+/// Whether, by the balance of energy, the sphere comes back to the zero of the force. Rounding may deny it where just all of
+/// the energy is needed.
 fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
     /// Of the depth of the potential.
     const LEAST: f64 = 1e-10;

@@ -39,7 +39,7 @@ macro_rules! laws {
                 vec![$(Self::$law($file::$law::default())),*]
             }
 
-            /// What it is.
+            /// The law itself.
             pub fn get(&self) -> &dyn ContactLaw {
                 match self {
                     $(Self::$law(law) => law,)*
@@ -107,7 +107,7 @@ impl LawChoice {
         self.about().loading != "none"
     }
 
-    /// Whether its unloading is its own, not borrowed.
+    /// Whether its unloading is its own and not that of another law.
     pub(crate) fn has_own_unloading(&self) -> bool {
         !matches!(self, Self::KogutKomvopoulos(_))
     }

@@ -1,4 +1,4 @@
-//! What every contact law can be asked: where it comes from, how it loads, how it unloads.
+//! What every contact law has: a description, a loading, an unloading.
 
 use std::fmt::Debug;
 
@@ -21,7 +21,7 @@ pub struct About {
     pub unloading: &'static str,
     /// Where it holds.
     pub validity: &'static str,
-    /// How sure its equations are: "high" where several independent texts agree, "low" where one memory does.
+    /// How sure its equations are: "high" where several independent texts agree, "low" where they were written from memory.
     pub confidence: &'static str,
 }
 

@@ -32,15 +32,15 @@ pub use lines::ElasticLine;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
-/// The paper's unloading needs the sphere's own indentation at the peak, which no other law gives: as a half, where it was
-/// not measured, it takes the elastic approach that the PLM has at the same force.
+/// The paper's unloading needs the sphere's own indentation at the peak. Behind the loading of another law that is not known
+/// unless it was measured; the elastic approach of the PLM at the same state stands for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plm {
-    /// Of the loading and of the elastic approach.
+    /// The coefficients of loading, elastic approach and contact radius.
     pub coefficients: Arc<PlmCoefficients>,
     /// n of the unloading branch.
     pub exponent: UnloadingExponent,
-    /// How the half-space hardens; `None` for a strength that stays what it is.
+    /// How the half-space hardens; `None` for a constant strength.
     pub flow: Option<FlowCurve>,
 }
 

@@ -1,8 +1,8 @@
-//! The rules of a published law: contact radius along the loading curve, and what a peak gives back.
+//! The rules of a published law: contact radius along the loading curve, and unloading from a peak.
 //!
 //! No contact gives back more energy than it has taken, and no dent is higher than the surface. Where the formulas of a law
-//! say so all the same, the elastic approach is cut to the largest one that is possible. Where they are off by more than
-//! [`LARGEST_CUT`], the law has no answer there ([`OutsideLaw`]).
+//! break this, the elastic approach is reduced to the largest possible one. Where they break it by more than
+//! [`LARGEST_CUT`], the law has no answer ([`OutsideLaw`]).
 //!
 //! The law has no answer for: `mesarovic_johnson` and `johnson` near yield (case 3 of Xie et al. 2024: below 14 yield
 //! indentations); `stronge` between x = 1.1 and 2.5, where it gives back up to 17 % more energy than was spent; the
@@ -32,12 +32,12 @@ pub struct PeakState {
     pub radius: f64,
     /// (E_s*/E*) δ_sm/δ_Y, where the sphere's own indentation is known, as from a measurement.
     pub elastic_approach: Option<f64>,
-    /// W/(F_Y δ_Y): what loading has taken.
+    /// W/(F_Y δ_Y): the work of loading.
     pub spent: f64,
 }
 
 impl PeakState {
-    /// What an unloading law gives back from here.
+    /// The unloading branch from here by this rule.
     ///
     /// # Errors
     /// [`OutsideLaw`] where the law has no answer.
@@ -51,7 +51,7 @@ impl PeakState {
 /// A dent that is a smaller share of the indentation than this comes from rounding, and counts as none.
 const NO_DENT: f64 = 1e-13;
 
-/// What unloading from a peak gives back, by the law's own formulas.
+/// The unloading from a peak by the law's own formulas.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recovered {
     /// ε = x_m − x_r.
@@ -81,7 +81,7 @@ impl Recovered {
         if bounded < (1.0 - NO_DENT) * x { bounded } else { x }
     }
 
-    /// Refuses what is farther from the possible than [`LARGEST_CUT`].
+    /// Refuses formulas that break a limit by more than [`LARGEST_CUT`].
     fn accept(&self, at: &PeakState) -> Result<(), OutsideLaw> {
         let &PeakState { indentation: x, force, spent, .. } = at;
         let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
@@ -108,7 +108,7 @@ pub(super) fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync
 
 /// a/a_Y at (x, f) of the loading curve.
 pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
-/// What a peak gives back.
+/// The unloading from a peak.
 pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
 /// The loading half of a law.
@@ -139,7 +139,7 @@ impl fmt::Debug for Loading {
     }
 }
 
-/// A peak, or a whole impact, that the law says nothing of.
+/// A peak, or a whole impact, that the law has no answer for.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
@@ -168,7 +168,7 @@ pub enum OutsideLaw {
 pub struct Published {
     /// How it loads.
     pub loading: Loading,
-    /// What a peak gives back.
+    /// How it unloads.
     pub recovery: RecoveryRule,
 }
 
@@ -189,7 +189,7 @@ impl Published {
         x <= self.loading.elastic_until
     }
 
-    /// A point of the loading curve, and what it gives back by the law's own formulas.
+    /// A point of the loading curve, and the unloading from it by the law's own formulas.
     fn recovered(&self, indentation: f64, force: f64) -> (PeakState, Recovered) {
         let Loading { curve, radius, .. } = &self.loading;
         let (radius, spent) = (radius(indentation, force), curve.work(indentation));

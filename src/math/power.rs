@@ -170,7 +170,7 @@ pub(crate) fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) 
     })
 }
 
-/// The one of two numbers that is farther from zero; NaN if either is NaN.
+/// The number that is farther from zero; NaN if either is NaN.
 pub(crate) fn farther_or_nan(a: f64, b: f64) -> f64 {
     if a.is_nan() || a.abs() >= b.abs() { a } else { b }
 }

@@ -14,7 +14,7 @@ const FARTHEST: f64 = 4.0;
 /// The coarsest step is 1/2, the finest 2^-LEVELS.
 const LEVELS: u32 = 9;
 
-/// A node at t; with its two ends exchanged it is the one at −t.
+/// A node at t. The node at −t is the same with `near` and `far` exchanged.
 struct Node {
     /// Share of the interval from the nearer end.
     near: f64,
@@ -44,7 +44,7 @@ static NODES: LazyLock<Vec<Vec<Node>>> = LazyLock::new(|| {
     (1..=LEVELS).map(level).collect()
 });
 
-/// ∫ f over an interval of this `length`; f is given the distances from its lower and upper end, neither of which cancels.
+/// ∫ f over an interval of this `length`. f is given the distances from the lower and the upper end, both with all digits.
 /// Halves its step until the relative change is below 1e-13, or about 4000 evaluations.
 pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
     if length <= 0.0 {
@@ -75,7 +75,7 @@ pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
     integral * length
 }
 
-/// ∫ f from `from` to `to` for an f of the place alone, whose digits near the ends are those of the place.
+/// ∫ f from `from` to `to` for an f of the place alone.
 pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     integrate(to - from, |below, above| f(if below < above { from + below } else { to - above }))
 }

@@ -1,7 +1,6 @@
-//! Zeros of functions of one number: each way to search for one, once.
+//! Searches for zeros of functions of one number.
 //!
-//! All of them end after a fixed number of guesses, whatever the function returns, so that a number that is none cannot
-//! keep them busy.
+//! Every search ends after a fixed number of guesses, whatever the function returns, NaN too.
 
 /// Most guesses of a search.
 const MOST: u32 = 200;
@@ -16,8 +15,8 @@ pub struct Bracket {
 }
 
 impl Bracket {
-    /// Narrows the bounds by the function at `x`, and says where to look next: where Newton's method goes, or, if that is
-    /// not inside, in the middle. A value of zero, or one that is no number, counts as beyond the zero.
+    /// Narrows the bounds by the function at `x` and returns the next guess: that of Newton's method or, if that is outside,
+    /// the middle. A value that is zero or NaN counts as beyond the zero.
     #[inline(always)]
     pub fn next(&mut self, x: f64, (value, slope): (f64, f64)) -> f64 {
         *(if value > 0.0 { &mut self.low } else { &mut self.high }) = x;
@@ -29,7 +28,7 @@ impl Bracket {
 /// The zero of a function that falls from `low` to `high`, searched from `first` on until two guesses are near each other
 /// by `is_near`. `at` gives the value and its derivative.
 ///
-/// Without a zero in between, one of the two bounds comes out.
+/// Without a zero between the bounds the result is one of them.
 ///
 /// # Errors
 /// What `at` reports.

@@ -17,16 +17,16 @@ pub use number::{Jet, Number};
 /// Numbers a formula may depend on.
 pub type Parameters = [f64; 3];
 
-/// What the argument of a formula is.
+/// The argument of a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variable {
-    /// x itself, of which the formula is smooth from the start of its piece on.
+    /// x itself. The formula is smooth in x from the start of its piece on.
     Indentation,
     /// y = √d with d from the start of the piece, where the force vanishes as d^(3/2).
     RootOfDistance,
 }
 
-/// A force law as code: one for all contacts, with [`Parameters`] of each.
+/// A force law as code. It serves all contacts; each contact has its own [`Parameters`].
 #[derive(Debug)]
 pub struct Formula {
     variable: Variable,
@@ -113,7 +113,7 @@ impl Smooth {
     }
 
     /// ∫ f dd between two distances.
-    #[cold] // beside pieces in closed form, which these calls must not slow
+    #[cold] // so that these calls do not slow the pieces in closed form
     pub fn work(&self, start: f64, from: f64, to: f64) -> f64 {
         match (self.formula.variable, self.formula.integral) {
             (Variable::Indentation, Some(integral)) => {

@@ -36,7 +36,7 @@ impl Materials {
         HalfSpace { material, yield_strength: Some(self.yield_strength), density: None }
     }
 
-    /// What a law is built for; `None` never, as the half-space yields.
+    /// What a law is built for; never `None`, because the half-space yields.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] for a table that was damaged.
@@ -46,7 +46,7 @@ impl Materials {
         Ok(Bodies::new(&Pair::try_new(1.0, &self.sphere(), &half_space)?, &half_space))
     }
 
-    /// The flow curve; `None` for words that say none.
+    /// The flow curve; `None` if the words name none.
     pub fn curve(&self) -> Option<FlowCurve> {
         let mut words = self.flow.split_whitespace();
         let form = words.next()?;

@@ -4,7 +4,7 @@ use serde::Deserialize;
 
 use super::{ReferenceError, rows};
 
-/// What the finite elements say of an impact.
+/// The result of the finite elements for an impact.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct ImpactRow {
     /// "D1".
@@ -24,7 +24,7 @@ pub struct ImpactRow {
     pub radiated_share: f64,
 }
 
-/// A sample on the way.
+/// A sample in time.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Sample {
     /// "D1".

@@ -1,4 +1,4 @@
-//! Measured restitution that is public: rebound hardness after Leeb.
+//! Public measurements of restitution: rebound hardness after Leeb.
 
 use serde::Deserialize;
 

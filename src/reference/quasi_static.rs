@@ -1,4 +1,4 @@
-//! What an unloading of known materials gave: the points beside the laws in comparisons and pictures.
+//! Finite-element unloadings of known materials: the points beside the laws in comparisons and pictures.
 
 use std::sync::LazyLock;
 
@@ -44,7 +44,7 @@ pub struct UnloadingCurve {
 /// The unloadings with the finest increments at the depths of Figure 10 of the paper, which is case 3: run and number.
 const FIGURE_10: [(&str, u32); 3] = [("case3_mini", 2), ("case3_fs", 1), ("case3_large_finesteps", 2)];
 
-// without a row there is no point in a picture: a damaged table shows in the test below
+// a damaged table gives no rows and no points in pictures; the test below would find it
 static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| unloaded().unwrap_or_default());
 static CURVES: LazyLock<Vec<UnloadingCurve>> = LazyLock::new(|| curves().unwrap_or_default());
 
@@ -76,8 +76,8 @@ fn curves() -> Result<Vec<UnloadingCurve>, ReferenceError> {
     Ok(peaks.map(curve).collect())
 }
 
-/// The unloadings of the case that has these materials, by rising depth; none for others. Quasi-static results in units of
-/// the yield point know no radius.
+/// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
+/// units of the yield point do not depend on the radius.
 pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
     let materials = [sphere_modulus, bodies.half_space_modulus(), bodies.yield_strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;

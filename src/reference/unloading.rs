@@ -1,4 +1,4 @@
-//! The full unloadings of the quasi-static runs: what is left of each, the way there, and the dent.
+//! The full unloadings of the quasi-static runs: results, points of the curves, and shapes of the dents.
 
 use serde::Deserialize;
 
@@ -29,7 +29,7 @@ pub struct UnloadingRow {
     pub residual_share: f64,
     /// W/(F_Y δ_Y) of loading, where the loading curve reaches back to first yield.
     pub spent: Option<f64>,
-    /// √(recovered/spent work), where it does.
+    /// √(recovered/spent work), if the spent work is known.
     pub restitution: Option<f64>,
     /// R_res/R fitted within the contact radius.
     #[serde(rename = "residual_radius_over_R")]

@@ -1,4 +1,4 @@
-//! What came of a series: its impacts, why it ended, and what would come after.
+//! The results of a series: its impacts, why it ended, and an estimate of what would follow.
 
 use std::mem::discriminant;
 use std::ops::Deref;
@@ -10,13 +10,13 @@ use crate::math::power::max_or_nan;
 /// Why a series ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum End {
-    /// All shots are fired.
+    /// The list of shots is finished.
     Shots,
     /// As many impacts as were asked for.
     Impacts,
     /// The next impact would be slower than `until`.
     Until,
-    /// The sphere does not leave; without damping, as the recovered work cannot lift it, F_m ≤ (n + 1) m g.
+    /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g.
     Captured,
     /// The rebound does not lift the sphere out of its dent onto fresh surface.
     InDent,
@@ -64,7 +64,7 @@ impl Deref for Hit {
     }
 }
 
-/// What came of a series.
+/// The results of a series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
     /// The impacts in order.
@@ -92,7 +92,7 @@ impl Hit {
         Self { time, speed, rebound_speed, essentials, energy, under_forces, dent_growth, flight: None }
     }
 
-    /// Something that only an impact under gravity or damping has.
+    /// A result that only an impact under gravity or damping has.
     pub fn forced(&self, value: fn(&UnderForces) -> Option<f64>) -> Option<f64> {
         self.under_forces.as_ref().and_then(value)
     }

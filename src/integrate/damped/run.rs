@@ -1,5 +1,5 @@
-//! The way along one leg, told step by step: it says how long the next step from its node is to be, and what a step of that
-//! length has come to. One home for error control and landing, whether steps are taken one by one or in lock step.
+//! The run along one leg. It gives the length of the next step from its node, and decides what follows from a step of that
+//! length. Error control and landing are here alone, whether steps are taken one by one or in lock step.
 //!
 //! ```text
 //! march ── an event is passed ──► mend ── on the event ──► landed
@@ -17,8 +17,8 @@ use crate::math::functions::pow;
 
 /// Repeats of a landing step.
 const MOST_ROUNDS: u32 = 12;
-/// Repeats of a step to a lift-off. Under weak damping, on a piece that is no power law, the contact force goes with a high
-/// power of r until close to its zero, and each step of Newton's method covers only a part of the way that is left.
+/// Repeats of a step to a lift-off. Under weak damping, on a piece that is no power law, the contact force falls like a high
+/// power of r until close to its zero. Each step of Newton's method then covers only a part of the remaining way.
 const MOST_ROUNDS_TO_LIFT_OFF: u32 = 60;
 
 /// Where Newton's method would change the length of a landing step by less than this times √tolerance, the end of the step is
@@ -30,8 +30,9 @@ const PART: f64 = 0.05;
 
 /// The least share of the error of order 5 that counts as the error of a step.
 ///
-/// The pair estimates the error by e5²/e3, which assumes that both errors have the same leading terms. Near r = 0 they have
-/// not: a weak pull or drag comes with a low power of r, which order 3 misses, and the force with the ninth, which all miss.
+/// The pair estimates the error by e5²/e3, which assumes that both errors have the same leading terms. Near r = 0 this does
+/// not hold: a weak pull or drag enters with a low power of r, which order 3 misses, and the force with the ninth power,
+/// which both miss.
 /// Without a least share the error was up to 3000 times the estimate there, and the ledger of one impact in 10⁵ closed to
 /// 40 times the tolerance. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
 /// of smooth motions stay as they are.
@@ -50,10 +51,10 @@ enum Aim {
     Mend { event: Crossing, size: f64, most: f64, rounds: u32 },
 }
 
-/// What the error control says of a step.
+/// The judgement of a step by the error control.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) struct Verdict {
-    /// Its error, 1 at most if it is accepted.
+    /// The error over its limit; at most 1 if the step is accepted.
     pub(in crate::integrate) error: f64,
     /// The length of the next one in units of this one's: 0.9 error^(−1/8), before it is bounded.
     pub(in crate::integrate) pace: f64,
@@ -75,7 +76,7 @@ impl Verdict {
     }
 }
 
-/// What a step has come to.
+/// What follows from a step.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) enum Progress {
     /// Another step from the same node is to be taken.
@@ -86,7 +87,7 @@ pub(in crate::integrate) enum Progress {
     Landed { landing: Landing, length: f64, state: State },
 }
 
-/// What ends a leg, for one or for many.
+/// What ends a leg, as numbers for one run or for lanes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) struct Limits<T> {
     /// +1 outward, −1 back.
@@ -100,7 +101,7 @@ pub(in crate::integrate) struct Limits<T> {
 }
 
 impl<T: Lane> Limits<T> {
-    /// 1 where the step has surely passed no event, so that the motion just goes on if the step is accepted; else 0. Takes
+    /// 1 if the step has surely passed no event, so that the motion goes on if the step is accepted; else 0. The arguments are
     /// the contact force and its derivative before and after the step.
     #[inline(always)]
     pub(in crate::integrate) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
@@ -134,7 +135,7 @@ pub(in crate::integrate) struct Run {
 }
 
 impl Run {
-    /// At the first node; `None` for an outward leg that begins without speed, as it has turned already.
+    /// A run at its first node; `None` for an outward leg without speed, which has turned already.
     pub(in crate::integrate) fn begin<P: Dragged>(
         piece: P,
         path: &Path,
@@ -152,7 +153,8 @@ impl Run {
         if direction > 0.0 && speed <= 0.0 {
             return None;
         }
-        // a first step that the error control may still shrink; not beyond the end, where a short leg is slow to feel force
+        // a first step that the error control may still shrink. It does not go beyond the end: on a short leg the force may be
+        // too weak to limit it
         let far = if direction > 0.0 { end.min(size.max(node[0])) } else { node[0] };
         let mut length = pow(tolerance, 0.125) / piece.frequency(far);
         if node[1] > 0.0 && far > node[0] {
@@ -171,7 +173,7 @@ impl Run {
         matches!(self.aim, Aim::March)
     }
 
-    /// What a step that is only to go on must not pass, as numbers.
+    /// The limits that a step must not pass if the motion is to go on, as numbers.
     pub(in crate::integrate) fn limits(&self) -> Limits<f64> {
         Limits {
             direction: self.direction,
@@ -181,7 +183,7 @@ impl Run {
         }
     }
 
-    /// Takes over where the lanes have come by so many steps, all of which were accepted and passed no event.
+    /// Takes over from the lanes after so many steps, all of which were accepted and passed no event.
     #[inline(always)]
     pub(in crate::integrate) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
         (self.node, self.rates, self.length) = (node, rates, length);
@@ -189,7 +191,7 @@ impl Run {
         self.work.force_evaluations += EVALUATIONS * steps;
     }
 
-    /// Takes what a step of [`Run::length`] from the node has come to.
+    /// Decides what follows from a step of [`Run::length`] from the node.
     #[inline]
     pub(in crate::integrate) fn tell<P: Dragged>(
         &mut self,
@@ -211,7 +213,7 @@ impl Run {
         }
     }
 
-    /// The function that a landing on an event is aimed with, and its derivative along σ.
+    /// The function whose zero a landing on an event searches, and its derivative along σ.
     fn aimed<P: Dragged>(&self, piece: P, event: Crossing, node: &Quad, rates: &Quad) -> (f64, f64) {
         if event == Crossing::LiftOff { piece.lift_off(node, rates) } else { self.event(piece, event, node, rates) }
     }
@@ -237,7 +239,7 @@ impl Run {
             return Err(IntegrationError::Creeping { steps: MOST_STEPS });
         }
         let h = self.length;
-        // not a number where a stage left the range of a formula: a shorter step may not
+        // NaN where a stage left the range of a formula: a shorter step may stay inside
         if verdict.error > 1.0 || verdict.error.is_nan() {
             self.work.rejected += 1;
             self.length = h * verdict.pace.max(0.2);
@@ -270,7 +272,7 @@ impl Run {
         Ok(self.go_on(piece, next, h, verdict))
     }
 
-    /// The rest of the events, and on from the end of the step if it has passed none.
+    /// Looks for the other events; the motion goes on from the end of the step if it has passed none.
     #[inline(always)]
     fn go_on<P: Dragged>(&mut self, piece: P, next: &Step, h: f64, verdict: Verdict) -> Progress {
         if self.direction < 0.0 && self.is_past(piece, Crossing::Turning, next) {
@@ -287,19 +289,18 @@ impl Run {
         Progress::Moved { length: h }
     }
 
-    /// Whether a turning point found at y is false: a sphere at rest there would be pushed on. A creep under strong drag is
-    /// slower than the error of the speed that a loose tolerance allows, and a step may then end with a speed of the wrong
-    /// sign.
+    /// Whether a turning point found at y is false, because a sphere at rest there would be pushed on. Under strong drag a
+    /// creep is slower than the error that a loose tolerance allows, and a step may end with a speed of the wrong sign.
     fn is_false_turn<P: Dragged>(&self, piece: P, y: f64) -> bool {
         self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.is_next_to_rest(P::distance_at(y))
     }
 
-    /// Whether a place is that of rest within the tolerance: a turn there counts as rest.
+    /// Whether a place is the place of rest within the tolerance. A turn there counts as rest.
     fn is_next_to_rest(&self, distance: f64) -> bool {
         self.path.rest.is_some_and(|rest| (distance - rest.distance).abs() <= self.tolerance * rest.distance)
     }
 
-    /// Half of a step of length `h` that had been accepted, in place of it.
+    /// Repeats an accepted step of length `h` with half its length.
     fn take_back(&mut self, h: f64) -> Progress {
         self.work.steps -= 1;
         self.work.rejected += 1;

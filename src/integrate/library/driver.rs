@@ -15,7 +15,7 @@ pub enum Scheme {
     Dop853,
 }
 
-/// The crate with what it is asked for, and what it has cost.
+/// The crate with method, tolerance and cost.
 #[derive(Debug, Clone)]
 pub(super) struct Driver {
     scheme: Scheme,

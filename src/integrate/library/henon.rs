@@ -3,7 +3,7 @@
 //!
 //! * the turning point with the speed u: d' = −u/g, t' = −1/g from u to 0;
 //! * the end of a piece, crossed fast, with the distance: u' = −g/u, t' = 1/u;
-//! * crossed so slowly that 1/u is no smooth function: with the speed again, and with the u² that makes d the end found
+//! * the end of a piece, crossed so slowly that 1/u is not smooth: with the speed again. The u² at which d is the end is found
 //!   by Newton's method (d is almost linear in u²).
 
 use nalgebra::{Vector2, Vector3};

@@ -19,7 +19,7 @@ fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
 }
 
 /// The loosest tolerance of a leg that may end in a creep. The error of the speed is measured against the largest speed of the
-/// impact, and a creep is much slower than that: at looser tolerances the steps may stop before the creep has ended.
+/// impact, and a creep is much slower: with a looser tolerance the steps may stop before the creep has ended.
 const LOOSEST_CREEP: f64 = 1e-5;
 
 /// The tolerance of a leg.
@@ -97,8 +97,8 @@ impl Equations<'_> {
         self.path.leg.direction() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
     }
 
-    /// Whether a speed of the wrong sign comes only from the error of the speed, as in a creep slower than that error. So it
-    /// is if the sphere, even without drag, cannot get from `last` to a place where it could turn.
+    /// Whether a speed of the wrong sign is only an error of the speed, as in a creep slower than that error. This is so if
+    /// the sphere, even without drag, cannot get from `last` to a place where it could turn.
     fn cannot_turn(&self, last: Node, node: Node) -> bool {
         let sign = self.path.leg.direction();
         let time = node[0] - last[0];
@@ -110,7 +110,7 @@ impl Equations<'_> {
         self.is_pushed_on(last[1] + sign * way)
     }
 
-    /// Whether the contact force vanishes and comes again on the step to this node.
+    /// Whether the contact force vanishes and comes back within the step to this node.
     fn dips_before(&self, node: Node) -> bool {
         let Some(&last) = self.log.as_ref().and_then(|log| log.nodes.last()) else { return false };
         if !self.path.can_lift_off() || node[0] <= last[0] {

@@ -13,7 +13,7 @@ use crate::integrate::piece::straight::Straight;
 use crate::integrate::rk8::{Constants, Rk8, grown, shrunk};
 use crate::integrate::{Drag, Integrator as _, Landing, MOST_STEPS, Path, Restoring, State};
 
-/// Lanes whose state is no number, or that go on for ever, are looked for once in so many common steps.
+/// Every so many common steps, lanes are checked for states that are not finite and for legs without end.
 const LOOK: u64 = 1024;
 
 /// The state and the constants of every lane.
@@ -93,7 +93,7 @@ impl Lanes for Conservative {
             let [y, u, _, t] = of_lane(&rows.node, lane);
             let is_number = [y, u, t, rows.h[lane]].iter().all(|part| part.is_finite());
             self.begun[lane].take_if(|begun| !is_number || self.steps - *begun >= MOST_STEPS)?;
-            // by itself it says what is wrong, or does not fail
+            // integrated alone, the leg gives the error, or does not fail
             let mut state = *begun;
             return Some(self.rk8.traverse(path, &mut state, None).map(|landing| (landing, state)));
         }
@@ -127,7 +127,7 @@ impl Kernel for Stepping<'_> {
     }
 }
 
-/// One pass of the loop of rk8, with choices instead of branches: the node after it, the next step, the kind of landing.
+/// One pass of the loop of rk8, with choices instead of branches. Returns the next node, the next step, the kind of landing.
 #[inline(always)]
 fn step<T: Lane>(field: Mixed<T>, leg: &Constants<T>, now: &Node<T>, h: T) -> (Node<T>, T, T) {
     let zero = h.all(0.0);

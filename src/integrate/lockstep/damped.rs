@@ -1,6 +1,7 @@
 //! Lanes of the stepper with drag, on straight and Hertz pieces.
 //!
-//! A step is that of `dop853`; what comes of it, each lane is told by itself as the stepper alone is.
+//! The steps are those of `dop853`. Steps that are accepted and pass no event are handled for all lanes at once; in all other
+//! cases the [`Run`] of the lane decides, as it does for a single motion.
 
 mod rows;
 
@@ -17,7 +18,7 @@ use rows::{Onward, Rows, Stepping};
 /// Every so many steps all lanes run the code of a single motion, so that its step limit is checked.
 const MOST_UNTOLD: u64 = 1024;
 
-/// The piece that a lane is on.
+/// The piece of a lane.
 #[derive(Debug, Clone, Copy)]
 enum LanePiece<const M: u8> {
     Straight(DraggedStraight),
@@ -93,7 +94,7 @@ impl<const M: u8> Lanes for Damped<M> {
     fn step(&mut self) -> bool {
         let rows = &mut *self.rows;
         self.arch.dispatch(AllLanes(Stepping::<M>(rows)));
-        // the slow functions in loops of their own, so that those of one lane overlap those of the next
+        // the slow functions have loops of their own, so that the processor overlaps those of neighbouring lanes
         let mut marching = [0; LANES];
         let mut count = 0;
         for lane in 0..LANES {

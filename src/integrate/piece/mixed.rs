@@ -5,8 +5,8 @@ use super::straight::DraggedStraight;
 use super::{Field, Motion, Quad};
 use crate::integrate::lanes::Lane;
 
-/// Without drag: g = −(a + b y + c y⁴). A term that a lane's piece does not have has the coefficient zero, which leaves every
-/// bit of the others as [`super::straight::Straight`] and [`super::power::Hertz`] have it.
+/// Without drag: g = −(a + b y + c y⁴). A term that the piece of a lane lacks has the coefficient zero. The result has the
+/// same bits as with [`super::straight::Straight`] and [`super::power::Hertz`].
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) struct Mixed<T> {
     pub(in crate::integrate) a: T,

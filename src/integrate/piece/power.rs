@@ -54,7 +54,7 @@ impl<const PULLED: bool> Power<PULLED> {
     }
 }
 
-/// Where the pull is stronger than the force, it sets the pace.
+/// The part of [`Variables`] under a pull: where the pull is stronger than the force, the first step follows from the pull.
 macro_rules! pulled {
     () => {
         const IS_PULLED: bool = PULLED;

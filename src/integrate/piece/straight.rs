@@ -4,7 +4,7 @@ use super::{Dragged, Field, Motion, Pull, Quad, Variables};
 use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 
-/// Without drag: g = −(a + b y), y = d. The pull stands in a, which may be negative where one acts.
+/// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) struct Straight<const PULLED: bool> {
     pub(in crate::integrate) a: f64,

@@ -1,4 +1,4 @@
-//! The coefficients of the PLM: a table that is data, with its check, and the law that follows from it for a pair of bodies.
+//! The coefficients of the PLM: a table of data, the check of it, and the law that follows from it for a pair of bodies.
 
 use std::fmt::Debug;
 use std::sync::LazyLock;
@@ -58,7 +58,7 @@ pub struct ApproachTable {
     pub first_slope: f64,
     /// What κ² adds to it.
     pub first_slope_kappa_squared: f64,
-    /// It never exceeds this.
+    /// Largest value of that slope.
     pub first_slope_limit: f64,
     /// Fully plastic from A = 1 + this × ρ_E.
     pub plastic_from_rho: f64,
@@ -72,7 +72,7 @@ pub struct ApproachTable {
     pub geometry_factor: Vec<f64>,
 }
 
-/// The coefficients of the PLM: data, replaceable.
+/// The coefficients of the PLM. A scenario may name a file with others.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlmCoefficients {
@@ -92,7 +92,7 @@ pub enum CoefficientsError {
     /// Not TOML of the expected form; the text shows line and key.
     #[error("{0}")]
     Form(String),
-    /// A value that makes no law.
+    /// A value that is not allowed.
     #[error("{key} = {value} is not allowed: {rule}")]
     Value {
         /// Which key.
@@ -194,7 +194,7 @@ impl PlmCoefficients {
         Law { loading, elastic, radius_ratio, radius_geometry, exponent }
     }
 
-    /// The same for a half-space that hardens as its flow stress rises.
+    /// The same for a half-space whose flow stress rises so.
     pub(crate) fn hardening_law(
         &self,
         pair: &Pair,
@@ -208,7 +208,7 @@ impl PlmCoefficients {
         Law { loading, elastic: ElasticApproach::Hardening(Box::new(hardening)), ..perfect }
     }
 
-    /// What the polyline of the elastic approach is made of.
+    /// The slopes and knots of the polyline of the elastic approach.
     pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
         let table = &self.elastic_approach;

@@ -78,7 +78,7 @@ pub fn normal_below(z: f64) -> f64 {
     0.5 * libm::erfc(-z * std::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// The value that a share p, 0 to 1, lies below.
+/// The value below which the share p, 0 to 1, of all values lies.
 pub fn normal_quantile(p: f64) -> f64 {
     let from_middle = p - 0.5;
     if from_middle.abs() <= 0.425 {

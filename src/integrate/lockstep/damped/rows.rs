@@ -1,4 +1,4 @@
-//! The numbers of every lane side by side, and what is done to all of them at once.
+//! The numbers of all lanes side by side, and the operations on all of them at once.
 
 use pulp::Simd;
 
@@ -34,14 +34,15 @@ pub(super) struct Rows {
     pub(super) limits: [Row; 4],
     /// 1 in a lane whose next step is under error control, else 0.
     pub(super) marches: Row,
-    /// 1 if no event lies in the step; after [`Onward`], 1 if it was also accepted, and the lane need not be told.
+    /// 1 if no event lies in the step. After [`Onward`] it is 1 only if the step was also accepted; the [`Run`] of the lane is
+    /// then not needed.
     pub(super) clear: Row,
-    /// Steps since the lane was told of one.
+    /// Steps that the [`Run`] of the lane has not counted yet.
     pub(super) untold: Row,
 }
 
 impl Rows {
-    /// From where a lane steps next, and how far.
+    /// Sets the node of a lane and the length of its next step.
     #[inline(always)]
     pub(super) fn put(&mut self, lane: usize, run: &Run) {
         put(&mut self.node, lane, run.node);
@@ -49,7 +50,8 @@ impl Rows {
         self.put_length(lane, run);
     }
 
-    /// The length alone: numbers written one by one are slow to be read as a row, so none is written that is there already.
+    /// Sets the length alone. Numbers that are written one by one are slow to be read as a row, so an equal length is not
+    /// written again.
     #[inline(always)]
     pub(super) fn put_length(&mut self, lane: usize, run: &Run) {
         self.h[lane] = run.length;
@@ -57,7 +59,7 @@ impl Rows {
         self.untold[lane] = 0.0;
     }
 
-    /// What a lane has not been told of.
+    /// Steps of a lane that its [`Run`] has not counted yet.
     #[inline(always)]
     pub(super) fn catch_up(&self, lane: usize, run: &mut Run) {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a count
@@ -96,7 +98,7 @@ impl<const M: u8> Kernel for Stepping<'_, M> {
     }
 }
 
-/// Takes the steps that are accepted and have passed nothing.
+/// Takes the steps that are accepted and have passed no event.
 pub(super) struct Onward<'a>(pub(super) &'a mut Rows);
 
 impl Kernel for Onward<'_> {
