@@ -13,8 +13,10 @@
 
 pub mod catalogue;
 mod contact_law;
+mod crossing;
 pub mod curve;
 pub mod jumps;
+pub mod piece;
 pub mod plm;
 pub mod published;
 pub mod reloading;
@@ -47,10 +49,10 @@ pub enum ElasticApproach {
     Reloaded(Box<Reloaded>),
 }
 
-/// What a spot remembers.
+/// The law of a spot that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reloaded {
-    /// From the largest state so far.
+    /// The unloading branch from the largest state so far.
     pub branch: Unloading,
     /// a/a_Y there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to f/ε.
     radius: f64,
@@ -58,7 +60,7 @@ pub struct Reloaded {
     fresh: Law,
 }
 
-/// Where on its law a contact is.
+/// The branch of its law that a contact is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
     /// Loading without a dent so far.
@@ -69,7 +71,7 @@ pub enum Branch {
     Reloading,
     /// Unloading.
     Unloading,
-    /// Above the dent, without contact; an impact has ended there.
+    /// The sphere is above the dent, without contact. An impact ends there.
     Separated,
 }
 
@@ -113,7 +115,8 @@ impl Law {
         }
     }
 
-    /// Whether its elastic approach and its unloading are closed forms written here: no other published law, fresh surface.
+    /// Whether elastic approach and unloading are closed forms of this file: neither a published law with rules of its own,
+    /// nor a spot that was loaded before.
     #[inline(always)]
     pub fn is_plain(&self) -> bool {
         !matches!(self.elastic, ElasticApproach::Published(_) | ElasticApproach::Reloaded(_))
@@ -172,7 +175,7 @@ impl Law {
         Unloading::power(peak, unloading::exponent_within(spent, &peak, self.exponent_asked(&peak)))
     }
 
-    /// The exponent that the law asks for, however much that gives back.
+    /// The exponent that the law asks for, even if the branch would give back more than was spent.
     #[inline(always)]
     fn exponent_asked(&self, peak: &Peak) -> f64 {
         match self.exponent {
@@ -219,15 +222,15 @@ impl Law {
         if matches!(self.fresh().elastic, ElasticApproach::Hardening(_)) { 0.32 } else { 0.45 }
     }
 
-    /// The largest plastic strain that loading to a peak asks the flow curve for, and the last that the curve is known for,
-    /// where the first is the larger.
+    /// The largest plastic strain at which loading to a peak needs the flow curve, and the largest one for which the curve is
+    /// known. `None` where the curve reaches far enough.
     pub(crate) fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
         let ElasticApproach::Hardening(hardening) = &self.fresh().elastic else { return None };
         let (strain, last) = (hardening.largest_strain(peak.indentation), hardening.last_strain()?);
         (strain > last).then_some((strain, last))
     }
 
-    /// Whether the law says anything of a peak.
+    /// Checks that the law has an answer for a peak.
     ///
     /// # Errors
     /// [`OutsideLaw`] where a published law has no answer there.
@@ -241,8 +244,8 @@ impl Law {
 
     /// Contact radius a/a_L at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
     ///
-    /// Against finite elements that of the PLM is within 5 % up to a = 0.48 R. A mean pressure made of it is off by twice
-    /// that, the other way.
+    /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
+    /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
         let equivalent = peak.force / peak.elastic_approach;
         let geometry = self.radius_geometry.at(equivalent);

@@ -10,7 +10,7 @@ mod with_forces;
 use super::outcome::{Fate, Outcome};
 use super::scaled_forces::ScaledForces;
 use super::scales::ACCELERATION;
-use crate::law::curve::{Piece, Shape};
+use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time, quarter_period};
@@ -40,7 +40,7 @@ struct Balance {
     kinetic: f64,
     /// Index of the piece that the sphere turns on.
     last: usize,
-    /// From the start of that piece.
+    /// Distance of the turning point from the start of that piece.
     distance: f64,
 }
 
@@ -51,7 +51,7 @@ fn balance(law: &Law, speed: f64) -> Balance {
     Balance::new(law, kinetic, last, distance, law.unloading(law.state_at(last, distance)))
 }
 
-/// The same for a law that is plain, without the calls that others need: the peak stays in registers.
+/// The same for a law that [is plain](Law::is_plain). It makes no calls, so that the peak stays in registers.
 #[inline(always)]
 fn plain_balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
@@ -64,7 +64,7 @@ impl Balance {
     #[inline(always)]
     fn new(law: &Law, kinetic: f64, last: usize, distance: f64, unloading: Unloading) -> Self {
         let recovered = unloading.capacity();
-        // where all comes back, 1 to rounding is 1. Fresh surface gives back no more than was spent
+        // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
         let share = recovered / kinetic;
         let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
         let is_all = is_one || law.is_elastic_to(unloading.peak.indentation) || share > 1.0 && law.branch().is_none();
@@ -87,16 +87,16 @@ fn outcome_of_other(law: &Law, speed: f64) -> Outcome {
 #[inline(always)]
 fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
     let Balance { unloading, restitution, kinetic, last, distance } = balance;
-    let pieces = &law.loading.pieces()[..=last];
-    let mut loading_time = 0.0;
-    let mut entry = speed;
+    let (first, mut loading_time) = law.loading.crossed(kinetic, speed);
+    let pieces = &law.loading.pieces()[first..=last];
+    let mut entry = if first == 0 { speed } else { (2.0 * ACCELERATION * (kinetic - pieces[0].work)).sqrt() };
     for (piece, next) in pieces.iter().zip(&pieces[1..]) {
         let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
         loading_time += time_on(piece, next.start - piece.start, entry, exit);
         entry = exit;
     }
     let peak = &unloading.peak;
-    loading_time += time_to_turn(&pieces[last], distance, entry);
+    loading_time += time_to_turn(&pieces[last - first], distance, entry);
     let unloading_time = if unloading.is_power() {
         quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
     } else {
@@ -115,7 +115,7 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
     }
 }
 
-/// The time of a branch that is no power, left at speed `exit`.
+/// Time on an unloading branch that is no power law; the sphere leaves it at speed `exit`.
 #[cold]
 fn other_unloading_time(unloading: &Unloading, exit: f64) -> f64 {
     time_to_turn(&unloading.branch(), unloading.peak.elastic_approach, exit)
@@ -126,8 +126,8 @@ const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
 
 /// Time from the start of a piece, entered at speed `entry`, to the turning point at `distance` beyond it.
 ///
-/// On a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance of a turning point just behind a
-/// knot would not do: it is a difference of nearly equal numbers.
+/// On a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there: just behind a knot
+/// it is a difference of nearly equal numbers and has few digits.
 #[inline]
 fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
     match piece.shape {
@@ -143,7 +143,7 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
 
 #[cold]
 fn smooth_time_to_turn(piece: &Piece, smooth: &Smooth, distance: f64, entry: f64) -> f64 {
-    // just behind a knot as on the tangent there, for the same reason
+    // just behind a knot the time is that on the tangent at the knot, for the same reason
     if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
         let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
         return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
@@ -151,7 +151,7 @@ fn smooth_time_to_turn(piece: &Piece, smooth: &Smooth, distance: f64, entry: f64
     smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION)
 }
 
-/// A turning point nearer to a knot than this share of the indentation (halved) has lost digits of its distance.
+/// The distance of a turning point from a knot has lost digits if it is below half this share of the indentation.
 const NEAR_KNOT: f64 = 1e-6;
 
 /// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.
@@ -169,7 +169,7 @@ fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
     }
 }
 
-/// Time on a power law that is entered beyond its zero: what it would be from the zero, less the way to the start.
+/// Time on a power law that is entered beyond its zero: the time from the zero, less the time from the zero to the start.
 fn late_time(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
     let Shape::LatePower { exponent, lead, .. } = piece.shape else { return f64::NAN };
     let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);

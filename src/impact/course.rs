@@ -20,7 +20,7 @@ use super::record::{Along, Event, Recorder};
 use super::scaled_forces::{Creep, ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
-use crate::law::curve::{Piece, Shape};
+use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
 
 /// Where an impact is.
@@ -138,7 +138,7 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// Goes on where a leg has landed: to the next leg, or to the end.
+    /// Goes on after a landing: to the next leg, or to the end.
     pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) -> Option<Outcome> {
         match self.phase {
             Phase::Loading { piece, event, creep } => {
@@ -174,7 +174,7 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// Whether it may come to rest without turning: only with a weight and damping.
+    /// Whether the sphere may come to rest without turning. This needs gravity and damping.
     fn may_creep(&self) -> bool {
         self.path.pull > 0.0 && self.path.drag != Drag::NONE
     }
@@ -194,7 +194,8 @@ impl<'a> Course<'a> {
         State { time: speed / self.path.pull, distance, speed, loss: 0.0 }
     }
 
-    /// Onto a piece of the loading curve: the leg along it, what is at its end, and the creep to rest if it ends near that.
+    /// Begins a piece of the loading curve: sets the leg along it, the event at its end, and the creep if the sphere may come
+    /// to rest on it.
     fn set_out(&mut self, index: usize) {
         let piece = &self.law.loading.pieces()[index];
         (self.path.restoring, self.path.leg) = way_out(self.law, index);
@@ -222,7 +223,7 @@ impl<'a> Course<'a> {
         self.phase = Phase::Loading { piece: index, event, creep: rests };
     }
 
-    /// On from the end of a leg of the loading curve.
+    /// Goes on from the end of a leg of the loading curve.
     fn go_on(&mut self, mut piece: usize, mut event: Option<Event>, recorder: Option<&mut Recorder>) {
         if event == Some(Event::Knot) {
             let is_end_of_branch = piece == 0 && self.law.branch().is_some();
@@ -240,7 +241,7 @@ impl<'a> Course<'a> {
         self.set_out(piece);
     }
 
-    /// Compression has ended: onto the way back, unless the sphere has crept up to its static indentation.
+    /// Begins the way back at the end of compression, unless the sphere has crept up to its static indentation.
     fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) -> Option<Outcome> {
         let unloading = self.law.unloading(self.law.state_at(piece, self.at.distance - entry_of(self.law, piece)));
         if let Some(recorder) = recorder {
@@ -276,7 +277,7 @@ impl<'a> Course<'a> {
         if is_captured && self.forces.is_conservative() { self.forces.static_approach(unloading) } else { 0.0 }
     }
 
-    /// The outcome of a run that ends here; distances have been from the residual indentation.
+    /// The outcome of a run that ends here, where distances count from the residual indentation.
     fn outcome(&self, unloading: Unloading, loading_time: f64, fate: Fate) -> Outcome {
         let State { time, distance, speed, loss } = self.at;
         Outcome {

@@ -11,7 +11,7 @@ use super::record::{Along, Event, Recorder, loading_point};
 use super::scaled_forces::{ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, IntegrationError, Sampler, State, Work};
-use crate::law::curve::Piece;
+use crate::law::piece::Piece;
 use crate::law::{Law, Peak, Unloading};
 use crate::math::power::max_or_nan;
 use crate::math::root::halved;
@@ -114,7 +114,7 @@ pub(crate) fn march(
     let gravity = ACCELERATION * forces.weight;
     let (mut state, mut acceleration) = (touch, gravity);
     let mut peak = State { speed: 0.0, ..touch };
-    // where the speed comes to zero beside the deepest step
+    // time of zero speed near the deepest step
     let mut turns_at = 0.0;
     let mut sampler = recorder.as_ref().map(|recorder| recorder.sampler.clone());
     work.force_evaluations += 1;

@@ -15,7 +15,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::scales::{ACCELERATION, Scales};
-use crate::law::curve::{Piece, Shape};
+use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::material::{HalfSpace, OutOfFloatRange, normal};
 use crate::math::functions::{atan2, cos, gamma, sin};

@@ -6,14 +6,15 @@
 //! ```
 //!
 //! x is measured from the surface as it was before the first impact, so first touch is at x_r. On the branch the work is
-//! counted from x_r: a reload turns at the old peak if it brings just the energy stored there, f_m ε_m/(n + 1), and its
-//! turning point beyond depends on the sum of what was spent before and what it brings in excess of that:
+//! counted from x_r. A reload turns at the old peak if its kinetic energy is just the energy stored there, f_m ε_m/(n + 1).
+//! A faster one goes on along the loading curve, and the energy in excess is the further work of loading:
 //!
 //! ```text
 //! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
 //! ```
 
-use super::curve::{Curve, Piece, Shape};
+use super::curve::Curve;
+use super::piece::{Piece, Shape};
 use super::unloading::GRAZING;
 use super::{ElasticApproach, Law, Peak, Reloaded, Unloading};
 
@@ -37,7 +38,7 @@ impl Curve {
         let spent = cut.work_at(peak.indentation);
         let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
         let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
-        Self { pieces: [branch.branch(), first].into_iter().chain(rest).collect() }
+        Self::of([branch.branch(), first].into_iter().chain(rest).collect())
     }
 }
 
@@ -76,7 +77,7 @@ impl Reloaded {
         kinetic <= self.branch.capacity() * (1.0 + GRAZING)
     }
 
-    /// The state at a distance from x_r, which has digits that x has not.
+    /// The state at a distance from x_r. The distance has digits that x has lost.
     #[cold]
     fn state_at(&self, distance: f64) -> Peak {
         let peak = self.branch.peak;
@@ -175,7 +176,7 @@ impl Law {
         }
     }
 
-    /// Work from first touch to a state of the loading curve; on the branch from ε, not from x.
+    /// Work from first touch to a state of the loading curve; on the branch it follows from ε, which has more digits than x.
     pub(crate) fn work_to(&self, state: &Peak) -> f64 {
         match self.branch_at(state.indentation) {
             Some(branch) => branch.stored_after(state.elastic_approach, state.force),
@@ -183,7 +184,7 @@ impl Law {
         }
     }
 
-    /// [`Law::spent`] for a report: nothing where all comes back but for rounding.
+    /// [`Law::spent`] for a report: 0 where it is rounding.
     pub fn plastic(&self, unloading: &Unloading) -> f64 {
         let spent = self.spent(unloading);
         if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }

@@ -1,14 +1,14 @@
 //! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n, and the shapes of published
-//! laws that are no power.
+//! laws that are no power law.
 
 use std::f64::consts::PI;
 
-use super::curve::{Piece, Shape};
+use super::piece::{Piece, Shape};
 use crate::math::functions::pow;
 use crate::math::power::{power, work_share};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
-/// The largest state a contact has seen: all the memory the law has.
+/// The largest state that a contact has seen: the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
     /// x_m.
@@ -39,7 +39,7 @@ pub enum UnloadingShape {
     Power(f64),
     /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε_m: unloading from uniform pressure (Mesarovic and Johnson 2000).
     UniformPressure,
-    /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved (Yigit and Christoforou 1994).
+    /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
     ShiftedHertz,
 }
 
@@ -68,7 +68,7 @@ pub enum UnloadingExponent {
     /// n = 3/2, the paper's law.
     #[default]
     Paper,
-    /// Any number in (1, 2]: for comparison. Physics backs the other two alone.
+    /// Any number in (1, 2], for comparison. Only the other two have a physical reason.
     Fixed(f64),
     /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
     PressureShape,
@@ -96,8 +96,8 @@ impl From<f64> for UnloadingExponent {
     }
 }
 
-/// A reload turns at the old peak where it brings more energy than the branch can hold by no more than this share: some ten
-/// roundings. A sphere that comes back with the speed it left with has that energy but for rounding.
+/// A reload whose energy exceeds what the branch can store by at most this share still turns at the old peak. The share is
+/// some ten roundings: a sphere that comes back with the speed of its rebound has just that energy, but for rounding.
 pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 
 /// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.
@@ -106,16 +106,16 @@ pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 /// f = f_m ((x − x_r)/ε_m)^n,   x_r ≤ x ≤ x_m        (Eq. 19 for n = 3/2)
 /// ```
 ///
-/// or another [`UnloadingShape`]. Reloading runs back up the same curve. Meets the loading curve at (x_m, f_m), with a kink;
-/// zero at x_r.
+/// or another [`UnloadingShape`]. Reloading runs back up the same curve. The branch meets the loading curve at (x_m, f_m) with
+/// a kink, and its force is zero at x_r.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unloading {
     /// Where it starts.
     pub peak: Peak,
-    /// n: in (1, 2] of a scenario, 1 for the straight branch of Walton and Braun; for other shapes that of the power law
-    /// that gives back the same energy, f_m ε_m/(n + 1).
+    /// n. A scenario gives it in (1, 2]; the straight branch of Walton and Braun has 1. Other shapes have the n of the power
+    /// law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
-    /// The branch from x_r on, where it is no power.
+    /// The curve of the branch from x_r on; `None` for a power law.
     pub(super) curve: Option<Smooth>,
 }
 
@@ -147,7 +147,7 @@ pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
 }
 
 impl Unloading {
-    /// A branch of that shape from a peak, its exponent (for other shapes than powers) from the energy that it gives back.
+    /// A branch of that shape from a peak. If the shape is no power law, the exponent follows from the energy given back.
     pub fn new(peak: Peak, shape: UnloadingShape) -> Self {
         match shape {
             UnloadingShape::Power(exponent) => Self::power(peak, exponent),
@@ -244,8 +244,8 @@ impl Unloading {
         }
     }
 
-    /// Elastic energy stored at the peak, f_m ε_m/(n + 1): what unloading from there gives back, and what a reload may bring
-    /// without going beyond.
+    /// Elastic energy stored at the peak, f_m ε_m/(n + 1). Unloading from the peak gives it back; a reload with more energy
+    /// goes beyond the peak.
     #[inline(always)]
     pub fn capacity(&self) -> f64 {
         self.peak.force * self.peak.elastic_approach * work_share(self.exponent)

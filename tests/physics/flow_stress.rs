@@ -5,6 +5,10 @@
 use std::fs;
 
 use plm_impact::impact::Method;
+use plm_impact::impact::closed_form::solve;
+use plm_impact::law::Law;
+use plm_impact::law::curve::Curve;
+use plm_impact::law::piece::{Piece, Shape};
 use plm_impact::reference::hardening::{ExactImpact, Materials, impacts};
 use plm_impact::run;
 use plm_impact::scenario::Scenario;
@@ -114,6 +118,31 @@ fn a_spot_that_was_hit_remembers_its_hardened_dent() {
 fn steel(tables: &str) -> Scene {
     let flow = "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]";
     read(&(STEEL.replace("[impact]", flow) + tables)).resolve().unwrap()
+}
+
+/// The series for the time on the first pieces against the sum of the times on all pieces: the same law with its curve made
+/// anew from its pieces has no series.
+#[test]
+fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
+    let flows =
+        ["power.exponent = 0", "power.exponent = 0.3", "linear.slope = 4e9", "voce = { saturation = 2, rate = 30 }"];
+    // a kink, beyond which the strength is constant
+    for flow in flows.into_iter().chain(["points = [[0, 345e6], [0.01, 600e6]]"]) {
+        let text = STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"));
+        let contact = read(&text).resolve().unwrap().contact().unwrap();
+        for k in 0..200 {
+            let speed = 0.02 * 1.05_f64.powi(k);
+            let (_, law, q) = contact.scaled(speed).unwrap();
+            let straight = |curve: Curve, piece: &Piece| match piece.shape {
+                Shape::Straight { slope, .. } => curve.then_straight_from(piece.start, piece.force, slope),
+                _ => panic!("{piece:?}"),
+            };
+            let loading = law.loading.pieces()[1..].iter().fold(Curve::hertz(), straight);
+            let (by_series, by_pieces) = (solve(law, q), solve(&Law { loading, ..law.clone() }, q));
+            assert!(off(by_series.loading_time, by_pieces.loading_time) < 2e-15, "{flow} {speed}");
+            assert_eq!(by_series.restitution, by_pieces.restitution, "{flow} {speed}");
+        }
+    }
 }
 
 /// Damping after Hunt and Crossley has a closed form for any law: with G(v) = v/χ − ln(1 + χ v)/χ², m G(v_0) is the

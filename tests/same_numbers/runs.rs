@@ -23,6 +23,7 @@ const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("speeds", &[LAWS]),
     ("speeds", &[METHODS]),
     ("laws-under-gravity", &[&["damping.viscous=0.1", "damping.hunt_crossley=0.1", "solver.method=rk8"]]),
+    ("flow-stress", &[&["law.plm.unloading_exponent=pressure-shape", "solver.method=rk8"]]),
     ("viscous", &[METHODS]),
     ("hunt-crossley", &[METHODS]),
     ("drop-heights", &[&["", "damping.viscous=0.1", "damping.hunt_crossley=0.1"], &["", "solver.method=rk8"]]),

@@ -12,13 +12,13 @@
 //! G(u) = G(q) − (5/4) W(x),   G(u) = u/χ − ln(1 + χ u)/χ²        (½ u² for χ → 0)
 //! ```
 //!
-//! So peak and rebound are roots in both, and the time is ∫ dx/u: in closed form on straight pieces under gravity, by a
-//! quadrature that knows the distances from both ends elsewhere.
+//! So peak and rebound are roots in both cases, and the time is ∫ dx/u. On straight pieces under gravity it has a closed
+//! form. Elsewhere a quadrature is given the distances from both ends of the piece, which keep their digits near the ends.
 
 use crate::impact::outcome::{Fate, Outcome};
 use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
-use crate::law::curve::{Piece, Shape};
+use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
 use crate::math::power::{power, power_turn};
@@ -28,7 +28,7 @@ use crate::math::quadrature;
 fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     let pieces = law.loading.pieces();
     let touch = law.touch();
-    // W(x) − w x is convex, and at most the energy up to the peak
+    // W(x) − w x is convex, and not above the energy before the peak
     let last = if law.stays_on_branch(kinetic, weight) {
         0
     } else {
@@ -79,10 +79,10 @@ fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
     }
 }
 
-/// G(u) of the file's head, and back.
+/// The function G(u) of the text above, and its inverse.
 #[derive(Debug, Clone, Copy)]
 struct Speeds {
-    /// χ in units of 1/V; 0 is ½ u².
+    /// χ in units of 1/V; with 0, G(u) is ½ u².
     chi: f64,
 }
 
@@ -104,7 +104,8 @@ impl Speeds {
             return (1.0 - far_out(wanted)) / self.chi;
         }
         let mut v = sign * elastic * self.chi;
-        // v²/2 − v³/3 …: outwards more speed is needed than √(2η), inwards less than it but −1 is never passed
+        // first guess from v²/2 − v³/3 + … = η (`wanted`): on the way in v is above √(2η); on the way out |v| is smaller, and
+        // the guess must stay above v = −1
         v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { exp_m1(-elastic * self.chi - wanted) };
         for _ in 0..50 {
             let change = (excess(v) - wanted) * (1.0 + v) / v;
@@ -120,10 +121,10 @@ impl Speeds {
     }
 }
 
-/// χ² G from which on the way out is solved in 1 + v.
+/// Above this χ² G the way out is solved for 1 + v.
 const FAR: f64 = 2.0;
 
-/// y = 1 + v where v − ln(1 + v) = `wanted`, far out: v is near −1, where doubles cannot tell it from −1.
+/// y = 1 + v where v − ln(1 + v) = `wanted` is large: v is then so near to −1 that a double cannot hold the difference.
 fn far_out(wanted: f64) -> f64 {
     // y = exp(y − 1 − wanted), a contraction by y < 0.06
     (0..16).fold(0.0, |y: f64, _| exp(y - 1.0 - wanted))
@@ -142,8 +143,8 @@ fn excess(v: f64) -> f64 {
     v * v * total
 }
 
-/// Whether all motion under gravity on this law closes: its force is made of powers and straight lines, in and out. Other
-/// curves are integrated.
+/// Whether motion under gravity has a closed form on this law: loading and unloading are made of power laws and straight
+/// lines. On other curves it is integrated.
 pub fn closes(law: &Law) -> bool {
     // the kind of the unloading branch is the same from every plastic peak
     let is_power = || {
@@ -177,10 +178,10 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     let is_captured = forces.captures(&unloading, q);
     let is_elastic = chi == 0.0 && law.plastic(&unloading) == 0.0;
     let stored = unloading.capacity();
-    // where the dent does not grow and nothing is lost the rebound is the impact
+    // if the dent does not grow and nothing is lost, the rebound speed is the impact speed
     let recovered = ACCELERATION * (stored - weight * elastic_approach);
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
-    // under strong damping the speed no longer tells the energy
+    // under strong damping G(u) cannot be computed from the rounded rebound speed
     let at_end = if chi == 0.0 { speeds.energy(-rebound) } else { recovered };
     let (contact_time, end_indentation, end_speed) = if is_captured {
         back.to_rest(forces)
@@ -190,7 +191,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     let loss = if chi == 0.0 {
         0.0
     } else {
-        // what is missing of the energy on both ways
+        // the energy that damping takes on the way in and on the way out
         let way_in = 0.4 * q * q - law.work_to(&unloading.peak);
         way_in + stored - 0.4 * rebound * rebound
     };
@@ -243,7 +244,7 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
     time
 }
 
-/// Work on a piece from `distance` behind its start over a stretch `by`.
+/// Work on a piece between the distances `distance` and `distance + by` from its start.
 fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
     match piece.shape {
         Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
@@ -253,7 +254,7 @@ fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
     }
 }
 
-/// ∫ d^n from `distance` over a stretch `by`: d^(n+1)/(n+1) at both ends without their cancelling.
+/// ∫ d^n between `distance` and `distance + by`: the difference of d^(n+1)/(n+1) at the ends, without cancellation.
 fn power_between(exponent: f64, distance: f64, by: f64) -> f64 {
     let p = exponent + 1.0;
     let end = distance + by;
@@ -283,7 +284,7 @@ impl Back<'_> {
         (self.at_peak + self.time(at_rest, length, energy), self.residual + at_rest, speed)
     }
 
-    /// From rest at the peak down a `length` to the elastic approach `low`, where the energy is `at_end`.
+    /// Time from rest at the peak over a `length` down to the elastic approach `low`, where G(u) is `at_end`.
     fn time(&self, low: f64, length: f64, at_end: f64) -> f64 {
         let (k, n) = (self.unloading.stiffness(), self.unloading.exponent);
         quadrature::integrate(length, |below, above| {

@@ -20,13 +20,15 @@ use crate::law::curve::Curve;
 use crate::math::functions::{ln, pow};
 use crate::strength::flow::Rise;
 
-/// Plastic strains that stand for the strain field, over s.
+/// The plastic strains that stand for the strain field, divided by s.
 const STRAINS: [f64; 2] = [0.025, 0.37];
 
 /// Largest ratio of neighbouring points of the loading curve: straight between them, the force is off by less than 0.1 %.
 const RATIO: f64 = 1.1;
+/// Its logarithm.
+const LN_RATIO: f64 = 0.095_310_179_804_324_93;
 
-/// Least d ln f/d ln x of a piece. Flow curves of metals keep above 1; an edge of a measured one may not.
+/// Least d ln f/d ln x of a piece. With the flow curves of metals it is above 1; a kink in a measured curve may give less.
 const LEAST_GROWTH: f64 = 0.01;
 
 /// How a flow curve changes the PLM, in units of the first yield point.
@@ -36,7 +38,7 @@ pub struct Hardening {
     rise: Rise,
     /// a_Y/R.
     yield_radius_ratio: f64,
-    /// Of the elastic approach, for any strength.
+    /// The polyline of the elastic approach, for any strength.
     line: LineSlopes,
 }
 
@@ -55,7 +57,7 @@ impl Hardening {
         0.5 * (self.rise.at(STRAINS[0] * s) + self.rise.at(STRAINS[1] * s))
     }
 
-    /// The largest plastic strain that the flow curve is asked for on the way to x.
+    /// The largest plastic strain at which the flow curve is needed on the way to x.
     pub(crate) fn largest_strain(&self, x: f64) -> f64 {
         (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
     }
@@ -83,7 +85,7 @@ impl Hardening {
     /// The shape of the contact pressure at x, where the Hertz-equivalent radius is A = f/ε.
     pub(crate) fn shape(&self, x: f64, equivalent: f64) -> Shape {
         let strength = self.strength(x);
-        let growth = 2.0 * ln(strength / self.strength(x / RATIO)) / ln(RATIO);
+        let growth = 2.0 * ln(strength / self.strength(x / RATIO)) / LN_RATIO;
         Shape { equivalent: equivalent / strength, growth }
     }
 
@@ -105,11 +107,11 @@ impl Hardening {
             curve = curve.then_straight_from(start, from, (to - from) / (x - start));
             (start, from) = (x, to);
         }
-        curve
+        curve.with_crossings()
     }
 }
 
-/// What the shape of the contact pressure depends on.
+/// The numbers that the shape of the contact pressure depends on.
 pub(crate) struct Shape {
     /// A'.
     pub(crate) equivalent: f64,
@@ -118,12 +120,12 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    /// What hardening takes from the exponent that the pressure's shape gives.
+    /// How much hardening lowers the exponent "pressure-shape".
     pub(crate) fn exponent_loss(&self) -> f64 {
         0.14 * self.growth
     }
 
-    /// How much narrower the contact is, for there is less pile-up.
+    /// By which factor the contact is narrower, because less material piles up around it.
     pub(crate) fn narrowing(&self) -> f64 {
         let share = ((self.equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
         1.0 + 0.25 * self.growth * share
@@ -136,7 +138,7 @@ fn points(knots: &[f64], end: f64) -> Vec<f64> {
     let mut points = Vec::with_capacity(128);
     for pair in knots.windows(2) {
         let whole = pair[1] / pair[0];
-        let parts = (ln(whole) / ln(RATIO)).ceil();
+        let parts = (ln(whole) / LN_RATIO).ceil();
         let ratio = pow(whole, 1.0 / parts);
         let mut x = pair[0] * ratio;
         // half a step before the end, so that rounding neither adds nor loses a point

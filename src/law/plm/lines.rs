@@ -1,6 +1,6 @@
 //! The polyline of the PLM that gives the elastic approach over the force.
 
-/// What the polyline is made of, for a half-space of any strength.
+/// The slopes and knots of the polyline, for a half-space of any strength.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineSlopes {
     /// Slope s from A = 1 on.
@@ -9,31 +9,41 @@ pub struct LineSlopes {
     pub(super) plastic_from: f64,
     /// Slope from there on.
     pub(super) plastic: f64,
-    /// Finite geometry: A a_Y/R from which a factor multiplies the slope that holds there.
+    /// Finite geometry: A a_Y/R from which a factor multiplies the slope that holds there, rising.
     pub(super) geometry: Vec<(f64, f64)>,
 }
 
 impl LineSlopes {
     /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on.
     fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = LinePiece> {
-        // a knot below A = 1 applies from A = 1
-        let geometry =
-            move || self.geometry.iter().map(move |(from, factor)| ((from / yield_radius_ratio).max(1.0), *factor));
-        let next_knot = move |radius: &f64| {
-            let knots = geometry().map(|(from, _)| from).chain([self.plastic_from]);
-            knots.filter(|knot| knot > radius).min_by(f64::total_cmp)
-        };
         let (mut radius, mut approach, mut slope) = (1.0, 1.0, 0.0);
-        std::iter::successors(Some(1.0), next_knot).map(move |next| {
+        // the finite-geometry knots up to here
+        let mut passed = 0;
+        let mut next_knot = Some(1.0);
+        std::iter::from_fn(move || {
+            let next: f64 = next_knot?;
+            // a knot below A = 1 applies from A = 1
+            let beyond = loop {
+                match self.geometry.get(passed).map(|(from, _)| from / yield_radius_ratio) {
+                    Some(from) if from <= next => passed += 1,
+                    beyond => break beyond,
+                }
+            };
             approach += slope * (next - radius);
-            let base = if next >= self.plastic_from { self.plastic } else { self.first };
-            slope = geometry().filter(|(from, _)| *from <= next).fold(base, |slope, (_, factor)| slope * factor);
+            let is_plastic = next >= self.plastic_from;
+            let base = if is_plastic { self.plastic } else { self.first };
+            slope = self.geometry[..passed].iter().fold(base, |slope, (_, factor)| slope * factor);
             radius = next;
-            LinePiece { force: radius * approach, slope, offset: approach - slope * radius }
+            next_knot = if is_plastic {
+                beyond
+            } else {
+                Some(beyond.map_or(self.plastic_from, |from| from.min(self.plastic_from)))
+            };
+            Some(LinePiece { force: radius * approach, slope, offset: approach - slope * radius })
         })
     }
 
-    /// ε at force f ≥ 1 on the polyline of a half-space that yields at this a_Y/R, without making the polyline.
+    /// ε at force f ≥ 1 on the polyline of a half-space that yields at this a_Y/R. Nothing is allocated.
     pub fn approach(&self, force: f64, yield_radius_ratio: f64) -> f64 {
         let mut pieces = self.pieces(yield_radius_ratio);
         let first = pieces.next();

@@ -1,0 +1,144 @@
+//! One smooth piece of a loading curve: power (Hertz) and straight, with force and work in closed form, and any other smooth
+//! force by its formula.
+
+use crate::math::functions::{exp_m1, ln_1p, pow};
+use crate::math::power::{power, work_share};
+use crate::math::smooth::Smooth;
+
+/// How the force goes on from the start of a piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// f = k d^n with d = x − x_i measured from the start of the piece, where the force vanishes; Hertz is n = 3/2.
+    Power {
+        /// k > 0.
+        stiffness: f64,
+        /// n > 1.
+        exponent: f64,
+    },
+    /// f = f_i + s d from the start (x_i, f_i) of the piece.
+    Straight {
+        /// s > 0.
+        slope: f64,
+        /// 1/√s, for the times on the piece.
+        inverse_root: f64,
+    },
+    /// Anything else that is smooth and increases.
+    Smooth(Smooth),
+    /// f = k (d + l)^n: a power law that is entered beyond its zero, as in a reload that continues on the loading curve.
+    LatePower {
+        /// k > 0.
+        stiffness: f64,
+        /// n > 1.
+        exponent: f64,
+        /// l > 0: how far the zero of the force lies before the start of the piece.
+        lead: f64,
+    },
+}
+
+impl Shape {
+    /// l: how far the zero of a power law lies before the start of its piece.
+    #[inline]
+    pub fn lead(&self) -> f64 {
+        match *self {
+            Self::LatePower { lead, .. } => lead,
+            Self::Power { .. } | Self::Straight { .. } | Self::Smooth(_) => 0.0,
+        }
+    }
+}
+
+/// One smooth piece; it holds from `start` to the start of the next one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// x_i where the piece begins.
+    pub start: f64,
+    /// f(x_i).
+    pub force: f64,
+    /// w(x_i), the work from first touch to here.
+    pub work: f64,
+    /// How it goes on.
+    pub shape: Shape,
+}
+
+impl Piece {
+    /// Force at x.
+    #[inline(always)]
+    pub fn force_at(&self, x: f64) -> f64 {
+        let d = x - self.start;
+        match self.shape {
+            Shape::Power { stiffness, exponent } => stiffness * power(d, exponent),
+            Shape::Straight { slope, .. } => self.force + slope * d,
+            Shape::Smooth(smooth) => smooth.value(self.start, d),
+            Shape::LatePower { stiffness, exponent, lead } => stiffness * power(d + lead, exponent),
+        }
+    }
+
+    /// df/dx at x, the tangent stiffness.
+    pub fn slope_at(&self, x: f64) -> f64 {
+        self.slope_beyond(x - self.start)
+    }
+
+    /// The same at a distance from the start of the piece.
+    pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
+        match self.shape {
+            Shape::Power { stiffness, exponent } => stiffness * exponent * power(distance, exponent - 1.0),
+            Shape::Straight { slope, .. } => slope,
+            Shape::Smooth(smooth) => smooth.slope(self.start, distance),
+            Shape::LatePower { stiffness, exponent, lead } => {
+                stiffness * exponent * power(distance + lead, exponent - 1.0)
+            }
+        }
+    }
+
+    /// Work from first touch to x.
+    #[inline]
+    pub fn work_at(&self, x: f64) -> f64 {
+        let d = x - self.start;
+        match self.shape {
+            Shape::Power { stiffness, exponent } => {
+                self.work + stiffness * power(d, exponent) * d * work_share(exponent)
+            }
+            Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
+            Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
+            Shape::LatePower { stiffness, exponent, lead } => {
+                let from_zero = |d: f64| power(d, exponent) * d;
+                self.work + stiffness * (from_zero(d + lead) - from_zero(lead)) / (exponent + 1.0)
+            }
+        }
+    }
+
+    /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
+        self.start
+            + match self.shape {
+                Shape::Power { stiffness, exponent } => pow(force / stiffness, 1.0 / exponent),
+                Shape::Straight { slope, .. } => (force - self.force) / slope,
+                Shape::LatePower { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
+                Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
+            }
+    }
+
+    /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
+    #[inline]
+    pub fn indentation_at_work(&self, work: f64) -> f64 {
+        self.start + self.distance_at_work(work)
+    }
+
+    /// The same measured from the start of the piece. Close to a start far from zero this distance has digits that x has lost.
+    #[inline(always)]
+    pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
+        let rest = work - self.work;
+        match self.shape {
+            Shape::Power { stiffness, exponent } => pow((exponent + 1.0) / stiffness * rest, work_share(exponent)),
+            // the root of ½ s d² + f_i d = rest, in the form that does not cancel
+            Shape::Straight { slope, .. } => {
+                2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
+            }
+            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
+            // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
+            Shape::LatePower { stiffness, exponent, lead } => {
+                let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);
+                lead * exp_m1(ln_1p(rest / before) / (exponent + 1.0))
+            }
+        }
+    }
+}
