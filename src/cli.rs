@@ -66,9 +66,6 @@ enum Command {
 }
 
 /// Does what the command line says.
-///
-/// # Errors
-/// What the subcommand reports, ready to be printed.
 pub fn run() -> anyhow::Result<()> {
     let Cli { command, error_format } = parse()?;
     error_format.begin();

@@ -144,9 +144,6 @@ impl OutputDirectory {
     }
 
     /// The same for a directory that holds files of many, each of which is looked after by itself.
-    ///
-    /// # Errors
-    /// [`OutputError::Unwritable`].
     pub fn shared(path: &Path) -> Result<Self, OutputError> {
         let refuse = OutputError::at(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
@@ -169,9 +166,6 @@ impl OutputDirectory {
     }
 
     /// Locks a file of the directory for a run.
-    ///
-    /// # Errors
-    /// [`OutputError::Busy`], [`OutputError::Unwritable`].
     pub fn lock(&self, name: &Path) -> Result<Lock, OutputError> {
         let path = self.path.join(name);
         Lock::take(&path).map_err(|error| refuse_lock(&path, error))
@@ -295,9 +289,6 @@ pub struct Scratch {
 
 impl Scratch {
     /// Makes one with this name and a random number; those that killed runs left are removed.
-    ///
-    /// # Errors
-    /// [`OutputError`].
     pub fn new(directory: &OutputDirectory, name: &str) -> Result<Self, OutputError> {
         let lock = directory.lock(Path::new(name))?;
         let place = directory.path.join(name);

@@ -1,8 +1,8 @@
 //! Which cases a table has: what varies, over which values, and what is reported.
 
-pub mod axis;
+pub(crate) mod axis;
 pub mod free;
-pub mod random;
+pub(crate) mod random;
 mod source;
 
 use crate::impact::Method;

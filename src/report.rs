@@ -1,19 +1,19 @@
 //! What is written about an impact: `summary.json`, `trace.csv` and the table on the terminal. Pure functions of the
 //! result; nothing here opens a file or prints.
 
-pub mod calibrate;
-pub mod compare;
-pub mod indentation;
+pub(crate) mod calibrate;
+pub(crate) mod compare;
+pub(crate) mod indentation;
 pub mod inputs;
 pub mod laws;
 pub mod materials;
-pub mod overview;
-pub mod plan;
-pub mod repeat;
+pub(crate) mod overview;
+pub(crate) mod plan;
+pub(crate) mod repeat;
 pub mod resolved;
-pub mod rows;
-pub mod strength;
-pub mod summary;
+pub(crate) mod rows;
+pub(crate) mod strength;
+pub(crate) mod summary;
 pub mod sweep;
 mod terminal;
 

@@ -1,7 +1,7 @@
 //! From a scenario to what is written and said about it: one way for every kind of scene.
 
 mod calibrate;
-pub mod compare;
+mod compare;
 pub mod impact;
 pub mod indentation;
 mod outcome;
@@ -51,9 +51,6 @@ pub fn way(kind: Kind) -> Way {
 }
 
 /// What there is to be said of a scenario before it is run; nothing is written.
-///
-/// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     (way(scenario.kind()?).check)(scenario)
 }
@@ -69,7 +66,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
         if is_there {
             let message =
                 "is not a part of the contact law: leave this table out, and let the simulation add the force";
-            return Err(scenario.document.refuse(table, message.to_owned()).into());
+            return Err(scenario.document.refuse(table, message).into());
         }
     }
     let failed = |reason| Error::Impact { scenario: scenario.document.name().to_owned(), reason };
@@ -78,9 +75,6 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 }
 
 /// Whether warnings keep a scenario from being done: with `is_strict`, one is enough.
-///
-/// # Errors
-/// [`Error::Strict`].
 pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
         return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count: warnings });

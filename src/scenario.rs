@@ -24,7 +24,7 @@
 mod axes;
 pub mod calibrate;
 mod columns;
-pub mod compare;
+mod compare;
 mod document;
 mod entries;
 mod error;
@@ -44,6 +44,7 @@ mod sweep;
 mod template;
 mod values;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::impact::{Solver, Warning};
@@ -69,10 +70,8 @@ pub struct Scenario {
     pub taken: Vec<Taken>,
     /// Files that it names are relative to this.
     directory: PathBuf,
-    /// The text of the file of coefficients, where that is known without the file.
-    coefficients: Option<String>,
-    /// The text of the file of a flow curve, where that is known without the file.
-    flow_table: Option<String>,
+    /// Texts of these files by their keys, where they are known without the files.
+    texts: BTreeMap<&'static str, String>,
 }
 
 /// What an impact cannot do without; another key may stand in place of it (see [`EITHER`]). The speed is the last.
@@ -118,7 +117,7 @@ impl Scenario {
     fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
         let (entries, taken) = document.entries()?;
-        let scenario = Self { document, entries, taken, directory, coefficients: None, flow_table: None };
+        let scenario = Self { document, entries, taken, directory, texts: BTreeMap::new() };
         scenario.check_tables()?;
         Ok(scenario)
     }
@@ -177,9 +176,6 @@ impl Scenario {
     }
 
     /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
-    ///
-    /// # Errors
-    /// As [`Scenario::resolve`].
     pub fn resolve_bodies(&self) -> Result<Scene, ScenarioError> {
         self.put_together(NEEDED.len() - 1)
     }

@@ -1,15 +1,15 @@
 //! The scene of an impact in plain numbers, and the registry of the keys that a scenario gives them by.
 
-pub mod key;
+pub(crate) mod key;
 pub mod keys;
 mod material;
 pub mod other_keys;
 pub mod quantity;
 pub mod reference;
-pub mod results;
+pub(crate) mod results;
 pub mod schema;
-pub mod strength;
-pub mod taken;
+pub(crate) mod strength;
+pub(crate) mod taken;
 pub mod words;
 
 use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
@@ -80,9 +80,7 @@ impl Scene {
         let contact = if self.mass.is_some() { contact.of_a_body() } else { contact };
         Ok(contact.with_forces(self.forces))
     }
-}
 
-impl Scene {
     /// Puts gravity \[m/s²\] into the scene; a drop height then gives another speed.
     pub fn set_gravity(&mut self, acceleration: f64) {
         self.forces.gravity = Some(acceleration);

@@ -4,13 +4,14 @@
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.
 
-pub mod aligned;
-pub mod csv_text;
+pub(crate) mod aligned;
+pub(crate) mod csv_text;
 mod dimension;
 mod format;
+#[doc(hidden)]
 pub mod nearest;
 mod parse;
-pub mod rounded;
+pub(crate) mod rounded;
 mod table;
 
 pub use dimension::Dimension;

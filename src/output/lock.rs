@@ -37,9 +37,6 @@ pub struct Lock {
 
 impl Lock {
     /// Locks `path`, which need not exist.
-    ///
-    /// # Errors
-    /// [`LockError`].
     pub fn take(path: &Path) -> Result<Self, LockError> {
         let path = with_suffix(path, ".lock");
         loop {
@@ -64,9 +61,6 @@ impl Lock {
     }
 
     /// The same, but waits for a lock that is held for moments only.
-    ///
-    /// # Errors
-    /// [`LockError`].
     pub fn wait(path: &Path) -> Result<Self, LockError> {
         const PAUSE: Duration = Duration::from_millis(20);
         const PAUSES: u32 = 500;

@@ -20,9 +20,6 @@ pub struct NewFile {
 
 impl NewFile {
     /// Begins a file under a random name beside its place. Nothing is followed and nothing overwritten.
-    ///
-    /// # Errors
-    /// Those of the file system; that something else than a file is at the place.
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
         let temporary = temporary(place)?;
@@ -32,9 +29,6 @@ impl NewFile {
 
     /// Goes on at `end` with rows that an earlier run left in `part`, or begins them there; they stay if this run fails.
     /// What lies behind `end` is cut off. The place has to be locked.
-    ///
-    /// # Errors
-    /// Those of the file system; a `part` that is a link.
     pub fn resume(place: &Path, part: PathBuf, end: u64) -> io::Result<Self> {
         refuse_special(place)?;
         let mut options = OpenOptions::new();
@@ -62,17 +56,11 @@ impl NewFile {
     }
 
     /// Brings all of it to the disk. Closing a file then has no errors left to report.
-    ///
-    /// # Errors
-    /// Those of the file system.
     pub fn sync(&self) -> io::Result<()> {
         self.file.sync_all()
     }
 
     /// Puts it in its place, over an older file; to be followed by [`sync_folder`].
-    ///
-    /// # Errors
-    /// Those of the file system; that something else than a file is at the place.
     pub fn rename(&mut self) -> io::Result<()> {
         refuse_special(&self.place)?;
         fs::rename(&self.temporary, &self.place)?;
@@ -100,9 +88,6 @@ impl Drop for NewFile {
 }
 
 /// Writes a file by itself: whole, on the disk and in its place, or not at all.
-///
-/// # Errors
-/// Those of the file system.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = NewFile::create(place)?;
     file.write_all(bytes)?;
@@ -112,9 +97,6 @@ pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Removes a file of the program's own for good.
-///
-/// # Errors
-/// Those of the file system.
 pub fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -124,9 +106,6 @@ pub fn remove(path: &Path) -> io::Result<()> {
 }
 
 /// Brings the names in a folder to the disk.
-///
-/// # Errors
-/// Those of the file system.
 pub fn sync_folder(path: &Path) -> io::Result<()> {
     // only Unix opens folders
     if cfg!(not(unix)) {
@@ -152,9 +131,6 @@ pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
 }
 
 /// Refuses what is neither new nor an ordinary file: directories, links, devices, pipes.
-///
-/// # Errors
-/// Says what it is.
 pub fn refuse_special(path: &Path) -> io::Result<()> {
     let kind = match path.symlink_metadata() {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -226,9 +202,6 @@ pub(super) fn temporary(place: &Path) -> io::Result<PathBuf> {
 }
 
 /// Removes what killed runs left of this output. The place has to be locked.
-///
-/// # Errors
-/// Those of the file system.
 pub fn remove_stale(place: &Path) -> io::Result<()> {
     let mut before = OsString::from(".");
     before.push(name(place)?);

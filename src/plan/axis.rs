@@ -45,11 +45,6 @@ impl Values {
         }
     }
 
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     /// Evenly spaced in the logarithm; both ends are > 0.
     pub fn logarithmic(from: f64, to: f64, points: u64) -> Self {
         Self::Logarithmic { from, to, decades: (log10(from), log10(to)), points }
@@ -108,19 +103,9 @@ impl Axis {
         Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
     }
 
-    /// An axis of `solver.method`.
-    pub fn of_methods(methods: Vec<Method>) -> Self {
-        Self { setting: Setting::Method(methods), is_logarithmic: false }
-    }
-
-    /// An axis of `law`.
-    pub fn of_laws(laws: Vec<LawChoice>) -> Self {
-        Self { setting: Setting::Law(laws), is_logarithmic: false }
-    }
-
-    /// An axis of the material of a body.
-    pub fn of_materials(body: Body, materials: Vec<Taken>) -> Self {
-        Self { setting: Setting::Material(body, materials), is_logarithmic: false }
+    /// An axis of words: of methods, laws or materials.
+    pub fn of_words(setting: Setting) -> Self {
+        Self { setting, is_logarithmic: false }
     }
 
     /// The key, as in the file.
@@ -163,11 +148,6 @@ impl Axis {
                 Some(materials.iter().map(|taken| taken.material.name.clone()).collect())
             }
         }
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Whether the contact (bodies and law) stays the same along it.

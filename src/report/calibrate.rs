@@ -79,9 +79,6 @@ fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
 }
 
 /// `summary.json`.
-///
-/// # Errors
-/// [`ReportError::Json`].
 pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenance) -> Result<String, ReportError> {
     let (noise, estimated_noise) = noise(of);
     let problem = &of.fit.problem;
@@ -150,9 +147,6 @@ fn file_name(path: &str) -> String {
 }
 
 /// `residuals.csv`: a line for every measured value.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
     let data = of.fit.problem.data;
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -178,9 +172,6 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
 }
 
 /// `posterior.csv`: the density over the keys, 1 where it is highest; for one key with the share of the posterior below.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = of.keys.iter().map(|found| found.free.key.column());

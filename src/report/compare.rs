@@ -55,17 +55,11 @@ pub fn table(comparison: &Comparison, rows: &[Row]) -> String {
 }
 
 /// `comparison.csv`.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn csv(rows: &[Row]) -> Result<Vec<u8>, ReportError> {
     super::rows::csv(&results::row(), rows.iter().cloned())
 }
 
 /// `summary.json`.
-///
-/// # Errors
-/// [`ReportError::Json`], which numbers and text do not give.
 pub fn summary(
     comparison: &Comparison,
     rows: &[Row],

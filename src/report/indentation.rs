@@ -30,9 +30,6 @@ struct HalfSpace {
 }
 
 /// `summary.json`.
-///
-/// # Errors
-/// [`ReportError::Json`], which numbers and text do not give.
 pub fn summary(
     tested: &[Tested],
     warnings: &[String],
@@ -49,9 +46,6 @@ pub fn summary(
 }
 
 /// `trace.csv`.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, ReportError> {
     let rows = tested.iter().flat_map(|one| {
         let name = one.specimen.name.as_deref();

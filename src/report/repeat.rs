@@ -12,17 +12,11 @@ use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
 /// `impacts.csv`: one row per impact.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
     csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, ReportError> {
     let mut rows = Vec::new();
     if let Some(fall) = &sequence.fall {

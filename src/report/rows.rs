@@ -6,9 +6,6 @@ use crate::impact::Impact;
 use crate::scene::results::{Reported, impact};
 
 /// The rows as CSV with a header line. A column that has a condition is there where any row has its value.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, ReportError> {
     let is_there =
         |column: &&Reported<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
@@ -25,17 +22,11 @@ pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) ->
 }
 
 /// What was written.
-///
-/// # Errors
-/// [`ReportError::Csv`], which a buffer in memory does not give.
 pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, ReportError> {
     writer.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
 }
 
 /// `trace.csv` of one impact; only the header for an impact that recorded none.
-///
-/// # Errors
-/// As [`csv`].
 pub fn trace(impact: &Impact) -> Result<Vec<u8>, ReportError> {
     csv(&impact::trace(), impact.trace.iter().copied())
 }

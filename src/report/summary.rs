@@ -24,25 +24,16 @@ struct Summary<'a, R> {
 }
 
 /// A summary as text, with a newline at its end.
-///
-/// # Errors
-/// [`ReportError::Json`], which numbers and text do not give.
 pub fn pretty(summary: &impl Serialize) -> Result<String, ReportError> {
     Ok(serde_json::to_string_pretty(summary)? + "\n")
 }
 
 /// The summary of these results.
-///
-/// # Errors
-/// As [`pretty`].
 pub fn of(results: impl Serialize, inputs: &Inputs, provenance: &Provenance) -> Result<String, ReportError> {
     pretty(&Summary { results, inputs, lists: Fields(Vec::new()), provenance })
 }
 
 /// The summary of one impact.
-///
-/// # Errors
-/// As [`pretty`].
 pub fn summary(
     contact: &Contact,
     impact: &Impact,
@@ -56,9 +47,6 @@ pub fn summary(
 const LISTED: usize = 1000;
 
 /// The summary of a series of impacts.
-///
-/// # Errors
-/// As [`pretty`].
 pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, ReportError> {
     let lists = match &of.repeat.drive {
         Drive::Shots(speeds) if speeds.len() <= LISTED => vec![("shot_speeds_m_per_s", speeds.clone().into())],

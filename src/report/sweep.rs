@@ -26,9 +26,6 @@ struct Results<'a> {
 }
 
 /// `summary.json`.
-///
-/// # Errors
-/// [`ReportError::Json`].
 pub fn summary(
     plan: &Plan,
     tally: &Tally,

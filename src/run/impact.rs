@@ -14,9 +14,6 @@ use crate::scene::Scene;
 
 /// The scene of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
-///
-/// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision, an integrator that gives up.
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
     let (scene, contact) = prepare(scenario)?;
     let impact = contact.impact(scene.speed, &scene.solver, samples);
@@ -27,9 +24,6 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Co
 
 /// The scene of a scenario and its contact. Scenes whose numbers leave double precision, and methods without a trace, are
 /// refused.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let (scene, contact) = held(scenario)?;
     can_be_traced(scenario, &scene)?;

@@ -10,9 +10,6 @@ use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 
 /// The scene of a scenario, with its contacts in the order of its half-spaces.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
 pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticContact>), Error> {
     let scene = scenario.indentation()?;
     let contact = |half_space| StaticContact::try_new(scene.indenter, half_space, scene.law.get());
@@ -31,9 +28,6 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
 
 /// The scene of a scenario, what came of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
-///
-/// # Errors
-/// [`Error`]: a bad scenario, a result beyond double precision.
 pub fn compute(
     scenario: &Scenario,
     samples: Option<usize>,

@@ -25,9 +25,6 @@ struct Computed {
 }
 
 /// What is to be run: scene, contact, series.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
     let (mut scene, contact) = held(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;

@@ -28,9 +28,6 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 /// The plan of a scenario that is a table.
-///
-/// # Errors
-/// [`Error`] with exit code 2.
 pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
     let none = || Error::Option("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
     scenario.plan()?.ok_or_else(none)
@@ -46,9 +43,6 @@ fn of_scene(plan: &Plan) -> impl Iterator<Item = String> {
 }
 
 /// `summary.json`, which repeats the `warnings` of the plan, and the pictures of a whole table.
-///
-/// # Errors
-/// [`Error::Report`], [`Error::Plot`].
 pub fn files(
     plan: &Plan,
     tally: &Tally,

@@ -56,7 +56,7 @@ impl Scenario {
     pub fn wanted(&self) -> Result<Wanted, ScenarioError> {
         self.refuse_columns("a calibration")?;
         if self.kind()? != Kind::Calibrate {
-            return Err(self.document.refuse("", NO_TABLE.to_owned()));
+            return Err(self.document.refuse("", NO_TABLE));
         }
         let mut scene = self.put_together(BODIES)?;
         if self.method().is_none() {
@@ -74,7 +74,7 @@ impl Scenario {
         let laws: Vec<LawChoice> = self.entries.texts("calibrate.laws").unwrap_or_default().iter().map(own).collect();
         if self.flow()?.is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
             let message = "only the law plm knows hardening: leave out half_space.flow_stress, or the other laws";
-            return Err(self.document.refuse("calibrate.laws", message.to_owned()));
+            return Err(self.document.refuse("calibrate.laws", message));
         }
         let numbers = |table: &str| {
             let number = |name: &str| Some((name.to_owned(), self.entries.number(&format!("{table}.{name}"))?));
@@ -99,12 +99,12 @@ impl Scenario {
             (Some(path), true) => Ok(Source::File(self.directory.join(path))),
             (Some(_), false) => {
                 let message = "[calibrate.measured] is given too; write only one of the two";
-                Err(self.document.refuse("calibrate.data", message.to_owned()))
+                Err(self.document.refuse("calibrate.data", message))
             }
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {
                 let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";
-                Err(self.document.refuse("calibrate", message.to_owned()))
+                Err(self.document.refuse("calibrate", message))
             }
         }
     }
@@ -125,9 +125,6 @@ impl Scenario {
     }
 
     /// Refuses keys that are wanted, or columns of the data, that change nothing, and impacts that lack a speed or a mass.
-    ///
-    /// # Errors
-    /// [`ScenarioError`].
     pub fn check_varied(
         &self,
         wanted: &Wanted,

@@ -22,7 +22,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where a key is missing, contradicts another, or names no law.
     pub fn comparison(&self) -> Result<Comparison, ScenarioError> {
-        let refuse = |key: &str, message: &str| self.document.refuse(key, message.to_owned());
+        let refuse = |key: &str, message: &str| self.document.refuse(key, message);
         if !self.entries.has("compare") {
             return Err(refuse("compare", "the table [compare] is missing"));
         }
@@ -111,7 +111,7 @@ impl Scenario {
             None => Ok(unload().filter(|law| law.about().name != LEFT_OUT).map(own).collect()),
             Some([]) => {
                 let message = "names no law; leave it out for all";
-                Err(self.document.refuse("compare.laws", message.to_owned()))
+                Err(self.document.refuse("compare.laws", message))
             }
             Some(names) => Ok(names.iter().filter_map(|name| LawChoice::from_name(name)).map(own).collect()),
         }

@@ -9,28 +9,23 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::ScenarioError;
-use super::entries::{Entries, Refused};
+use super::entries::Entries;
 use super::explain::{missing, span_of};
 use super::overrides::choose_law;
 use super::place::{Place, Refusal};
+use super::values::Refused;
 use crate::scene::taken::Taken;
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
 
 /// Reads a text file of at most so many MiB, so that an endless device does not fill the memory.
-///
-/// # Errors
-/// [`ScenarioError`] if it cannot be read, is too large, or is no text.
 pub fn read_text(path: &Path, largest: u64) -> Result<String, ScenarioError> {
     let file = File::open(path).map_err(|reason| ScenarioError::Unreadable { path: path.to_owned(), reason })?;
     text_of(path, file, largest)
 }
 
 /// The same of what is already open; `path` stands for it in messages.
-///
-/// # Errors
-/// As [`read_text`].
 pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, ScenarioError> {
     let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
     let most = largest << 20;
@@ -89,9 +84,6 @@ pub struct Document {
 
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
-    ///
-    /// # Errors
-    /// [`ScenarioError`] if text or overrides are no TOML.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
         let mut document = Self { name, text, overrides: Vec::new() };
         for given in overrides {
@@ -124,9 +116,6 @@ impl Document {
     }
 
     /// Reads every key of the merged tables, and what is taken from materials.
-    ///
-    /// # Errors
-    /// [`ScenarioError::Refused`], pointing at file and line or at the override.
     pub(super) fn entries(&self) -> Result<(Entries, Vec<Taken>), ScenarioError> {
         let root = self.root()?;
         let read = Entries::read(&root).and_then(|mut entries| {
@@ -137,9 +126,9 @@ impl Document {
     }
 
     /// A refusal of the value at `key`, pointing at it.
-    pub fn refuse(&self, key: &str, message: String) -> ScenarioError {
+    pub fn refuse(&self, key: &str, message: impl Into<String>) -> ScenarioError {
         let span = self.root().ok().and_then(|root| span_of(&root, key));
-        self.refusal(span, key.to_owned(), message)
+        self.refusal(span, key.to_owned(), message.into())
     }
 
     /// Whether the scenario, or the command line, gives the key itself.

@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::axes::{self, AxisEntry, FreeEntry, RandomKeys};
-use super::values::{Fault, Value, described, read};
+use super::values::{Fault, Refused, Value, read, unexpected};
 use crate::law::LawChoice;
 use crate::plan::random::Distribution;
 use crate::scene::key::Form;
@@ -31,13 +31,6 @@ pub(super) struct Entries {
     pub(super) variables: Option<RandomKeys>,
     /// `calibrate.free`.
     pub(super) free: Option<Vec<FreeEntry>>,
-}
-
-/// A key that is refused, its value or its name, and why.
-#[derive(Debug)]
-pub(super) struct Refused {
-    pub(super) key: String,
-    pub(super) fault: Fault,
 }
 
 impl Entries {
@@ -175,19 +168,20 @@ impl Entries {
         for (name, value) in table {
             let (place, pattern) = (joined(place, name.get_ref()), joined(pattern, name.get_ref()));
             let form = forms().find(|(path, _)| *path == pattern);
-            let refused = |fault| Refused { key: place.clone(), fault };
+            let refused = |fault: Fault| fault.of(place.clone());
             match (form, value.get_ref()) {
                 (Some((_, Form::Axes)), DeValue::Table(inner)) => {
-                    self.axes = Some(axes::axes(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                    self.axes = Some(axes::axes(&place, inner, value)?);
                 }
                 (Some((_, Form::Variables)), DeValue::Table(inner)) => {
-                    self.variables =
-                        Some(axes::variables(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                    self.variables = Some(axes::variables(&place, inner, value)?);
                 }
                 (Some((_, Form::Free)), DeValue::Table(inner)) => {
-                    self.free = Some(axes::free(inner, value).map_err(|(key, fault)| named(&place, key, fault))?);
+                    self.free = Some(axes::free(&place, inner, value)?);
                 }
-                (Some((_, Form::Axes | Form::Variables | Form::Free)), _) => return Err(refused(not_a_table(value))),
+                (Some((_, Form::Axes | Form::Variables | Form::Free)), _) => {
+                    return Err(refused(unexpected(value, "a table")));
+                }
                 (Some((_, Form::WordOrTable(_))), DeValue::Table(inner)) => self.table(inner, &place, &pattern)?,
                 (Some((_, form)), _) => {
                     let value = read(&form, value).map_err(refused)?;
@@ -201,17 +195,14 @@ impl Entries {
                 (None, _) if pattern == "law" => {
                     return Err(refused(Fault::at(value, format!("not a table; {ONE_LAW}"))));
                 }
-                (None, _) if is_table(&pattern) => return Err(refused(not_a_table(value))),
+                (None, _) if is_table(&pattern) => return Err(refused(unexpected(value, "a table"))),
                 (None, written) => match (List::find(&pattern), written) {
                     (Some(list), DeValue::Array(items)) => self.tables_of(list, items, &place)?,
                     (Some(list), _) => {
-                        let found = described(written);
-                        let message = format!("found {found}, expected a list of tables: {}", list.example);
-                        return Err(refused(Fault::at(value, message)));
+                        return Err(refused(unexpected(value, &format!("a list of tables: {}", list.example))));
                     }
                     (None, _) => {
-                        let fault = Fault { span: name.span(), message: unknown(&pattern) };
-                        return Err(Refused { key: place, fault });
+                        return Err(Fault::at(name, unknown(&pattern)).of(place));
                     }
                 },
             }
@@ -224,13 +215,8 @@ impl Entries {
         let pattern = format!("{}[]", list.path);
         for (i, item) in items.iter().enumerate() {
             let place = format!("{place}[{i}]");
-            match item.get_ref() {
-                DeValue::Table(inner) => self.table(inner, &place, &pattern)?,
-                other => {
-                    let message = format!("found {}, expected {}", described(other), list.item);
-                    return Err(Refused { key: place, fault: Fault::at(item, message) });
-                }
-            }
+            let DeValue::Table(inner) = item.get_ref() else { return Err(unexpected(item, list.item).of(place)) };
+            self.table(inner, &place, &pattern)?;
         }
         Ok(())
     }
@@ -238,16 +224,8 @@ impl Entries {
 
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 
-fn named(table: &str, key: Option<String>, fault: Fault) -> Refused {
-    Refused { key: key.map_or_else(|| table.to_owned(), |key| format!("{table}.{key}")), fault }
-}
-
 fn joined(place: &str, name: &str) -> String {
     if place.is_empty() { name.to_owned() } else { format!("{place}.{name}") }
-}
-
-fn not_a_table(value: &Spanned<DeValue>) -> Fault {
-    Fault::at(value, format!("found {}, expected a table", described(value.get_ref())))
 }
 
 /// Whether keys of the registry stand below this place; laws without keys have tables too.

@@ -1,6 +1,5 @@
 //! `[half_space.flow_stress]`: how the half-space hardens, and what goes with `hardness`.
 
-use super::document::{LARGEST_SCENARIO, read_text};
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
 use crate::strength::flow::{FlowCurve, FlowPoint};
@@ -9,6 +8,9 @@ use crate::units::csv_text::{CsvText, Refusal};
 
 /// The table of the flow curve.
 pub(super) const FLOW: &str = "half_space.flow_stress";
+
+/// The key of a file with the points of a curve.
+pub(super) const TABLE: &str = "half_space.flow_stress.table";
 
 /// What may stand in place of a yield strength.
 const HARDNESS: &str = "half_space.hardness";
@@ -74,28 +76,28 @@ impl Scenario {
         let varies = |key: &str| self.entries.varies(key);
         let has_hardness = self.entries.has(HARDNESS) || varies(HARDNESS);
         let Some(flow) = self.flow()? else { return Ok(()) };
-        let refuse = |key: &str, message: String| Err(self.document.refuse(key, message));
+        let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         if !matches!(law, LawChoice::Plm(_)) {
             let message =
                 format!("the law {} knows no hardening: leave the table out, or take the law plm", law.name());
-            return refuse(FLOW, message);
+            return refuse(FLOW, &message);
         }
         if self.entries.axes.iter().flatten().any(|(path, _)| *path == "law") {
             let message = "only the law plm knows hardening: leave the table out, or the axis \"law\"";
-            return refuse(FLOW, message.to_owned());
+            return refuse(FLOW, message);
         }
         if strength.is_none() {
             let message = "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0";
-            return refuse(FLOW, message.to_owned());
+            return refuse(FLOW, message);
         }
         if has_hardness && !matches!(flow, FlowCurve::Power { .. }) {
             let message = "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness";
-            return refuse(FLOW, message.to_owned());
+            return refuse(FLOW, message);
         }
         if flow.last_strain().is_some() && (varies("half_space.yield_strength") || varies(HARDNESS)) {
             let message =
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce";
-            return refuse(FLOW, message.to_owned());
+            return refuse(FLOW, message);
         }
         if let Some(strength) = strength {
             flow.starts_from(strength).map_err(|error| self.document.refuse(FLOW, error.to_string()))?;
@@ -114,14 +116,13 @@ impl Scenario {
 
     /// The points of the file that the scenario names: `plastic_strain, stress_Pa`.
     fn flow_table(&self) -> Result<Vec<[f64; 2]>, ScenarioError> {
-        let key = format!("{FLOW}.table");
-        let Some(name) = self.entries.text(&key) else { return Ok(Vec::new()) };
+        let (Some(name), Some(text)) = (self.entries.text(TABLE), self.text_of_file(TABLE)?) else {
+            return Ok(Vec::new());
+        };
         let path = self.directory.join(name);
-        let refuse = |message: String| self.document.refuse(&key, message);
-        let text = self.flow_text().map_err(|error| refuse(error.to_string()))?.unwrap_or_default();
         let refused = |(line, message): Refusal| {
             let line = line.map(|line| format!(":{line}")).unwrap_or_default();
-            refuse(format!("{}{line}: {message}", path.display()))
+            self.document.refuse(TABLE, format!("{}{line}: {message}", path.display()))
         };
         let table = CsvText::new(&text).map_err(refused)?;
         if table.header.iter().collect::<Vec<_>>() != COLUMNS {
@@ -137,15 +138,6 @@ impl Scenario {
             points.push([number(0)?, number(1)?]);
         }
         Ok(points)
-    }
-
-    /// The text of the file of the flow curve, if the scenario names one.
-    pub(super) fn flow_text(&self) -> Result<Option<String>, ScenarioError> {
-        match (self.entries.text(&format!("{FLOW}.table")), &self.flow_table) {
-            (None, _) => Ok(None),
-            (Some(_), Some(text)) => Ok(Some(text.clone())),
-            (Some(path), None) => read_text(&self.directory.join(path), LARGEST_SCENARIO).map(Some),
-        }
     }
 }
 

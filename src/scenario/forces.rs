@@ -31,7 +31,7 @@ impl Scenario {
         }
         let message =
             "a drop height needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` instead";
-        Err(self.document.refuse(height, message.to_owned()))
+        Err(self.document.refuse(height, message))
     }
 
     /// A key that cannot be swept, because the scene already says the same in another way.

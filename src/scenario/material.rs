@@ -1,9 +1,9 @@
 //! `material`: what the bodies take from named materials, where the scenario does not say it itself.
 
 use super::axes::AxisEntry;
-use super::entries::{Entries, Refused};
+use super::entries::Entries;
 use super::flow::FLOW;
-use super::values::Fault;
+use super::values::{Fault, Refused};
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
 use crate::materials::{Entry, Property, find};
@@ -34,8 +34,7 @@ impl Entries {
                         "the body has no material to draw from: add material = \"steel-s235\", or another, to [{}]",
                         body.table()
                     );
-                    let key = format!("monte_carlo.{}", body.material());
-                    return Err(Refused { key, fault: Fault { span, message } });
+                    return Err(Fault { span, message }.of(format!("monte_carlo.{}", body.material())));
                 }
                 continue;
             };
@@ -60,8 +59,7 @@ impl Entries {
                         "{} has one value for all that is taken from it, so that there is nothing to draw: leave the key out",
                         material.name
                     );
-                    let key = format!("monte_carlo.{}", body.material());
-                    return Err(Refused { key, fault: Fault { span, message } });
+                    return Err(Fault { span, message }.of(format!("monte_carlo.{}", body.material())));
                 }
                 self.draw(body, variables);
             }
@@ -112,7 +110,7 @@ impl Scenario {
     pub(super) fn axis_of_materials(&self, path: &str, materials: &[&'static Entry]) -> Option<Axis> {
         let first = self.taken.iter().find(|taken| taken.body.material() == path)?;
         let materials = materials.iter().map(|material| Taken { material, ..first.clone() });
-        Some(Axis::of_materials(first.body, materials.collect()))
+        Some(Axis::of_words(Setting::Material(first.body, materials.collect())))
     }
 
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.

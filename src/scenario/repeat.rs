@@ -15,7 +15,7 @@ impl Scenario {
         let Some(speeds) = self.entries.numbers("repeat.speeds") else { return Ok(None) };
         if self.entries.has("impact") {
             let message = "repeat.speeds gives the speed of every shot; leave [impact] out, or the list";
-            return Err(self.document.refuse("impact", message.to_owned()));
+            return Err(self.document.refuse("impact", message));
         }
         let refuse = |message: String| Err(self.document.refuse("repeat.speeds", message));
         match speeds.first() {
@@ -35,7 +35,7 @@ impl Scenario {
         if !self.entries.has("repeat") {
             return Ok(None);
         }
-        let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message.to_owned()));
+        let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         let spot = self.entries.text("repeat.spot");
         let Some(place) = Place::ALL.into_iter().find(|place| spot == Some(place.name())) else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));

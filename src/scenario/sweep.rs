@@ -32,8 +32,8 @@ impl Scenario {
                 let own = |law: &LawChoice| if law.name() == own_law.name() { own_law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
-                    AxisEntry::Methods(methods) => Some(Axis::of_methods(methods.clone())),
-                    AxisEntry::Laws(laws) => Some(Axis::of_laws(laws.iter().map(own).collect())),
+                    AxisEntry::Methods(methods) => Some(Axis::of_words(Setting::Method(methods.clone()))),
+                    AxisEntry::Laws(laws) => Some(Axis::of_words(Setting::Law(laws.iter().map(own).collect()))),
                     AxisEntry::Materials(materials) => self.axis_of_materials(path, materials),
                 });
                 let axes: Vec<Axis> = axes.collect();

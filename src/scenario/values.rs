@@ -33,9 +33,21 @@ pub(super) struct Fault {
 }
 
 impl Fault {
-    pub(super) fn at(value: &Spanned<DeValue>, message: impl Into<String>) -> Self {
-        Self { span: value.span(), message: message.into() }
+    pub(super) fn at<T>(place: &Spanned<T>, message: impl Into<String>) -> Self {
+        Self { span: place.span(), message: message.into() }
     }
+
+    /// The refusal of the key whose value, or name, this is.
+    pub(super) fn of(self, key: impl Into<String>) -> Refused {
+        Refused { key: key.into(), fault: self }
+    }
+}
+
+/// A key that is refused, its value or its name, and why.
+#[derive(Debug)]
+pub(super) struct Refused {
+    pub(super) key: String,
+    pub(super) fault: Fault,
 }
 
 /// Reads a value of this form.
@@ -73,7 +85,7 @@ pub(super) fn described(value: &DeValue) -> String {
 }
 
 /// The refusal of a value of the wrong kind.
-fn unexpected(value: &Spanned<DeValue>, expected: &str) -> Fault {
+pub(super) fn unexpected(value: &Spanned<DeValue>, expected: &str) -> Fault {
     Fault::at(value, format!("found {}, expected {expected}", described(value.get_ref())))
 }
 

@@ -211,9 +211,6 @@ pub struct RangeError {
 
 impl Quantity {
     /// The value in SI, if it is allowed.
-    ///
-    /// # Errors
-    /// [`RangeError`] with value, range and way out.
     pub fn check(&self, value: f64) -> Result<f64, RangeError> {
         let above = match self.low {
             Bound::Open(low) => value > low,
