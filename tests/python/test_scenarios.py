@@ -99,6 +99,14 @@ def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
     text = found.files["calibrated.toml"].decode()
     strength = float(text.split("yield_strength = ")[1].split()[0])
     assert abs(strength / 345e6 - 1) < 1e-4
+    # a NaN is a field without a measurement
+    times = plm.impacts(contact, speed=speeds)["contact_time_s"].copy()
+    data["restitution"] = np.where(speeds > 2, np.nan, data["restitution"])
+    times[speeds < 1] = np.nan
+    tables["calibrate"] = dict(noise=dict(restitution=1e-3, contact_time=1e-7))
+    found = plm.calibrate(tables, {**data, "contact_time_s": times})
+    strength = float(found.files["calibrated.toml"].decode().split("yield_strength = ")[1].split()[0])
+    assert abs(strength / 345e6 - 1) < 1e-4
 
 
 def test_materials_are_those_of_the_command(command: Path) -> None:

@@ -18,7 +18,7 @@ def rows(contact: plm.Contact, keys: dict[str, NDArray[np.float64]]) -> dict[str
 def divided(
     client: Client, contact: plm.Contact, pieces: int, **keys: NDArray[np.float64]
 ) -> dict[str, NDArray[np.float64]]:
-    """The table of `plm.impacts(contact, **keys)`, in flat columns. Where it is cut changes no number."""
+    """The table of `plm.impacts(contact, **keys)`, in flat columns. Its numbers do not depend on `pieces`."""
     flat = {name: array.ravel() for name, array in zip(keys, np.broadcast_arrays(*keys.values()))}
     parts = [dict(zip(flat, part)) for part in zip(*(np.array_split(array, pieces) for array in flat.values()))]
     tables = client.gather(client.map(rows, [contact] * len(parts), parts))

@@ -42,11 +42,12 @@ def calibrate(
     """Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
 
     `data` has columns with the names that a file of measurements has, such as `speed_m_per_s` and `restitution`; they take
-    the place of the file.
+    the place of the file. NaN stands for a quantity that was not measured.
     """
-    if data is None:
+    if not data:
         return run(scenario, set=set)
     # imported here, so that the import of the module is fast
+    import csv
     from pathlib import Path
     from tempfile import TemporaryDirectory
 
@@ -55,6 +56,9 @@ def calibrate(
     columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float)) for column in data.values()))
     with TemporaryDirectory() as folder:
         file = Path(folder) / "data.csv"
-        # 17 digits, so that reading gives the same number
-        np.savetxt(file, np.column_stack(columns), "%.17g", ",", header=",".join(data), comments="")
+        with file.open("w", newline="", encoding="utf-8") as text:
+            rows = csv.writer(text)
+            rows.writerow(data)
+            # repr has all digits, so that reading gives the same number
+            rows.writerows(["" if np.isnan(value) else repr(float(value)) for value in row] for row in zip(*columns))
         return run(scenario, set={**(set or {}), "calibrate.data": str(file)})
