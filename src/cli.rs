@@ -88,7 +88,7 @@ pub fn run() -> anyhow::Result<()> {
     }
 }
 
-/// The command line. One that is wrong ends the program, unless a program is to be told.
+/// The command line. A wrong one ends the program at once, unless errors are written as JSON.
 fn parse() -> Result<Cli, Error> {
     Cli::try_parse().map_err(|error| {
         let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();

@@ -18,7 +18,7 @@ use crate::sweep::shard::ShardError;
 use crate::validation::ValidationError;
 pub use details::Details;
 
-/// Why a command did not do its job. The texts say what, where, the value, and the way out.
+/// Why a command failed. The texts say what is wrong and where, the value, and the way out.
 #[derive(Debug, Error)]
 pub enum Error {
     /// The scenario is refused.
@@ -57,13 +57,13 @@ pub enum Error {
     Stopped {
         /// What was stopped, and what to do.
         what: String,
-        /// What a shell says of a process that this signal ended.
+        /// The exit code that a shell gives a process which this signal ended.
         exit_code: u8,
     },
     /// A shard that does not exist.
     #[error("--shard: {0}")]
     Shard(ShardError),
-    /// An option that this scenario has no use for.
+    /// An option or an argument that is wrong.
     #[error("{0}")]
     Option(String),
     /// A table with rows that have no result.
@@ -76,10 +76,10 @@ pub enum Error {
         /// The table.
         table: PathBuf,
     },
-    /// No coefficients.
+    /// A fit gave no coefficients.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// Nothing was found from measurements.
+    /// A calibration found nothing.
     #[error(transparent)]
     Calibrate(#[from] CalibrateError),
     /// Measurements that contradict the law.
@@ -90,7 +90,7 @@ pub enum Error {
         /// Why.
         reason: String,
     },
-    /// No validation.
+    /// A validation could not be made.
     #[error(transparent)]
     Validation(#[from] ValidationError),
     /// A validation that missed tolerances.
@@ -114,14 +114,14 @@ pub enum Error {
 }
 
 impl From<ShardError> for Error {
-    // no source: the text says it already
+    // no source, as the text contains its text
     fn from(error: ShardError) -> Self {
         Self::Shard(error)
     }
 }
 
 impl Error {
-    /// No result for this scenario; where one key is the reason, it is shown where it stands.
+    /// The error of a scenario without a result. If one key is the reason, the error points at it.
     pub fn impact(scenario: &Scenario, reason: ImpactError) -> Self {
         if let ImpactError::Range(range) = &reason
             && let Some(refusal) = scenario.too_extreme(range)
@@ -140,8 +140,7 @@ impl Error {
     }
 
     /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements
-    /// contradict the law; 130 and 143 after a
-    /// signal.
+    /// contradict the law, 130 and 143 after a signal.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Sweep(SweepError::Interrupted { .. } | SweepError::Dropped) => 130,

@@ -1,12 +1,14 @@
-//! How a file comes to be. Every file that the program writes goes this way:
+//! How the program writes files. Every file goes through these steps:
 //!
-//! 1. a lock, so that one process at a time writes it ([`Lock`]);
-//! 2. a random name beside its place, made new, no link followed ([`NewFile`]);
-//! 3. written, and brought to the disk, so that all errors come before anything is replaced;
-//! 4. entered into the folder's list of what the program wrote ([`MANIFEST`]), which says later that the file may be replaced;
-//! 5. renamed, and the folder brought to the disk. What says that a table is whole, its sidecar or summary, comes last.
+//! 1. It is locked, so that one process at a time writes it ([`Lock`]).
+//! 2. It is made under a random name beside its place; no link is followed ([`NewFile`]).
+//! 3. It is written and synchronised to the disk, so that all errors come before anything is replaced.
+//! 4. It is entered into the folder's list of files of this program ([`MANIFEST`]), which may be replaced later.
+//! 5. It is renamed, and the folder is synchronised to the disk. The sidecar or summary, which shows that a table is
+//!    complete,
+//!    comes last.
 //!
-//! Whatever a process is killed in, each place holds its old file or its new one, whole.
+//! Whenever the process is killed, each place holds either its old file or its new one, complete.
 
 mod lock;
 mod manifest;
@@ -30,14 +32,14 @@ pub use new_file::{NewFile, PART, folder, refuse_special, remove, remove_stale, 
 pub struct OutputFile {
     /// Its name in the directory.
     pub name: String,
-    /// What is in it.
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 
 /// Why nothing was written.
 #[derive(Debug, Error)]
 pub enum OutputError {
-    /// The file system says no.
+    /// The file system refuses.
     #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
     Unwritable {
         /// File or directory.
@@ -45,24 +47,24 @@ pub enum OutputError {
         /// Why.
         reason: io::Error,
     },
-    /// Another process is at it.
+    /// Another process is writing it.
     #[error("{}: {holder} is writing it; wait for its end, or name another --out", .path.display())]
     Busy {
         /// The table or directory.
         path: PathBuf,
-        /// Who, and since when.
+        /// The other process, and since when it writes.
         holder: String,
     },
-    /// A file that somebody else wrote.
+    /// A file that another program wrote or changed.
     #[error(
-        "{}: is there, and is not as this program wrote it; move it, name another --out, or replace it with --force",
+        "{}: exists, but not as this program wrote it; move it, name another --out, or replace it with --force",
         .path.display()
     )]
     Foreign {
         /// The file.
         path: PathBuf,
     },
-    /// Results of something else.
+    /// The directory holds other results.
     #[error(
         "{}: holds results of {other}, and these are of {own}; name another --out, or replace them with --force",
         .path.display()
@@ -70,21 +72,21 @@ pub enum OutputError {
     Taken {
         /// The directory.
         path: PathBuf,
-        /// Scenario, shards or command that made them, as seen from the directory.
+        /// Scenario, shards or command of the results that are there; a path as seen from the directory.
         other: String,
-        /// Of what is to be written.
+        /// Scenario, shards or command of the results to write.
         own: String,
     },
 }
 
 impl OutputError {
-    /// For `map_err`.
+    /// Makes the error from that of the file system, for `map_err`.
     pub fn at(path: &Path) -> impl Fn(io::Error) -> Self {
         move |reason| Self::Unwritable { path: path.to_owned(), reason }
     }
 }
 
-/// What results are made from.
+/// The origin of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Origin<'a> {
     /// A scenario or shards: where they are, and the hash of the scenario.
@@ -99,15 +101,15 @@ pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
-    /// What its results are of; `None` where many processes write into it what is complete by itself.
+    /// The origin of its results; `None` for a shared directory, into which several processes write.
     own: Option<Manifest>,
     is_forced: bool,
     is_of_earlier_version: bool,
 }
 
 impl OutputDirectory {
-    /// Makes the directory and tries it, before anything is computed. Its results belong together: those of one scenario.
-    /// With `is_forced`, results of others and files that the program did not write are replaced.
+    /// Makes the directory and tests that it takes files, before anything is computed. All its results are of one
+    /// origin. With `is_forced`, results of another origin and files that the program did not write are replaced.
     ///
     /// # Errors
     /// [`OutputError::Unwritable`] if it cannot be made, is a file, or takes no files; [`OutputError::Taken`].
@@ -117,7 +119,7 @@ impl OutputDirectory {
         Ok(directory)
     }
 
-    /// Says what the results are of that are to be written.
+    /// Sets the origin of the results to write.
     ///
     /// # Errors
     /// [`OutputError::Taken`] where there are those of something else, unless `is_forced`.
@@ -143,7 +145,7 @@ impl OutputDirectory {
         Ok(())
     }
 
-    /// The same for a directory that holds files of many, each of which is looked after by itself.
+    /// Prepares a shared directory, into which several processes write. Each file is checked by itself.
     pub fn shared(path: &Path) -> Result<Self, OutputError> {
         let refuse = OutputError::at(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
@@ -160,7 +162,8 @@ impl OutputDirectory {
         &self.path
     }
 
-    /// Whether it holds results of a version that kept no list of them: those of the same names and kinds are replaced.
+    /// Whether it holds results of an earlier version, which kept no list of them. Those with the names and kinds of new
+    /// files are replaced.
     pub fn is_of_earlier_version(&self) -> bool {
         self.is_of_earlier_version
     }
@@ -171,7 +174,7 @@ impl OutputDirectory {
         Lock::take(&path).map_err(|error| refuse_lock(&path, error))
     }
 
-    /// Whether the list of the directory has this file as it is there, written for the same scenario by the same version.
+    /// Whether the file is unchanged since the same version of the program wrote it for the same scenario.
     pub fn has_own(&self, name: &str) -> bool {
         let there = self.manifest().ok().flatten();
         self.own.as_ref().zip(there).is_some_and(|(own, there)| there.is_like(own) && there.knows(&self.path, name))
@@ -204,7 +207,7 @@ impl OutputDirectory {
         self.put_all(new, false)
     }
 
-    /// Puts the files of a table in place that is complete, and removes summary and pictures of another one first.
+    /// Puts the files of a complete table in place. Removes the summary and the pictures of another table first.
     ///
     /// # Errors
     /// [`OutputError`]; then it is not in place.
@@ -280,7 +283,7 @@ impl Drop for OutputDirectory {
     }
 }
 
-/// A directory of its own beside the outputs, which goes with all that is in it.
+/// A temporary directory beside the outputs, which is removed with all its files.
 #[derive(Debug)]
 pub struct Scratch {
     path: PathBuf,

@@ -21,11 +21,11 @@ pub enum Cases {
     Grid(Vec<Axis>),
     /// Random samples.
     MonteCarlo {
-        /// How many.
+        /// Number of samples.
         samples: u64,
-        /// Which.
+        /// Seed of the random numbers.
         seed: u64,
-        /// Of what.
+        /// The random keys.
         variables: Vec<Variable>,
     },
 }
@@ -41,10 +41,10 @@ pub struct Plan {
     pub columns: Option<Vec<&'static str>>,
 }
 
-/// What a hardness gives.
+/// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
 
-/// Case numbers of any tool can hold so many.
+/// The largest number of cases. Any tool can hold so large a case number.
 const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
@@ -140,7 +140,7 @@ impl Plan {
         })
     }
 
-    /// Whether the method `closed_form` is asked of a scene that has none.
+    /// Whether a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
         let mut scene = self.scene.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
@@ -150,7 +150,7 @@ impl Plan {
         !scene.forces.have_closed_form() && self.methods().contains(&Method::ClosedForm)
     }
 
-    /// Whether the last digits of the table are those of the machine: the steps of some methods are not our own.
+    /// Whether the last digits of the table depend on the machine, as they do for methods of another library.
     pub fn depends_on_machine(&self) -> bool {
         self.methods().iter().any(|method| matches!(method, Method::Dopri5 | Method::Dop853))
     }
@@ -180,7 +180,7 @@ impl Plan {
         swept.unwrap_or(std::slice::from_ref(&self.scene.solver.method))
     }
 
-    /// Whether rows of that method are integrated, those of any law.
+    /// Whether rows of this method are integrated, under any of the laws.
     fn is_stepped(&self, method: Method) -> bool {
         let auto_integrates = |law: &LawChoice| {
             let scene = Scene { law: law.clone(), ..self.scene.clone() };
@@ -193,12 +193,12 @@ impl Plan {
         }
     }
 
-    /// Whether the half-space can yield: without, nothing plastic is reported.
+    /// Whether the half-space can yield. If not, nothing plastic is reported.
     pub fn is_plastic(&self) -> bool {
         self.scene.half_space.yield_strength.is_some()
     }
 
-    /// Whether the half-space's density is known: without, nothing is said of elastic waves.
+    /// Whether the half-space has a density. If not, nothing is reported of elastic waves.
     pub fn has_waves(&self) -> bool {
         self.scene.half_space.density.is_some()
     }
@@ -213,7 +213,7 @@ fn is_of_damping(path: &str) -> bool {
     path.starts_with("damping.")
 }
 
-/// Where on each axis a case lies.
+/// The places of a case on the axes.
 pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     let mut rest = case;
     let mut places: Vec<u64> = axes
@@ -229,7 +229,7 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     places
 }
 
-/// Text of a swept value for pictures and messages.
+/// A value of an axis as text, for pictures and messages.
 pub fn label(axis: &Axis, place: u64) -> String {
     match &axis.setting {
         Setting::Number { key, values } => key.quantity.human(values.at(place)),

@@ -1,4 +1,4 @@
-//! How far a long computation is: counted by whoever computes, looked at by whoever waits.
+//! How far a long computation is. The computation counts; the command reads the count.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -12,12 +12,12 @@ pub struct Counter {
 }
 
 impl Counter {
-    /// There are so many pieces more.
+    /// Adds pieces that are to be done.
     pub fn expect(&self, pieces: u64) {
         self.total.fetch_add(pieces, Ordering::Relaxed);
     }
 
-    /// One more is done.
+    /// Counts a piece as done.
     pub fn step(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
     }

@@ -1,11 +1,11 @@
-//! Where a result comes from: enough to repeat it. Every file that says so takes it from here.
+//! Where a result comes from, in enough detail to repeat it.
 
 use serde::Serialize;
 
 /// Version of the program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Program and version, as files name what wrote them.
+/// Program and version, as they are written into files.
 pub const PROGRAM: &str = concat!("plm-impact ", env!("CARGO_PKG_VERSION"));
 
 /// Version of the form of all outputs. Raise it when a key or a column is renamed, removed or put elsewhere, or changes its
@@ -16,7 +16,7 @@ pub const FORMAT: u64 = 1;
 /// dealt out to shards in another way: rows of different versions are not put into one table.
 pub const NUMBERS: u64 = 5;
 
-/// [`FORMAT`] of files that do not name it: they are of the first.
+/// The version of the form of files that do not name it.
 pub fn first_format() -> u64 {
     1
 }
@@ -67,7 +67,7 @@ pub struct LawOf {
 }
 
 impl Provenance {
-    /// That of results of this program, from the scenario with this hash.
+    /// The provenance of results from the scenario with this hash.
     pub fn new(scenario_sha256: String, command: &str) -> Self {
         Self {
             format_version: FORMAT,

@@ -1,5 +1,4 @@
-//! What is written about an impact: `summary.json`, `trace.csv` and the table on the terminal. Pure functions of the
-//! result; nothing here opens a file or prints.
+//! What is written about a run: files as text, and tables for the terminal. Nothing here opens a file or prints.
 
 pub(crate) mod calibrate;
 pub(crate) mod compare;
@@ -26,10 +25,10 @@ pub use terminal::impact as table;
 /// Why a report could not be made.
 #[derive(Debug, Error)]
 pub enum ReportError {
-    /// JSON refused a value.
+    /// A value cannot be written as JSON.
     #[error("summary: {0}")]
     Json(#[from] serde_json::Error),
-    /// CSV refused a row.
+    /// A row cannot be written as CSV.
     #[error("trace: {0}")]
     Csv(#[from] csv::Error),
 }

@@ -1,4 +1,4 @@
-//! From a scenario to what is written and said about it: one way for every kind of scene.
+//! From a scenario to its files and its text on the terminal: one way for every kind of scene.
 
 mod calibrate;
 mod compare;
@@ -14,16 +14,16 @@ use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
 pub use outcome::{Order, Outcome};
 
-/// How scenarios of one kind are done.
+/// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]
 pub struct Way {
-    /// Finds out what there is to be said before anything is written.
+    /// Checks a scenario; writes nothing.
     pub check: fn(&Scenario) -> Result<Outcome, Error>,
-    /// Does it.
+    /// Runs a scenario.
     pub run: Run,
 }
 
-/// How a run of one kind is done.
+/// How a kind is run.
 #[derive(Debug, Clone, Copy)]
 pub enum Run {
     /// At once: all files together.
@@ -37,7 +37,7 @@ pub enum Run {
     Table,
 }
 
-/// How scenarios of this kind are done.
+/// How scenarios of this kind are checked and run.
 pub fn way(kind: Kind) -> Way {
     let once = |check, what, run| Way { check, run: Run::Once { what, run } };
     match kind {
@@ -50,7 +50,7 @@ pub fn way(kind: Kind) -> Way {
     }
 }
 
-/// What there is to be said of a scenario before it is run; nothing is written.
+/// Checks a scenario; nothing is written.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     (way(scenario.kind()?).check)(scenario)
 }
@@ -74,7 +74,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     Ok((scene, contact))
 }
 
-/// Whether warnings keep a scenario from being done: with `is_strict`, one is enough.
+/// Refuses a scenario with warnings, if `is_strict`.
 pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
         return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count: warnings });

@@ -62,19 +62,19 @@ pub use template::template;
 /// A scenario file, read and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scenario {
-    /// Its text, and where a value stands in it.
+    /// Its text, in which the place of a value can be found.
     pub document: Document,
-    /// What it gives.
+    /// The values of its keys.
     entries: Entries,
-    /// What its bodies take from named materials.
+    /// The values that its bodies take from named materials.
     pub taken: Vec<Taken>,
-    /// Files that it names are relative to this.
+    /// The folder of the files that it names.
     directory: PathBuf,
-    /// Texts of these files by their keys, where they are known without the files.
+    /// Texts of such files by their keys, where they are known without the files.
     texts: BTreeMap<&'static str, String>,
 }
 
-/// What an impact cannot do without; another key may stand in place of it (see [`EITHER`]). The speed is the last.
+/// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
 const NEEDED: [&str; 7] = [
     "sphere.radius",
     "sphere.youngs_modulus",
@@ -85,7 +85,7 @@ const NEEDED: [&str; 7] = [
     "impact.speed",
 ];
 
-/// Why a law has no use.
+/// Why a law has no effect.
 const ELASTIC: &str =
     "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
 
@@ -122,7 +122,7 @@ impl Scenario {
         Ok(scenario)
     }
 
-    /// What holds for every kind of scene: the sphere, and no two keys that say the same.
+    /// Checks what every kind of scene needs: a sphere, and no two keys in place of each other.
     fn check_tables(&self) -> Result<(), ScenarioError> {
         for [one, other] in EITHER {
             if self.entries.has(one) && self.entries.has(other) {
@@ -141,8 +141,8 @@ impl Scenario {
         self.need(&NEEDED[..3])
     }
 
-    /// Refuses a scenario that lacks one of these keys, and what may stand in place of it, unless it varies over the cases of
-    /// a table.
+    /// Refuses a scenario in which one of these keys is missing. A key in place of it counts, and a key that varies
+    /// over the cases of a table.
     fn need(&self, keys: &[&'static str]) -> Result<(), ScenarioError> {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
@@ -152,7 +152,7 @@ impl Scenario {
             return Ok(());
         };
         let (table, _) = group[0].split_once('.').unwrap_or_default();
-        // bodies have more keys than the one that varies: a body without a table is an oversight
+        // a body needs more keys than the one that varies, and so its table
         let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
         if !self.entries.has(table) && !self.entries.varied().any(|path| table == "impact" && in_table(&path)) {
             return Err(self.document.missing("", table));
@@ -180,7 +180,7 @@ impl Scenario {
         self.put_together(NEEDED.len() - 1)
     }
 
-    /// The scene that the keys make, which has the first so many of what an impact needs.
+    /// The scene of the keys; the first `needed` of [`NEEDED`] must be given.
     fn put_together(&self, needed: usize) -> Result<Scene, ScenarioError> {
         self.need(&NEEDED[..needed])?;
         let mut scene = self.blank()?;
@@ -195,7 +195,7 @@ impl Scenario {
         Ok(scene)
     }
 
-    /// The scene before its numbers are put into it: law, method, and the numbers without a key to vary.
+    /// The scene before its numeric keys are set: law, method, counts and materials.
     fn blank(&self) -> Result<Scene, ScenarioError> {
         let defaults = Solver::default();
         let count = |path: &str| self.entries.count(path);
@@ -235,7 +235,7 @@ impl Scenario {
         self.sphere_radius().ok_or_else(|| self.document.missing("sphere", "radius"))
     }
 
-    /// A number that the scene cannot do without.
+    /// A number that the scene needs.
     fn number(&self, path: &str) -> Result<f64, ScenarioError> {
         let (table, name) = path.rsplit_once('.').unwrap_or(("", path));
         self.entries.number(path).ok_or_else(|| self.document.missing(table, name))
@@ -262,7 +262,7 @@ impl Scenario {
         })
     }
 
-    /// Keys of a law that an elastic half-space does not need.
+    /// Warnings about keys of a law, which an elastic half-space does not use.
     fn unused(&self, is_elastic: bool) -> Vec<Warning> {
         const OF_PLM: [&str; 2] = ["law.plm.unloading_exponent", "law.plm.coefficients"];
         if !is_elastic {

@@ -1,4 +1,4 @@
-//! The scene of an impact in plain numbers, and the registry of the keys that a scenario gives them by.
+//! The scene of an impact in plain numbers, and the registry of the keys that give these numbers.
 
 pub(crate) mod key;
 pub mod keys;
@@ -19,10 +19,10 @@ pub use key::Key;
 pub use keys::{EITHER, KEYS};
 use taken::Taken;
 
-/// Evenly spaced rows of a trace where the scenario names no other number.
+/// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
 
-/// What a scenario comes to: bodies, speed, law, solver. Plain numbers in SI, all of them checked.
+/// The scene that a scenario describes: bodies, speed, law, solver. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// The sphere.
@@ -45,14 +45,14 @@ pub struct Scene {
     pub solver: Solver,
     /// Evenly spaced rows of the trace.
     pub samples: usize,
-    /// What the bodies take from named materials.
+    /// The values that the bodies take from named materials.
     pub materials: Vec<Taken>,
-    /// What of the scenario has no effect.
+    /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
 }
 
 impl Scene {
-    /// A scene under this law whose other numbers are still to come.
+    /// A scene under this law. Its other numbers are not set yet.
     pub fn of_law(law: LawChoice) -> Self {
         let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
         Self {
@@ -81,7 +81,7 @@ impl Scene {
         Ok(contact.with_forces(self.forces))
     }
 
-    /// Puts gravity \[m/s²\] into the scene; a drop height then gives another speed.
+    /// Sets gravity \[m/s²\]. The speed from a drop height follows.
     pub fn set_gravity(&mut self, acceleration: f64) {
         self.forces.gravity = Some(acceleration);
         if let Some(height) = self.drop_height {
@@ -89,7 +89,7 @@ impl Scene {
         }
     }
 
-    /// Puts a drop height \[m\] into the scene; the speed follows if there is gravity.
+    /// Sets the drop height \[m\]. The speed follows if there is gravity.
     pub fn set_drop_height(&mut self, height: f64) {
         self.drop_height = Some(height);
         if let Some(gravity) = self.forces.gravity {
@@ -97,7 +97,7 @@ impl Scene {
         }
     }
 
-    /// Puts an impact speed \[m/s\] into the scene, in place of a drop height if there was one.
+    /// Sets the impact speed \[m/s\], and removes a drop height.
     pub fn set_speed(&mut self, speed: f64) {
         (self.speed, self.drop_height) = (speed, None);
     }

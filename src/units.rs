@@ -1,4 +1,4 @@
-//! Quantities as people write them: "5 mm", "210GPa", "7.85 g/cm^3", to SI and back.
+//! Quantities as people write them, such as "5 mm", "210GPa", "7.85 g/cm^3": to SI and back.
 //!
 //! This module knows neither scenarios nor mechanics. One table holds every unit. Where a unit is a power of ten of the SI
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number

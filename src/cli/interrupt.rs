@@ -1,5 +1,5 @@
-//! Ctrl-C and SIGTERM: a sweep is asked to stop, and if it has not within a second it is ended. Whatever it was at, its
-//! files are whole: what is not complete has not taken its place.
+//! Ctrl-C and SIGTERM: a sweep is asked to stop, and is ended if it has not stopped within a second. Its files stay
+//! complete, as an unfinished file has not replaced any other.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -11,10 +11,11 @@ use plm_impact::sweep::SweepError;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-/// What a shell says of a process that this signal ended.
+/// A shell adds the number of the signal to this for the exit code.
 const ENDED_BY: usize = 128;
-/// How often signals are looked for, and how long a run has to stop by itself.
+/// Time between two looks for a signal.
 pub const LOOK: Duration = Duration::from_millis(50);
+/// Time that a run has to stop by itself.
 const PATIENCE: Duration = Duration::from_millis(700);
 
 /// Whether a signal came, and which. Once this is dropped, signals end the process as they do by default.
@@ -38,7 +39,7 @@ impl Interrupt {
         Ok(interrupt)
     }
 
-    /// From now on ends the process a second after a signal, where a single row, or a picture, takes longer.
+    /// From now on the process ends a second after a signal, even if a single row or a picture takes longer.
     pub fn end_the_slow(&self) -> anyhow::Result<()> {
         let code = Arc::clone(&self.code);
         let end = move || {
@@ -60,7 +61,7 @@ impl Interrupt {
         }
     }
 
-    /// What is to be said where a signal stopped work that leaves nothing.
+    /// The error where a signal stopped work that leaves no files.
     pub fn nothing_written(&self) -> Option<Error> {
         let is_set = self.is_set.load(Ordering::Relaxed);
         is_set.then(|| stopped("interrupted; nothing was written".to_owned(), &self.code))

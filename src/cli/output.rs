@@ -36,7 +36,7 @@ pub struct Output {
     pub pictures: PictureArguments,
 }
 
-/// Says that results without a list of files are there.
+/// Notes that results of an earlier version will be replaced.
 pub fn say_what_is_replaced(directory: &OutputDirectory) {
     if directory.is_of_earlier_version() {
         let path = directory.path().display();
@@ -54,8 +54,8 @@ pub fn warn(warnings: &[String]) {
 }
 
 impl Output {
-    /// Runs a scenario at once. Warnings and where the files are to standard error, the files to the directory, the table to
-    /// standard output.
+    /// Runs a scenario at once. The files go to the directory, the table to standard output, and warnings and the names
+    /// of the files to standard error.
     pub fn once(
         &self,
         file: &Path,
@@ -91,7 +91,7 @@ impl Output {
         Ok(())
     }
 
-    /// Where the outputs go.
+    /// The output directory.
     pub fn directory(&self, file: &Path) -> PathBuf {
         let default = || Path::new("plots").join(file.file_stem().unwrap_or(file.as_os_str()));
         self.out.clone().unwrap_or_else(default)
@@ -107,7 +107,7 @@ impl Output {
     }
 }
 
-/// As typed, but for the program's directory, which says nothing about the run.
+/// The command line as typed, without the directory of the program.
 pub fn command_line() -> String {
     let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
     std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")

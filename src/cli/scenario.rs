@@ -21,7 +21,7 @@ pub struct ScenarioArguments {
 }
 
 impl ScenarioArguments {
-    /// What the scenario is called in messages and outputs.
+    /// The name of the scenario in messages and outputs.
     pub fn name(&self) -> &Path {
         if self.is_standard_input() { Path::new("stdin") } else { &self.scenario }
     }

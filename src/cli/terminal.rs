@@ -18,17 +18,17 @@ pub enum ErrorFormat {
     Json,
 }
 
-/// Whether programs read it.
+/// Whether programs read the errors.
 static IS_JSON: AtomicBool = AtomicBool::new(false);
 
 impl ErrorFormat {
-    /// From now on.
+    /// Errors are written in this format from now on.
     pub fn begin(self) {
         IS_JSON.store(self == Self::Json, Ordering::Relaxed);
     }
 }
 
-/// The error that ends the program; gives the exit code.
+/// Writes the error that ends the program; gives the exit code.
 pub fn error(error: &anyhow::Error) -> u8 {
     let known = error.downcast_ref::<Error>();
     let exit_code = known.map_or(1, Error::exit_code);
@@ -42,12 +42,12 @@ pub fn error(error: &anyhow::Error) -> u8 {
     exit_code
 }
 
-/// Something that may be wrong.
+/// Writes a warning.
 pub fn warning(text: impl Display) {
     speak(Some((AnsiColor::Yellow, "warning")), &text.to_string());
 }
 
-/// Something worth knowing.
+/// Writes a note.
 pub fn note(text: impl Display) {
     speak(None, &text.to_string());
 }

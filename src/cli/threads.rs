@@ -5,9 +5,9 @@ use clap::value_parser;
 use plm_impact::error::Error;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// More stop a machine.
+/// More threads could stop a machine.
 const MOST: u16 = 1024;
-/// Says how many threads where no option does.
+/// The variable with the number of threads, where no option gives it.
 const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Numbers that `--threads` takes; 0 is one a core.
@@ -15,8 +15,8 @@ pub fn allowed() -> RangedI64ValueParser<u16> {
     value_parser!(u16).range(0..=i64::from(MOST))
 }
 
-/// Does the work on so many threads: those of the option, of the environment, or one a core. Where the system starts fewer,
-/// on fewer.
+/// Does the work on as many threads as the option says, or the environment, or on one per core. If the system starts fewer,
+/// the work is done on fewer.
 ///
 /// # Errors
 /// [`Error::Option`] for a number in the environment that is not allowed, or where there is not one thread.
@@ -38,12 +38,12 @@ fn from_environment() -> Result<u16, Error> {
     })
 }
 
-/// As many threads as the system starts, by halves; one is the thread at hand, for which nothing has to be started.
+/// Starts the threads. If the system refuses, half as many are tried, and so on. A single thread is the current one.
 fn start(wanted: usize) -> Result<ThreadPool, Error> {
     let mut threads = wanted;
     loop {
         let builder = || ThreadPoolBuilder::new().num_threads(threads);
-        // a thread at hand that had worked so before stays with that pool
+        // the current thread may belong to a pool already
         let one = || builder().use_current_thread().build().or_else(|_| builder().build());
         match if threads == 1 { one() } else { builder().build() } {
             Ok(pool) => {

@@ -1,4 +1,4 @@
-//! Work that may take long: how far it is is shown on a terminal, and a signal stops it.
+//! Work that may take long: a terminal shows its progress, and a signal stops it.
 
 use std::io::{self, IsTerminal as _};
 use std::panic::resume_unwind;
@@ -14,10 +14,10 @@ use super::interrupt::{Interrupt, LOOK};
 
 /// Bytes of the stack of a thread, as many as that of a program.
 const STACK: usize = 8 << 20;
-/// A bar is shown for work that takes longer than so many looks.
+/// A bar is shown for work that is not done after so many looks.
 const SOON: u32 = 10;
 
-/// Does the work on a thread of its own, and leaves it where a signal comes.
+/// Does the work on a thread of its own, and abandons it when a signal comes.
 ///
 /// # Errors
 /// [`Error::Stopped`](plm_impact::error::Error::Stopped); and where the system gives neither thread nor signals.
@@ -55,7 +55,7 @@ pub fn watched<T: Send + 'static>(
     worker.join().map_or_else(|panic| resume_unwind(panic), |()| anyhow::bail!("the work ended without a result"))
 }
 
-/// A bar on a terminal, and what stands behind it.
+/// A bar on a terminal, with a text after it.
 pub fn bar(is_quiet: bool, text: &str) -> ProgressBar {
     if is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -24,10 +24,10 @@ pub struct Details {
     /// The file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// From 1.
+    /// The line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
-    /// From 1, in characters.
+    /// The column, from 1, in characters.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<u64>,
     /// The key, with dots.
@@ -36,13 +36,13 @@ pub struct Details {
     /// The value, as it is written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub value: Option<String>,
-    /// What may stand there.
+    /// The allowed values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<String>,
 }
 
 impl Error {
-    /// What a program is told of it.
+    /// What a program is told of this error.
     pub fn details(&self) -> Details {
         match self {
             Self::Scenario(error)
@@ -103,7 +103,7 @@ fn of_scenario(error: &ScenarioError) -> Details {
 
 fn of_value(Refusal { place, key, message }: &Refusal) -> Details {
     let name = key.rsplit('.').next().unwrap_or(key);
-    // where the key is refused, it is what is marked
+    // where the key itself is refused, the mark is under the key, and there is no value
     let value = |text: &str| Some(text.to_owned()).filter(|text| text != name && !text.starts_with('['));
     let placed = match place {
         Place::File { name } => in_file(name),

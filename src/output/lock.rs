@@ -8,12 +8,12 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use super::new_file::{is_at, refuse_special, with_suffix};
 
-/// A lock that another process holds, or none at all.
+/// Why a lock was not taken.
 #[derive(Debug)]
 pub enum LockError {
-    /// Who holds it, and for how long.
+    /// Another process holds it; the text says which, and since when.
     Held(String),
-    /// The file system says no.
+    /// The file system refuses.
     File(io::Error),
 }
 
@@ -25,10 +25,10 @@ impl From<io::Error> for LockError {
 
 /// An exclusive lock, held until it is dropped.
 ///
-/// It is the kernel's lock on the file `<name>.lock`, which ends with the process, however that ends. The file itself
-/// says nothing but who holds the lock; one that a killed process left behind is taken over. The holder removes the file
-/// before it lets go, and whoever gets a lock looks whether the file that he locked is still the one of that name, so
-/// that no two hold locks on two files of one name.
+/// It is the kernel's lock on the file `<name>.lock`, which ends with the process in any case. The file only says who holds
+/// the lock; a file that a killed process left behind is used again. A process removes the file before it releases the
+/// lock. A process that gets a lock checks that its file still has that name. So two processes never hold locks on two
+/// files of one name.
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,

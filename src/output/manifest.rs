@@ -1,5 +1,5 @@
-//! The list of what the program wrote into a folder, which lies there too: so that it knows its own files from those of
-//! others, and which scenario they are of.
+//! The list of the files that the program wrote into a folder. It lies in that folder. By it the program knows its own
+//! files, and their origin.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -15,7 +15,7 @@ use crate::provenance::first_format;
 /// Its name in the folder.
 pub const MANIFEST: &str = ".plm-impact.json";
 
-/// So much of both ends of a file goes into its checksum: all of it, but for tables.
+/// So many bytes of both ends of a file go into its checksum. Only tables are longer than both.
 const END: u64 = 64 << 10;
 
 /// A file as it was written.
@@ -56,7 +56,7 @@ impl Record {
     }
 }
 
-/// What a folder of results is of.
+/// The origin and the files of a folder of results.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Manifest {
     /// Version of the form of the outputs.
@@ -69,8 +69,7 @@ pub(super) struct Manifest {
     /// Hash of the scenario, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scenario_sha256: Option<String>,
-    /// What was written. Of a file that is being replaced both the old and the new are here, so that whichever is found
-    /// after a kill is known.
+    /// The files. While a file is being replaced, both the old and the new are listed: after a kill either may be there.
     pub files: Vec<Record>,
 }
 
@@ -102,7 +101,7 @@ impl Manifest {
         self.files.iter().any(|record| record.name == name && record.is_in(folder))
     }
 
-    /// Whether nothing has changed that could change a number.
+    /// Whether the program and the scenario are the same, and so all numbers.
     pub fn is_like(&self, other: &Self) -> bool {
         self.written_by == other.written_by && self.is_same_scenario(other)
     }
@@ -115,13 +114,13 @@ impl Manifest {
         }
     }
 
-    /// Whether both are of one scenario, be it edited or moved.
+    /// Whether both are of one scenario, which may have been edited or moved.
     pub fn belongs_with(&self, other: &Self) -> bool {
         self.made_from == other.made_from || self.is_same_scenario(other)
     }
 }
 
-/// How a file is seen from a folder, so that a project can be moved as a whole.
+/// The path of a file as seen from a folder. It stays the same when a project is moved as a whole.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let (Ok(path), Ok(folder)) = (path.canonicalize(), folder.canonicalize()) else {
         return path.display().to_string();

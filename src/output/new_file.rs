@@ -1,4 +1,4 @@
-//! One file: made under another name, written, brought to the disk, then renamed.
+//! One file: made under another name, written, synchronised to the disk, then renamed.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -6,10 +6,10 @@ use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, Seek as _, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// Where a temporary name ends, and that of a table which is unfinished.
+/// The end of a temporary name, and of the name of an unfinished table.
 pub const PART: &str = ".part";
 
-/// A file on its way to its place. Unless it is put there it is removed, but for rows that can be gone on from.
+/// A file that is not in its place yet. It is removed unless it is put there; only rows that a later run can continue stay.
 #[derive(Debug)]
 pub struct NewFile {
     file: File,
@@ -19,7 +19,7 @@ pub struct NewFile {
 }
 
 impl NewFile {
-    /// Begins a file under a random name beside its place. Nothing is followed and nothing overwritten.
+    /// Begins a file under a random name beside its place. Follows no link and overwrites nothing.
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
         let temporary = temporary(place)?;
@@ -27,8 +27,8 @@ impl NewFile {
         Ok(Self { file, temporary, place: place.to_owned(), is_kept: false })
     }
 
-    /// Goes on at `end` with rows that an earlier run left in `part`, or begins them there; they stay if this run fails.
-    /// What lies behind `end` is cut off. The place has to be locked.
+    /// Continues at `end` the rows that an earlier run left in `part`, or begins that file. The rows stay if this run
+    /// fails. What follows `end` is cut off. The place has to be locked.
     pub fn resume(place: &Path, part: PathBuf, end: u64) -> io::Result<Self> {
         refuse_special(place)?;
         let mut options = OpenOptions::new();
@@ -55,7 +55,7 @@ impl NewFile {
         &self.temporary
     }
 
-    /// Brings all of it to the disk. Closing a file then has no errors left to report.
+    /// Synchronises it to the disk. After that, closing the file cannot fail.
     pub fn sync(&self) -> io::Result<()> {
         self.file.sync_all()
     }
@@ -96,7 +96,7 @@ pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     sync_folder(folder(place))
 }
 
-/// Removes a file of the program's own for good.
+/// Removes a file of the program, also from the disk.
 pub fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -105,7 +105,7 @@ pub fn remove(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Brings the names in a folder to the disk.
+/// Synchronises the names in a folder to the disk.
 pub fn sync_folder(path: &Path) -> io::Result<()> {
     // only Unix opens folders
     if cfg!(not(unix)) {
@@ -130,7 +130,7 @@ pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     name.into()
 }
 
-/// Refuses what is neither new nor an ordinary file: directories, links, devices, pipes.
+/// Refuses a path at which there is something else than an ordinary file: a directory, a link, a device, a pipe.
 pub fn refuse_special(path: &Path) -> io::Result<()> {
     let kind = match path.symlink_metadata() {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -145,7 +145,7 @@ pub fn refuse_special(path: &Path) -> io::Result<()> {
     Err(io::Error::new(io::ErrorKind::InvalidInput, format!("it is {what}, and only ordinary files are written")))
 }
 
-/// Refuses a file that has another name too, and what is no file.
+/// Refuses a file that has another name too, and anything that is not an ordinary file.
 fn refuse_link(path: &Path) -> io::Result<()> {
     refuse_special(path)?;
     if links(path)? > 1 {
@@ -183,7 +183,7 @@ pub(super) fn is_at(_: &File, path: &Path) -> io::Result<bool> {
     path.try_exists()
 }
 
-/// 64 random bits from the operating system, so that no two processes have the same, on whatever machines.
+/// 64 random bits from the operating system, so that processes on all machines have different ones.
 fn random() -> u64 {
     RandomState::new().hash_one(std::process::id())
 }
@@ -214,7 +214,7 @@ pub fn remove_stale(place: &Path) -> io::Result<()> {
         if !number.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit)) {
             continue;
         }
-        // of a directory: what `bench` measured in
+        // `bench` measures in a directory
         let is_directory = entry.file_type()?.is_dir();
         let removed = if is_directory { fs::remove_dir_all(entry.path()) } else { fs::remove_file(entry.path()) };
         match removed {

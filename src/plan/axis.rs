@@ -9,7 +9,7 @@ use crate::scene::{Key, Scene};
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
 const TABULATED: u64 = 1 << 19;
 
-/// The numbers an axis runs through, in SI.
+/// The numbers of an axis, in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// As listed.
@@ -37,7 +37,7 @@ pub enum Values {
 }
 
 impl Values {
-    /// How many.
+    /// The number of values.
     pub fn len(&self) -> u64 {
         match self {
             Self::List(values) => values.len() as u64,
@@ -74,7 +74,7 @@ impl Values {
 pub enum Setting {
     /// A numeric key.
     Number {
-        /// Which.
+        /// Its key.
         key: &'static Key,
         /// Its values.
         values: Values,
@@ -138,7 +138,7 @@ impl Axis {
         }
     }
 
-    /// The words it runs through; `None` for an axis of numbers.
+    /// Its words; `None` for an axis of numbers.
     pub fn words(&self) -> Option<Vec<String>> {
         match &self.setting {
             Setting::Number { .. } => None,
@@ -171,7 +171,7 @@ impl Axis {
         }
     }
 
-    /// Value `i`; for a word its place in the list.
+    /// Value `i`; for a word, its place in the list.
     #[allow(clippy::cast_precision_loss)]
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
@@ -181,7 +181,7 @@ impl Axis {
     }
 }
 
-/// Whether a key leaves bodies and law alone.
+/// Whether bodies and law stay the same when this key changes.
 pub fn keeps_contact(path: &str) -> bool {
     path == "impact.speed" || path == "impact.drop_height" || path.starts_with("solver.")
 }

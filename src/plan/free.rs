@@ -1,18 +1,18 @@
-//! A numeric key that is wanted: the range it lies in, and the scale that the range is searched on.
+//! A numeric key that a calibration has to find: its range, and the scale on which the range is searched.
 
 use crate::math::functions::{exp, ln};
 use crate::scene::Key;
 
-/// A key that is to be found.
+/// A key to find.
 #[derive(Debug, Clone, Copy)]
 pub struct Free {
-    /// Which.
+    /// The key.
     pub key: &'static Key,
     /// The lower end of its range, SI.
     pub from: f64,
     /// The upper end of its range, SI.
     pub to: f64,
-    /// Whether equal ratios count the same, and not equal differences.
+    /// Whether the scale is logarithmic: equal ratios count the same, not equal differences.
     pub is_logarithmic: bool,
 }
 

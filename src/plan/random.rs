@@ -1,9 +1,8 @@
-//! Random values that depend on seed, variable and case number alone: whoever draws sample k, on whichever thread or
-//! machine, draws the same.
+//! Random values that depend on seed, variable and case number alone: sample k is the same on every thread and machine.
 //!
-//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k; the
-//! distribution is its inverse. A distribution is truncated at the key's allowed range, by cutting the uniform number's
-//! interval: no draw is thrown away, so that the count of words stays the case number.
+//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k. The
+//! inverse of the distribution function makes a value of it. A distribution is truncated at the key's allowed range, by
+//! cutting the uniform number's interval: no draw is thrown away, so that the count of words stays the case number.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -21,14 +20,14 @@ pub enum Distribution {
         /// The other.
         to: f64,
     },
-    /// Gauss.
+    /// A normal distribution.
     Normal {
         /// Mean before truncation.
         mean: f64,
         /// Standard deviation before truncation, > 0.
         sd: f64,
     },
-    /// Its logarithm is normal.
+    /// A distribution whose logarithm is normal.
     Lognormal {
         /// Mean of the value itself, > 0.
         mean: f64,
@@ -46,7 +45,7 @@ pub struct Variable {
     pub distribution: Distribution,
     /// The allowed range it is cut to.
     range: (f64, f64),
-    /// The part of (0, 1) that falls into the range.
+    /// The probabilities of values below either end of the range.
     share: (f64, f64),
 }
 
@@ -57,7 +56,7 @@ impl Variable {
         Self { key, distribution, range, share }
     }
 
-    /// How much of the distribution lies in the allowed range.
+    /// The probability of the allowed range.
     pub fn kept(&self) -> f64 {
         self.share.1 - self.share.0
     }
@@ -102,7 +101,7 @@ impl Distribution {
         }
     }
 
-    /// The value that a share p lies below.
+    /// The value below which a share p of the distribution lies.
     fn quantile(&self, p: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => from + p * (to - from),

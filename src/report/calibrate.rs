@@ -18,10 +18,10 @@ use crate::scene::results::Fields;
 use crate::units::aligned::aligned;
 use crate::units::{four_digits, human};
 
-/// What is said of an end that the range of a key cuts off.
+/// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";
 
-/// An interval in SI; an end that is not bounded is `null`.
+/// An interval in SI. An end that the data do not bound is `null`.
 fn interval(ends: Ends) -> Value {
     let note = ends.iter().any(Option::is_none).then_some(UNBOUNDED);
     json!({ "low": ends[0], "high": ends[1], "note": note })
@@ -63,7 +63,7 @@ fn combination(of: &Calibration, exponents: &[f64]) -> String {
     factors.collect::<Vec<_>>().join(" x ")
 }
 
-/// What is known of the noise; where it is estimated, what share of a value (along a curve, of the largest force) it is.
+/// What is known of the noise. For estimated noise, also its share of the largest value.
 fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
     let problem = &of.fit.problem;
     let share = || {
@@ -136,12 +136,12 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
     super::summary::of(results, &Inputs(inputs.collect()), provenance)
 }
 
-/// The least criterion of all laws.
+/// The smallest AIC of all laws.
 fn least_aic(of: &Calibration) -> f64 {
     of.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
 }
 
-/// The name of a file without its folders, which are those of one machine.
+/// The name of a file without its folders, which differ from machine to machine.
 fn file_name(path: &str) -> String {
     std::path::Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
 }
@@ -171,7 +171,8 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
     written(writer)
 }
 
-/// `posterior.csv`: the density over the keys, 1 where it is highest; for one key with the share of the posterior below.
+/// `posterior.csv`: the density over the keys, divided by its largest value. For one key also the probability of smaller
+/// values.
 pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = of.keys.iter().map(|found| found.free.key.column());
@@ -197,7 +198,7 @@ pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
     written(writer).map(Some)
 }
 
-/// Every law that was asked for, the best first: its criterion, how far that is above the least, and its keys.
+/// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &(String, Result<Fit, NoAnswer>)| match fit {
         Ok(fit) => {
@@ -212,7 +213,7 @@ fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     [header].into_iter().chain(of.laws.iter().map(row)).collect()
 }
 
-/// A few lines for the terminal.
+/// The table for the terminal.
 pub fn table(of: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
@@ -227,7 +228,7 @@ pub fn table(of: &Calibration) -> String {
     }
     if let Some(told) = of.identifiability.as_ref().filter(|_| of.refusal.is_some() && of.keys.len() > 1) {
         let known = combination(of, &told.exponents);
-        row("known is", format!("{known}, to {}", crate::units::rounded::percent(told.deviation)));
+        row("best known", format!("{known}, to {}", crate::units::rounded::percent(told.deviation)));
     }
     let measured = of.fit.problem.data.measured().into_iter().map(|what| MEASURED[what].name).collect::<Vec<_>>();
     row(
@@ -268,11 +269,12 @@ pub fn table(of: &Calibration) -> String {
     text
 }
 
-/// To four digits, in a unit that fits; two are enough for a standard deviation.
+/// A value to four digits, in a suitable unit.
 fn say(value: f64, of: &Free) -> String {
     human(format!("{value:.3e}").parse().unwrap_or(value), of.key.quantity.dimension)
 }
 
+/// A standard deviation to two digits, in a suitable unit.
 fn short(sd: f64, of: &Free) -> String {
     human(format!("{sd:.1e}").parse().unwrap_or(sd), of.key.quantity.dimension)
 }

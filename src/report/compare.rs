@@ -31,7 +31,7 @@ struct Summary<'a> {
     provenance: &'a Provenance,
 }
 
-/// The peak in a few lines.
+/// The peak in one line.
 pub fn state(comparison: &Comparison) -> String {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let origin = match comparison.origin {
@@ -49,7 +49,7 @@ pub fn state(comparison: &Comparison) -> String {
     text
 }
 
-/// For the terminal.
+/// The table for the terminal.
 pub fn table(comparison: &Comparison, rows: &[Row]) -> String {
     state(comparison) + &terminal::table(&results::row(), rows)
 }
@@ -72,7 +72,7 @@ pub fn summary(
     pretty(&Summary { peak, laws, warnings, inputs, provenance })
 }
 
-/// What a comparison came to, but for its peak and its laws.
+/// The inputs of a comparison, without its peak and its laws.
 pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
     let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
     let mut entries = given(scenario, &[SPHERE, half_space].concat());
@@ -88,7 +88,7 @@ pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
     entries
 }
 
-/// What was understood of it.
+/// What `check` prints of a comparison.
 pub fn overview(scenario: &Scenario, comparison: &Comparison) -> String {
     let mut rows = overview::rows(&inputs(scenario, comparison));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();

@@ -54,7 +54,7 @@ pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, ReportError> {
     csv(&results::trace(), rows)
 }
 
-/// The table a person reads: a line a step for every half-space.
+/// The table for the terminal: for every half-space, a line for each step.
 pub fn table(tested: &[Tested]) -> String {
     let mut text = String::new();
     for one in tested {
@@ -68,7 +68,7 @@ pub fn table(tested: &[Tested]) -> String {
     text
 }
 
-/// What an indentation came to, but for its steps and half-spaces.
+/// The inputs of an indentation, without its steps and half-spaces.
 pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
     let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
     entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
@@ -81,7 +81,7 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
     entries
 }
 
-/// What was understood of it, and the contact of every half-space.
+/// What `check` prints of an indentation: the inputs, the steps, and the contact of every half-space.
 pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

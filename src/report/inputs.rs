@@ -1,4 +1,4 @@
-//! `inputs` of a summary: all that the scenario came to, in SI, the unit in every name.
+//! The `inputs` of a summary: the values of all keys, defaults included, in SI, with the unit in every name.
 
 use serde::ser::{Serialize, Serializer};
 
@@ -18,7 +18,7 @@ impl Serialize for Inputs {
 }
 
 impl Inputs {
-    /// What all rows of a table share, and the parameters of every law that it goes through.
+    /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let mut entries = of_scene(&plan.scene);
         if let Cases::Grid(axes) = &plan.cases {

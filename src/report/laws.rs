@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::law::LawChoice;
 use crate::law::catalogue::NOT_PUBLIC;
 
-/// Every law in a paragraph of its own, then those that are missing, and why.
+/// A paragraph for every law, then the laws that are missing, each with the reason.
 pub fn list() -> String {
     let mut text =
         "Laws for [law.<name>], for the axis \"law\" of a sweep, and for the halves of [law.combined]:\n\n".to_owned();

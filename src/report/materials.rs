@@ -1,4 +1,4 @@
-//! The list of materials, and all that is known of one, for a person.
+//! The list of materials, and the page about one of them, for the terminal.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
-/// All materials, one in a line.
+/// All materials, one per line.
 pub fn list() -> String {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
@@ -18,12 +18,12 @@ pub fn list() -> String {
     }));
     let table = aligned(&rows, |column| column == 0 || column == 6);
     format!(
-        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key beside it goes before its value.\n\
+        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
     )
 }
 
-/// All that is known of a material: values, ranges, what kind of number each is, and who says so.
+/// The page about one material: values, ranges, the kind of each number, and its sources.
 pub fn one(entry: &Entry) -> String {
     let mut text = format!("{}\n  {}\n", entry.name, entry.title);
     if let Some(note) = &entry.note {
@@ -48,7 +48,7 @@ pub fn one(entry: &Entry) -> String {
     text
 }
 
-/// What the law makes of a hardness.
+/// The flow stress and the yield strength that follow from a hardness.
 fn strength(entry: &Entry, mean_pressure: f64) -> String {
     let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), "Pa"));
     if !entry.hardens() {

@@ -1,4 +1,4 @@
-//! What was understood of a scenario, for a person: every value in SI and in a unit that fits, and what follows from them
+//! What `check` prints of a scenario: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
 use super::resolved::{self, Entry};
@@ -26,7 +26,7 @@ pub(super) fn rows(entries: &[Entry]) -> Vec<Row> {
     entries.iter().map(|entry| [entry.key.to_string(), entry.text.clone()]).collect()
 }
 
-/// What follows from the pair alone.
+/// The rows that follow from the pair of bodies.
 pub(super) fn paired(pair: &Pair) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
@@ -50,7 +50,7 @@ fn given(scene: &Scene) -> Vec<Row> {
     for entry in resolved::of_scene(scene) {
         let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
         match entry.key.as_ref() {
-            // its own keys name it
+            // the keys of the PLM name the law
             "law" if is_plm => {}
             "law" => {
                 let about = scene.law.about();

@@ -1,4 +1,4 @@
-//! What `check` says of a sweep before anything is run: how many cases, of what, and what the table will hold.
+//! What `check` prints of a sweep: how many cases there are, what varies, and which columns the table will have.
 
 use std::fmt::Write as _;
 
@@ -7,10 +7,10 @@ use crate::plan::random::{Distribution, Variable};
 use crate::plan::{Cases, Plan, label};
 use crate::units::rounded::percent;
 
-/// Values of an axis that are listed one by one.
+/// An axis with at most so many values is listed value by value.
 const MOST_LISTED: u64 = 8;
 
-/// A few lines, the last of which leads over to the scene of the first case.
+/// The lines about the cases. The scene of the first case is printed after them.
 pub fn plan_lines(plan: &Plan) -> String {
     let mut text = String::new();
     // a plan of more cases than can be counted is refused while the scenario is read

@@ -39,7 +39,8 @@ pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, ReportError
     csv(&results::trace(), rows.into_iter())
 }
 
-/// Rows of a flight. Its first touch and its separation are rows of the contacts; only the release of the sphere is not.
+/// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
+/// sphere, where the first fall begins, is a row of the flight.
 #[allow(clippy::cast_precision_loss)]
 fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
@@ -56,10 +57,10 @@ fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>)
     }));
 }
 
-/// Impacts at the beginning and at the end of a long series that the terminal shows.
+/// How many impacts at the beginning and at the end of a long series the terminal shows.
 const SHOWN: (usize, usize) = (12, 5);
 
-/// A few lines about the series, and one for each impact.
+/// The table for the terminal: lines about the series, and a line for each impact.
 pub fn table(of: &Series) -> String {
     let hits: Vec<(usize, Hit)> = (1..).zip(of.sequence.hits.iter().copied()).collect();
     let is_shown = |number: usize| number <= SHOWN.0 || number + SHOWN.1 > hits.len();
@@ -71,10 +72,10 @@ pub fn table(of: &Series) -> String {
     aligned(&terminal::lines(&results::results(), of), |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
-/// Speeds of a list that are shown one by one.
+/// A list of at most so many speeds is shown speed by speed.
 const MOST_LISTED: usize = 8;
 
-/// What `check` says of a series before anything is run; the last line leads over to the scene.
+/// What `check` prints of a series. The scene of the first impact is printed after it.
 pub fn repeat_lines(repeat: &Repeat) -> String {
     let place = match repeat.place {
         Place::Same => "all on the same spot",

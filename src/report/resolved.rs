@@ -1,4 +1,4 @@
-//! All that a scenario came to, its defaults included: what `check` prints and what a summary lists as `inputs`.
+//! The values of all keys of a scenario, defaults included: `check` prints them, and a summary lists them as `inputs`.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ use crate::scene::{KEYS, Key, Scene};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
 
-/// A key and what it came to.
+/// A key and its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// As in the file, with dots.
@@ -46,16 +46,16 @@ impl Entry {
         Self { value: count.into(), ..Self::word(key, count.to_string()) }
     }
 
-    /// Whether it is a number that the scene does not have.
+    /// Whether the scene has no number for the key.
     pub fn is_nan(&self) -> bool {
         self.value.is_null()
     }
 }
 
-/// What a scene of impacts came to: numbers in the order of the file, then law, solver and output.
+/// The entries of a scene of impacts: numbers in the order of the file, then law, solver and output.
 pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     let can_yield = scene.half_space.yield_strength.is_some();
-    // the diameter is the radius said otherwise, and an elastic half-space has no use for the law's keys
+    // the diameter would repeat the radius, and an elastic half-space does not use the keys of the law
     let keys = KEYS.iter().filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")));
     let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
     entries.extend(words_of_strength(scene.hardness, scene.law.flow()));
@@ -72,7 +72,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     entries
 }
 
-/// Where a yield strength comes from that is not given, and the points of a measured flow curve.
+/// How a yield strength that is not given was found, and the points of a measured flow curve.
 pub(super) fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>) -> Vec<Entry> {
     let mut entries = Vec::new();
     if hardness.is_some() {
@@ -92,7 +92,7 @@ pub(super) fn words_of_strength(hardness: Option<f64>, flow: Option<&FlowCurve>)
     entries
 }
 
-/// Materials that are named, and what was taken from each.
+/// The materials that the scenario names, and the values taken from each.
 pub(super) fn of_materials(materials: &[Taken]) -> Vec<Entry> {
     let of = |taken: &Taken| {
         let name = Entry::word(taken.body.material(), taken.material.name.clone());
@@ -102,7 +102,7 @@ pub(super) fn of_materials(materials: &[Taken]) -> Vec<Entry> {
     materials.iter().flat_map(of).collect()
 }
 
-/// The keys of a law that are no numbers.
+/// The keys of a law that are not numbers.
 fn words_of_law(law: &LawChoice) -> Vec<Entry> {
     let jumps = |key, jumps| {
         Entry::word(
@@ -140,7 +140,7 @@ fn coefficients(plm: &Plm) -> Entry {
     Entry::word("law.plm.coefficients", format!("{} ({})", provenance.name, provenance.source))
 }
 
-/// Numeric keys that a scenario without an impact gives, the radius also by the diameter.
+/// The numeric keys that a scenario without an impact gives. A diameter counts as the radius.
 pub(super) fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
     let value = |path: &str| match path {
         "sphere.radius" => scenario.sphere_radius(),
@@ -152,7 +152,7 @@ pub(super) fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
 
 pub(super) const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", "sphere.poissons_ratio"];
 
-/// Besides its yield strength, what says how strong a half-space is.
+/// The keys of the strength of a half-space, besides its yield strength.
 pub(super) const STRENGTH: [&str; 5] = [
     "half_space.hardness",
     "half_space.flow_stress.power.exponent",

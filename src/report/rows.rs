@@ -1,11 +1,12 @@
-//! Tables of results as CSV: the trace of an impact, the impacts of a series. Shortest digits that read back to the same
-//! number.
+//! Tables of results as CSV: the trace of an impact, the impacts of a series. A number has the fewest digits that read
+//! back to the same number.
 
 use super::ReportError;
 use crate::impact::Impact;
 use crate::scene::results::{Reported, impact};
 
-/// The rows as CSV with a header line. A column that has a condition is there where any row has its value.
+/// The rows as CSV with a header line. A column with a condition is written if any row has a value for
+/// it.
 pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, ReportError> {
     let is_there =
         |column: &&Reported<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
@@ -21,7 +22,7 @@ pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) ->
     written(writer)
 }
 
-/// What was written.
+/// The bytes that were written.
 pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, ReportError> {
     writer.into_inner().map_err(|error| ReportError::Csv(error.into_error().into()))
 }

@@ -1,12 +1,12 @@
-//! Which strength the law wants: said where a `yield_strength` may be the wrong one.
+//! A note on the yield strength, for scenarios that may give the wrong one.
 
 use crate::material::HalfSpace;
 
-/// Plastic strain from which on hardening matters.
+/// Hardening matters above this plastic strain.
 const DEEP: f64 = 0.01;
 
-/// A paragraph on the yield strength of a metal that is dented up to δ/R = `depth`; `None` for a shallow contact, for what is
-/// no metal, and where the flow stress is said more precisely (`is_precise`).
+/// A paragraph on the yield strength of a metal that is dented up to δ/R = `depth`; `None` for a shallow contact, for a
+/// body that is not a metal, and where the scenario describes the flow stress more precisely (`is_precise`).
 pub fn which(half_space: &HalfSpace, is_precise: bool, depth: f64) -> Option<String> {
     let modulus = half_space.material.youngs_modulus;
     let is_metal = modulus >= 1e10 && half_space.yield_strength.is_some_and(|strength| modulus >= 50.0 * strength);
@@ -16,11 +16,11 @@ pub fn which(half_space: &HalfSpace, is_precise: bool, depth: f64) -> Option<Str
         format!(
             r#"
 Which strength? The law takes half_space.yield_strength for the stress at which the metal flows under the sphere,
-here at plastic strains of about {:.0} %. The 0.2 % proof stress is that only of a metal that does not harden. Of any
-other it is too low, and so is e: by 15 % (rms) and up to 37 % in finite elements of ten metals, by about 30 % for a
-structural steel. Better: yield_strength with [half_space.flow_stress] under the law plm; or half_space.hardness such
-as "300 HV", together with flow_stress.power where the metal hardens. If it does not harden, its hardness or
-flow_stress.power.exponent = 0 says so, and this note is not shown.
+here at plastic strains of about {:.0} %. Only for a metal that does not harden is this the 0.2 % proof stress. For any
+other metal the proof stress is too low, and so is e: by 15 % (rms) and up to 37 % in finite elements of ten metals, by
+about 30 % for a structural steel. Better: give yield_strength with [half_space.flow_stress] under the law plm; or give
+half_space.hardness such as "300 HV", with flow_stress.power if the metal hardens. For a metal that does not harden, give
+its hardness, or flow_stress.power.exponent = 0; then this note is not shown.
 "#,
             100.0 * strain
         )

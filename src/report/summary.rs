@@ -1,4 +1,4 @@
-//! `summary.json`: results, inputs and where they came from. SI throughout, the unit in every name.
+//! `summary.json`: results, inputs and provenance, in SI, with the unit in every name.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::scene::results::impact::Single;
 use crate::scene::results::series::Series;
 use crate::scene::results::{Fields, fields, impact, series};
 
-/// Results with what they come from.
+/// Results, inputs and provenance.
 #[derive(Serialize)]
 struct Summary<'a, R> {
     #[serde(flatten)]
@@ -43,7 +43,7 @@ pub fn summary(
     of(fields(&impact::results(), &Single { contact, impact }), inputs, provenance)
 }
 
-/// Shots that a summary lists; a longer list is in `impacts.csv`.
+/// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
 const LISTED: usize = 1000;
 
 /// The summary of a series of impacts.

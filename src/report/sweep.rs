@@ -21,7 +21,7 @@ struct Results<'a> {
     random: Option<Vec<Fields>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
-    /// Of the scene, and of rows in the table the worst of each kind.
+    /// Warnings about the scene, and of those about rows the worst of each kind.
     warnings: &'a [String],
 }
 
@@ -54,7 +54,7 @@ fn random_key(variable: &random::Variable) -> Drawn {
     Drawn { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
 }
 
-/// What a person wants to know of a finished table.
+/// The lines about a finished table, for the terminal.
 pub fn lines(tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
     if tally.outside_law > 0 {

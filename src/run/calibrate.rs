@@ -59,7 +59,7 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
 fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
-    // both were read before
+    // file and overrides were parsed before
     let mut document: DocumentMut = scenario.document.text().parse().unwrap_or_default();
     for text in scenario.document.settings() {
         if let Ok(change) = text.parse::<DocumentMut>() {
@@ -94,7 +94,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     )
 }
 
-/// Puts a value where its path says; what stood there loses its place, not its comment.
+/// Sets the value of a key. A comment beside the old value stays.
 fn set(document: &mut DocumentMut, path: &str, new: Item) {
     let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
@@ -111,7 +111,7 @@ fn set(document: &mut DocumentMut, path: &str, new: Item) {
     table.insert(name, new);
 }
 
-/// What the command line changes. A scenario has one law: another one takes its place.
+/// Merges the changes of the command line. A scenario has one law, so a law of the command line replaces that of the file.
 fn merge(into: &mut dyn toml_edit::TableLike, from: &dyn toml_edit::TableLike) {
     for (name, item) in from.iter() {
         if name == "law" {

@@ -30,7 +30,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     Ok((scene, contact))
 }
 
-/// Whether the method gives a trace, which a run writes.
+/// Refuses a method without a trace, which a run writes.
 pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
     if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
         return Err(Error::impact(scenario, ImpactError::NoClosedForm));
@@ -38,17 +38,17 @@ pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Er
     Ok(())
 }
 
-/// The scene and its contact, if double precision holds an impact of them.
+/// The scene and its contact. Refuses a scene whose impact has numbers beyond double precision.
 pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    // what the closed form cannot hold no integration can
+    // where the closed form leaves double precision, an integration does too
     contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
     Ok((scene, contact))
 }
 
-/// Where the results of a scene come from that was computed by this method.
+/// The provenance of results that were computed by this method.
 pub(super) fn provenance(
     scenario: &Scenario,
     scene: &Scene,

@@ -18,7 +18,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
     for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
         let name = specimen.name.as_deref();
         let middle = contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
-        // neither may a corner of the uncertainties go where nothing holds
+        // at every end of the uncertainties there has to be a result too
         let name = name.map(|name| format!("{name} at an end of its uncertainty"));
         let refuse = |reason| refused(scenario, name.as_deref(), reason);
         specimen.spans(scene.indenter, scene.law.get(), &scene.targets, &middle).map_err(refuse)?;
@@ -26,7 +26,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
     Ok((scene, contacts))
 }
 
-/// The scene of a scenario, what came of every half-space, and all warnings; `samples` are the rows of the trace in each
+/// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
 pub fn compute(
     scenario: &Scenario,
@@ -73,7 +73,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     Ok(Outcome::done(warnings, text, files))
 }
 
-/// No result for this scenario; a bad step is pointed at.
+/// The error of a scenario without a result. If a step is the reason, the error points at the steps.
 fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
     let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
     match reason {

@@ -1,4 +1,4 @@
-//! What comes of a scenario of any kind.
+//! The outcome of a scenario of any kind.
 
 use crate::error::Error;
 use crate::law::LawChoice;
@@ -8,37 +8,37 @@ use crate::progress::Counter;
 use crate::provenance::{LawOf, Provenance};
 use crate::scenario::Scenario;
 
-/// What a run is asked for besides its scenario.
+/// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]
 pub struct Order<'a> {
     /// The command line, for the provenance.
     pub command: &'a str,
-    /// What pictures are written as.
+    /// The format of the pictures.
     pub pictures: Pictures,
-    /// Is told how far the run is.
+    /// Counts how far the run is.
     pub progress: &'a Counter,
 }
 
-/// What came of a scenario.
+/// The outcome of a scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// Where scene, model or run are doubtful.
+    /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
     /// What the terminal shows.
     pub text: String,
-    /// What goes into the output directory; empty for a check.
+    /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,
     /// Why measurements contradict the law, where they do: all is written, and the exit code is 3.
     pub contradiction: Option<String>,
 }
 
 impl Outcome {
-    /// What a check says: nothing is written.
+    /// The outcome of a check, which has no files.
     pub(super) fn checked(warnings: Vec<String>, text: String) -> Self {
         Self::done(warnings, text, Vec::new())
     }
 
-    /// What a run gives.
+    /// The outcome of a run.
     pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
         Self { warnings, text, files, contradiction: None }
     }
@@ -48,7 +48,7 @@ pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
     OutputFile { name: name.to_owned(), bytes: bytes.into() }
 }
 
-/// Where results of a scenario under one law come from; elastic bodies are under that of Hertz.
+/// The provenance of results of a scenario under one law. The law of elastic bodies is that of Hertz.
 pub(super) fn provenance(
     scenario: &Scenario,
     law: &LawChoice,

@@ -24,7 +24,7 @@ struct Computed {
     warnings: Vec<String>,
 }
 
-/// What is to be run: scene, contact, series.
+/// The scene of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
     let (mut scene, contact) = held(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;

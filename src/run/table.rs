@@ -1,4 +1,4 @@
-//! What stands beside a table, be it written at once or merged from shards.
+//! Summary, pictures and warnings of a table, whether it is written at once or merged from shards.
 
 use super::outcome::{Outcome, file};
 use crate::error::Error;
@@ -33,7 +33,7 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
     scenario.plan()?.ok_or_else(none)
 }
 
-/// What is doubtful in a table of this plan.
+/// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
     of_scene(plan).chain(at_corners(plan).0).collect()
 }
@@ -42,7 +42,7 @@ fn of_scene(plan: &Plan) -> impl Iterator<Item = String> {
     plan.scene.warnings.iter().map(ToString::to_string)
 }
 
-/// `summary.json`, which repeats the `warnings` of the plan, and the pictures of a whole table.
+/// `summary.json`, which repeats the `warnings`, and the pictures of a whole table.
 pub fn files(
     plan: &Plan,
     tally: &Tally,

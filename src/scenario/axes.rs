@@ -22,7 +22,7 @@ use crate::units::nearest::did_you_mean;
 pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
-/// What an axis runs through.
+/// The values of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum AxisEntry {
     /// Numbers in SI.
@@ -35,7 +35,7 @@ pub(super) enum AxisEntry {
     Materials(Vec<&'static Entry>),
 }
 
-/// A body whose material is drawn from.
+/// A body whose material is drawn from its ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DrawnMaterial {
     pub(super) body: Body,
@@ -48,9 +48,9 @@ pub(super) struct DrawnMaterial {
 /// `[monte_carlo]`
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RandomKeys {
-    /// How many samples.
+    /// Number of samples.
     pub(super) samples: u64,
-    /// Which random numbers; 0 if not given.
+    /// Seed of the random numbers; 0 if not given.
     pub(super) seed: u64,
     /// Random keys in the order of the file.
     pub(super) variables: Vec<(&'static str, Distribution)>,
@@ -58,7 +58,7 @@ pub(super) struct RandomKeys {
     pub(super) materials: Vec<DrawnMaterial>,
 }
 
-/// A key that is wanted: its path, both ends of its range, and whether that is logarithmic.
+/// A key to find: its path, both ends of its range, and whether the range is logarithmic.
 pub(super) type FreeEntry = (&'static str, f64, f64, bool);
 
 /// The axes of `[sweep]`, in the order of the file; `place` is the path of the table.

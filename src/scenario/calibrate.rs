@@ -20,12 +20,12 @@ pub enum Source {
     Numbers(Vec<(String, f64)>),
 }
 
-/// What a `[calibrate]` comes to. Plain numbers in SI, all of them checked.
+/// A calibration, as `[calibrate]` describes it. All numbers are in SI, and checked.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// The scene, with the lower ends of the keys that are wanted; without a speed where the scenario gives none.
+    /// The scene, with the keys to find at the lower ends of their ranges. The speed is not a number if none is given.
     pub scene: Scene,
-    /// The keys that are wanted: one or two.
+    /// The keys to find: one or two.
     pub free: Vec<Free>,
     /// The measurements.
     pub source: Source,
@@ -37,19 +37,20 @@ pub struct Wanted {
     pub is_estimated: bool,
     /// Whether outliers are expected.
     pub is_robust: bool,
-    /// Laws that are fitted too.
+    /// Other laws to fit.
     pub laws: Vec<LawChoice>,
 }
 
-/// The key that is wanted where the scenario names none; a hardness, where the scenario gives one in place of it.
+/// The key to find where the scenario names none. If the scenario gives a hardness, that is found instead.
 const STRENGTH: &str = "half_space.yield_strength";
 const HARDNESS: &str = "half_space.hardness";
 
-/// The range of that strength over the modulus of the half-space; the range of a hardness is wider by [`CONSTRAINT`].
+/// The range of the strength in multiples of the modulus of the half-space. For a hardness both ends are [`CONSTRAINT`]
+/// times as large.
 const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
-    /// What is to be found, and from what.
+    /// The calibration that the scenario asks for.
     ///
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or something is missing.
@@ -68,12 +69,12 @@ impl Scenario {
         }
         let own = |name: &String| match LawChoice::from_name(name) {
             Some(law) if law.name() != scene.law.name() => law,
-            // the law that the scenario names has its parameters from there
+            // the law of the scenario keeps the parameters that the scenario gives
             _ => scene.law.clone(),
         };
         let laws: Vec<LawChoice> = self.entries.texts("calibrate.laws").unwrap_or_default().iter().map(own).collect();
         if self.flow()?.is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
-            let message = "only the law plm knows hardening: leave out half_space.flow_stress, or the other laws";
+            let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
         let numbers = |table: &str| {
@@ -124,7 +125,7 @@ impl Scenario {
         Key::find(path).map(free).into_iter().collect()
     }
 
-    /// Refuses keys that are wanted, or columns of the data, that change nothing, and impacts that lack a speed or a mass.
+    /// Refuses keys to find and columns of the data that have no effect, and impacts without a speed or a mass.
     pub fn check_varied(
         &self,
         wanted: &Wanted,
@@ -144,7 +145,10 @@ impl Scenario {
         let plan = Plan { scene: wanted.scene.clone(), cases: Cases::Grid(axes), columns: None };
         let paths = plan.paths();
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
-            return refuse(free.key.path, "is wanted, and the data give it: leave one of the two out".to_owned());
+            return refuse(
+                free.key.path,
+                "is a key to find, and the data give it: leave one of the two out".to_owned(),
+            );
         }
         // a speed of the scenario is replaced by that of the data
         let is_speed = |path: &str| path.starts_with("impact.");
@@ -163,6 +167,6 @@ impl Scenario {
     }
 }
 
-/// How many of what an impact needs are of the bodies; mass and speed follow.
+/// How many of [`NEEDED`] are keys of the bodies; mass and speed follow.
 const BODIES: usize = 5;
 const NO_TABLE: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";

@@ -4,7 +4,7 @@ use super::{Scenario, ScenarioError};
 use crate::plan::Plan;
 use crate::scene::results::columns;
 
-/// A table always has it: what the case came to, and what a resumed run reads back.
+/// A table always has this result: a resumed run reads it back.
 const RESTITUTION: &str = "restitution";
 
 impl Scenario {

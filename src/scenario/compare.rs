@@ -8,13 +8,13 @@ use crate::law::{Bodies, LawChoice, Plm};
 use crate::material::Pair;
 use crate::units::{Dimension, human};
 
-/// Fitted to a wanted restitution, so that there is nothing to compare.
+/// A law whose parameter is a restitution, so that there is nothing to compare.
 const LEFT_OUT: &str = "walton_braun";
-/// Why the peak is that of no other law.
+/// Why another law than PLM is refused.
 const OTHER_LAW: &str = "only [law.plm] has an effect here; name other laws in compare.laws";
 
-/// Why there is no flow curve.
-const NO_HARDENING: &str = "the other laws know no hardening, so that there is nothing to compare; leave the table out";
+/// Why a flow curve is refused.
+const NO_HARDENING: &str = "the other laws have no hardening, so there is nothing to compare; leave the table out";
 
 impl Scenario {
     /// The comparison that the scenario asks for.

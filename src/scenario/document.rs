@@ -1,4 +1,4 @@
-//! The text of a scenario with its overrides: read, merged, and pointed into when something is wrong.
+//! The text of a scenario with its overrides: it is read and merged, and messages point into it.
 
 use std::fs::File;
 use std::io::Read;
@@ -48,7 +48,7 @@ struct Override {
     text: String,
     /// As TOML.
     toml: String,
-    /// Where it begins, counted on from the file and earlier overrides.
+    /// Where it begins, if file and overrides are counted as one text.
     start: usize,
 }
 
@@ -66,7 +66,7 @@ impl Override {
         }
         let toml = match DeTable::parse(text) {
             Ok(_) => text.to_owned(),
-            // a bare word: quoted, as the shell took the quotes away
+            // a bare word, whose quotes the shell has removed
             Err(_) => format!("{key}={}", toml::Value::from(value.trim())),
         };
         DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
@@ -141,7 +141,7 @@ impl Document {
         self.refuse(table, missing(key, table))
     }
 
-    /// The same where one of these keys is needed, and there may be another `way_out`.
+    /// The refusal where one of these keys is needed; `way_out` says what else can be done.
     pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> ScenarioError {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
         let first = missing(names.next().unwrap_or_default(), table);

@@ -1,4 +1,4 @@
-//! The keys of a file, found in the registry and read one by one: what is known, what is not, and where.
+//! Reads the keys of a file one by one, as the registry describes them, and refuses keys that are not in the registry.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,14 +16,14 @@ use crate::scene::other_keys::List;
 use crate::scene::taken::Body;
 use crate::units::nearest::did_you_mean;
 
-/// What a scenario gives: values by their place in the file, with the number of the item in a list of tables
+/// The values of a scenario by their place in the file, with the number of the item in a list of tables
 /// (`indentation.steps[2].load`, counted from 0).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Entries {
     values: BTreeMap<String, Value>,
     /// Lengths of the lists of tables.
     lists: BTreeMap<String, usize>,
-    /// Tables that are there, also empty ones.
+    /// The tables of the file, also empty ones.
     tables: Vec<String>,
     /// Axes of `[sweep]`, in the order of the file.
     pub(super) axes: Option<Vec<(&'static str, AxisEntry)>>,
@@ -130,7 +130,7 @@ impl Entries {
         })
     }
 
-    /// Gives a key a number that the file does not.
+    /// Sets a numeric key that the file does not give.
     pub(super) fn give(&mut self, path: &str, value: f64) {
         let mut table = path;
         while let Some((outer, _)) = table.rsplit_once('.') {
@@ -142,13 +142,13 @@ impl Entries {
         self.values.insert(path.to_owned(), Value::Number(value));
     }
 
-    /// Where `[monte_carlo]` asks for the material of a body to be drawn.
+    /// The place in the file where `[monte_carlo]` asks to draw the material of a body.
     pub(super) fn draws(&self, body: Body) -> Option<Range<usize>> {
         let materials = &self.variables.as_ref()?.materials;
         materials.iter().find(|drawn| drawn.body == body).map(|drawn| drawn.span.clone())
     }
 
-    /// Puts random keys in the place of the material of a body.
+    /// Replaces the drawn material of a body by random keys.
     pub(super) fn draw(&mut self, body: Body, drawn: Vec<(&'static str, Distribution)>) {
         let Some(RandomKeys { variables, materials, .. }) = &mut self.variables else { return };
         let Some(at) = materials.iter().position(|known| known.body == body) else { return };
@@ -235,7 +235,7 @@ fn is_table(pattern: &str) -> bool {
     forms().any(|(path, _)| path.starts_with(&dotted)) || is_law()
 }
 
-/// A scenario has one law.
+/// Refuses any number of laws but one.
 fn one_law(laws: &DeTable, span: std::ops::Range<usize>) -> Result<(), Fault> {
     if laws.len() == 1 {
         return Ok(());
@@ -245,7 +245,7 @@ fn one_law(laws: &DeTable, span: std::ops::Range<usize>) -> Result<(), Fault> {
     Err(Fault { span, message: format!("a scenario has exactly one law, found {found}; {ONE_LAW}") })
 }
 
-/// What is said of a key or table that there is not.
+/// The message about an unknown key or table.
 fn unknown(pattern: &str) -> String {
     let (table, name) = pattern.rsplit_once('.').unwrap_or(("", pattern));
     let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };

@@ -1,4 +1,4 @@
-//! Where a key stands in a document, and what is said where one is missing.
+//! The place of a key in a document, and the message about a missing key.
 
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ pub(super) fn span_of(table: &DeTable<'_>, path: &str) -> Option<Range<usize>> {
     }
 }
 
-/// What is said where `name` is missing in `table` (empty: the table of that name).
+/// The message that `name` is missing in `table`; where `table` is empty, that the table `name` is missing.
 pub(super) fn missing(name: &str, table: &str) -> String {
     if table.is_empty() {
         let way_out = match name {

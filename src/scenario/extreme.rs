@@ -7,11 +7,11 @@ use crate::scene::quantity::Quantity;
 use crate::scene::{KEYS, Key};
 use crate::units::{number, parse, si};
 
-/// Powers of ten from ordinary numbers that make one stand out.
+/// A number is extreme if it is more powers of ten than this away from the example of its quantity.
 const FAR: f64 = 20.0;
 
 impl Scenario {
-    /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no single one stands out.
+    /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no number is extreme.
     pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<ScenarioError> {
         let scene = self.resolve().ok()?;
         let given = KEYS.iter().filter(|key| self.document.has(key.path));
@@ -30,7 +30,7 @@ impl Scenario {
     }
 }
 
-/// How many powers of ten a value is from the example of its quantity; `None` for 0, which no scale can be told of.
+/// How many powers of ten a value is from the example of its quantity; `None` for 0.
 fn decades(value: f64, quantity: &Quantity) -> Option<f64> {
     let example = parse(quantity.example.trim_matches('"'), quantity.dimension).ok()?;
     let decades = (log10(value.abs()) - log10(example)).abs();

@@ -1,4 +1,4 @@
-//! `[half_space.flow_stress]`: how the half-space hardens, and what goes with `hardness`.
+//! `[half_space.flow_stress]`: how the half-space hardens, and which keys may stand beside it.
 
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
@@ -12,7 +12,7 @@ pub(super) const FLOW: &str = "half_space.flow_stress";
 /// The key of a file with the points of a curve.
 pub(super) const TABLE: &str = "half_space.flow_stress.table";
 
-/// What may stand in place of a yield strength.
+/// The key in place of a yield strength.
 const HARDNESS: &str = "half_space.hardness";
 
 /// The forms of a curve, each with the numbers it needs.
@@ -71,19 +71,18 @@ impl Scenario {
         }))
     }
 
-    /// What a flow curve and a hardness do not go with.
+    /// Refuses laws and keys that cannot stand beside a flow curve.
     pub(super) fn check_strength(&self, law: &LawChoice, strength: Option<f64>) -> Result<(), ScenarioError> {
         let varies = |key: &str| self.entries.varies(key);
         let has_hardness = self.entries.has(HARDNESS) || varies(HARDNESS);
         let Some(flow) = self.flow()? else { return Ok(()) };
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         if !matches!(law, LawChoice::Plm(_)) {
-            let message =
-                format!("the law {} knows no hardening: leave the table out, or take the law plm", law.name());
+            let message = format!("the law {} has no hardening: leave the table out, or take the law plm", law.name());
             return refuse(FLOW, &message);
         }
         if self.entries.axes.iter().flatten().any(|(path, _)| *path == "law") {
-            let message = "only the law plm knows hardening: leave the table out, or the axis \"law\"";
+            let message = "only the law plm has hardening: leave the table out, or the axis \"law\"";
             return refuse(FLOW, message);
         }
         if strength.is_none() {

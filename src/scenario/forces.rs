@@ -1,10 +1,10 @@
-//! `[gravity]` and `[damping]`: what they go with, and what not.
+//! `[gravity]` and `[damping]`: the keys that need them, and those that exclude them.
 
 use super::{Scenario, ScenarioError};
 use crate::scene::{EITHER, Scene};
 
 impl Scenario {
-    /// Waves are those of the impact by the law alone.
+    /// Refuses elastic waves beside gravity, damping or repeated impacts.
     pub(super) fn refuse_waves(&self, scene: &Scene) -> Result<(), ScenarioError> {
         let beside = if self.entries.has("repeat") {
             "[repeat]"
@@ -23,7 +23,7 @@ impl Scenario {
         Err(self.document.refuse("half_space.density", message))
     }
 
-    /// A drop height is no speed without gravity.
+    /// Refuses a drop height without gravity.
     pub(super) fn needs_gravity(&self) -> Result<(), ScenarioError> {
         let (height, gravity) = ("impact.drop_height", "gravity.acceleration");
         if !self.entries.has(height) || self.entries.has(gravity) || self.entries.varies(gravity) {
@@ -34,9 +34,9 @@ impl Scenario {
         Err(self.document.refuse(height, message))
     }
 
-    /// A key that cannot be swept, because the scene already says the same in another way.
+    /// A key that cannot be swept, because the scenario gives the key in place of it.
     pub(super) fn contradicted(&self, swept: &[&'static str]) -> Option<(&'static str, String)> {
-        // a radius in the file is only the first of a swept diameter
+        // a swept diameter replaces a radius in the file
         let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let (key, other) = pairs.into_iter().find(|(key, other)| swept.contains(key) && self.entries.has(other))?;
         Some((key, format!("stands in place of {other}, which the scenario gives; keep one of the two")))

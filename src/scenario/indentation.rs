@@ -7,15 +7,15 @@ use crate::law::LawChoice;
 use crate::scene::other_keys::List;
 use crate::units::{Dimension, human};
 
-/// Rows of a trace that are held until they are written: some hundred megabytes.
+/// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
 
-/// What an `[indentation]` comes to. Plain numbers in SI, all of them checked.
+/// An indentation, as `[indentation]` describes it. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationScene {
     /// The sphere.
     pub indenter: Indenter,
-    /// What it is pressed into; at least one.
+    /// The half-spaces that it is pressed into; at least one.
     pub specimens: Vec<Specimen>,
     /// The law, with its parameters.
     pub law: LawChoice,
@@ -23,7 +23,7 @@ pub struct IndentationScene {
     pub targets: Vec<Target>,
     /// Evenly spaced rows of the trace in each step.
     pub samples: usize,
-    /// What of the scenario has no effect.
+    /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
 }
 
@@ -132,7 +132,7 @@ impl Scenario {
         Ok(specimens)
     }
 
-    /// An interval that reaches zero has no stiffness or strength at its lower end.
+    /// Refuses an uncertainty as large as its value: at the lower end there would be no stiffness or strength.
     fn check_uncertainties(&self, name: &str, specimen: &Specimen) -> Result<(), ScenarioError> {
         let half_space = &specimen.half_space;
         let pairs = [
@@ -153,8 +153,8 @@ impl Scenario {
     }
 }
 
-/// What keeps a name out of tables: a control character moves the terminal that shows it, and a spreadsheet takes a text
-/// with one of these signs in front for a formula.
+/// Why a name is not allowed in tables. A control character disturbs a terminal. A spreadsheet takes a text that begins
+/// with one of these signs for a formula.
 fn problem_of_name(name: &str) -> Option<String> {
     match name.trim_start().chars().next() {
         None => Some("has an empty name; call it by its material".to_owned()),

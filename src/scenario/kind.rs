@@ -1,4 +1,4 @@
-//! What a scenario is about, told by its tables: one impact, unless a table says otherwise.
+//! The kind of a scenario, which follows from its tables: one impact, unless there is the table of another kind.
 
 use super::{Scenario, ScenarioError};
 use crate::impact::Warning;
@@ -22,11 +22,11 @@ pub enum Kind {
     Indentation,
 }
 
-/// Why forces have no use.
+/// Why forces have no effect.
 const NO_MOTION: &str = "there is no motion that it could act on";
-/// Why a density has no use.
-const NO_MASS: &str = "nothing moves here, so that no mass counts; leave the key out";
-/// Why the sphere's strength has no use.
+/// Why a density has no effect.
+const NO_MASS: &str = "nothing moves here, so a mass has no effect; leave the key out";
+/// Why the sphere's strength has no effect.
 const NO_SPHERE: &str =
     "a comparison has one peak for all laws and does not ask whether the sphere yields; leave the key out";
 
@@ -42,7 +42,7 @@ impl Kind {
         ("calibrate", Self::Calibrate),
     ];
 
-    /// The tables that this kind has no use for, and why.
+    /// The tables that have no effect on this kind, and why.
     fn idle_tables(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::Indentation => &[
@@ -85,7 +85,7 @@ impl Scenario {
         }
     }
 
-    /// Keys of the bodies that a kind has no use for: they may stand in a file that is also run as another kind.
+    /// Warnings about keys of the bodies without effect. They are allowed, as the file may also be run as another kind.
     pub(super) fn idle_keys(&self, kind: Kind) -> Vec<Warning> {
         if !matches!(kind, Kind::Indentation | Kind::Compare) {
             return Vec::new();

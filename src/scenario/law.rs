@@ -17,7 +17,7 @@ impl Scenario {
         names.into_iter().find(|name| self.entries.has(&format!("law.{name}")))
     }
 
-    /// The law that the scenario names, with the words among its parameters; PLM if none.
+    /// The law that the scenario names, PLM if it names none. Its numeric parameters are not set yet.
     pub(super) fn law(&self) -> Result<LawChoice, ScenarioError> {
         let mut choice = match self.law_name() {
             Some(COMBINED) => LawChoice::Combined(Combined {
@@ -54,7 +54,7 @@ impl Scenario {
         Ok(choice)
     }
 
-    /// The same with the numbers among its parameters.
+    /// The law with its numeric parameters.
     pub(super) fn whole_law(&self) -> Result<LawChoice, ScenarioError> {
         let mut scene = Scene::of_law(self.law()?);
         for key in KEYS.iter().filter(|key| key.path.starts_with("law.")) {

@@ -1,4 +1,4 @@
-//! `material`: what the bodies take from named materials, where the scenario does not say it itself.
+//! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
 
 use super::axes::AxisEntry;
 use super::entries::Entries;
@@ -11,7 +11,7 @@ use crate::plan::axis::{Axis, Setting};
 use crate::plan::random::Distribution;
 use crate::scene::taken::{Body, Taken};
 
-/// Keys that stand in the place of a value of the material, besides its own.
+/// Keys that replace a value of the material, besides the key of that value.
 fn instead(body: Body, property: Property) -> &'static [&'static str] {
     match (body, property) {
         (Body::Sphere, Property::Density) => &["sphere.mass"],
@@ -43,7 +43,7 @@ impl Entries {
             let mut variables = Vec::new();
             for (path, known) in taken.values() {
                 let [from, to] = taken.range(known);
-                // the sphere's strength only warns, and a rigid sphere has no use for Poisson's ratio
+                // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
                 let is_used = path != "sphere.yield_strength"
                     && !(path == "sphere.poissons_ratio"
                         && self.number("sphere.youngs_modulus") == Some(f64::INFINITY));
@@ -56,7 +56,7 @@ impl Entries {
             if let Some(span) = drawn {
                 if variables.is_empty() {
                     let message = format!(
-                        "{} has one value for all that is taken from it, so that there is nothing to draw: leave the key out",
+                        "the values that are taken from {} have no ranges, so there is nothing to draw: leave the key out",
                         material.name
                     );
                     return Err(Fault { span, message }.of(format!("monte_carlo.{}", body.material())));
@@ -77,7 +77,7 @@ impl Entries {
         }
     }
 
-    /// Whether the scenario leaves a property to the material.
+    /// Whether the body takes this property from its material.
     fn is_left(&self, body: Body, property: Property) -> bool {
         let Some(path) = body.path(property) else { return false };
         let is_given = |path: &str| {
@@ -94,7 +94,7 @@ impl Entries {
             (Body::HalfSpace, Property::Density) => {
                 is_moving && !["gravity", "damping", "repeat"].into_iter().any(is_given)
             }
-            // no other law knows hardening
+            // no other law has hardening
             (Body::HalfSpace, Property::HardeningExponent) => {
                 let is_other = |law: &str| law != "plm" && self.has(&format!("law.{law}"));
                 !LawChoice::names().into_iter().chain(["combined"]).any(is_other) && !self.varies("law")

@@ -1,9 +1,9 @@
-//! What an override of the command line does to the tables of a file beyond replacing a key.
+//! Overrides of the law on the command line, which replace the whole law of the file.
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Prepares an override of the law: a scenario has one, so that the law of the override takes the place of that of the file.
+/// Prepares an override of the law. A scenario has one law, so the law of the override replaces that of the file.
 /// A name alone stands for the law with its defaults, or with the keys that the file gives to that law.
 pub(super) fn choose_law<'a>(root: &mut DeTable<'a>, changes: &mut DeTable<'a>) {
     let Some(law) = changes.get_mut("law") else { return };

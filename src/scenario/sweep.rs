@@ -28,7 +28,7 @@ impl Scenario {
         let (cases, table) = match (&self.entries.axes, &self.entries.variables) {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
-                // the law that the scenario names has its parameters from there
+                // the law of the scenario keeps the parameters that the scenario gives
                 let own = |law: &LawChoice| if law.name() == own_law.name() { own_law.clone() } else { law.clone() };
                 let axes = axes.iter().filter_map(|(path, entry)| match entry {
                     AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
@@ -56,7 +56,7 @@ impl Scenario {
                 (Cases::MonteCarlo { samples: *samples, seed: *seed, variables }, "monte_carlo")
             }
         };
-        // what stands in for a key that varies may give the half-space its yield strength
+        // a key that varies may give the half-space its yield strength
         scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         scene.warnings.extend(self.unused_law(&own_law, &cases));
         let mut plan = Plan { scene, cases, columns: None };
@@ -82,7 +82,7 @@ impl Scenario {
         Ok(Some(plan))
     }
 
-    /// The table of a law beside an axis of laws that does not have it.
+    /// The warning about the table of a law that is not on the axis of laws.
     fn unused_law(&self, own: &LawChoice, cases: &Cases) -> Option<Warning> {
         let Cases::Grid(axes) = cases else { return None };
         self.law_name()?;
@@ -95,5 +95,5 @@ impl Scenario {
     }
 }
 
-/// A distribution of which less lies in the allowed range is a slip.
+/// A distribution with a smaller share in the allowed range is taken for a mistake.
 const LEAST_KEPT: f64 = 1e-3;

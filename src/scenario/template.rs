@@ -1,4 +1,4 @@
-//! Scenarios to begin with. Their comments are the sentences of the registry of keys.
+//! Scenarios to start from, for `plm-impact init`. Their comments are the sentences of the registry of keys.
 
 use std::fmt::Write as _;
 
@@ -24,8 +24,7 @@ poissons_ratio = 0.3
 yield_strength = "345 MPa"
 "#;
 
-/// What a scenario of a kind has: a line about it, and its tables behind those of the bodies. A line that begins with `#` is
-/// one that can be put in.
+/// A sentence about a kind, and its tables after those of the bodies. A line that begins with `#` is optional.
 fn parts(kind: Kind) -> [&'static str; 2] {
     match kind {
         Kind::Impact => [
@@ -149,7 +148,7 @@ pub fn template(kind: Kind) -> String {
     text
 }
 
-/// What the registry says of a key.
+/// The sentences of the registry about a key.
 fn told(path: &str, is_left_out: bool) -> Option<String> {
     let path = if path.starts_with("calibrate.free.") { "calibrate.free" } else { varied(path) };
     let numeric = KEYS.iter().map(|key| (key.path, key.about, key.default, None));

@@ -13,11 +13,11 @@ use crate::units::nearest::did_you_mean;
 /// A value that was read.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
-    /// In SI.
+    /// A number in SI.
     Number(f64),
-    /// In SI.
+    /// Numbers in SI.
     Numbers(Vec<f64>),
-    /// In SI.
+    /// Pairs of numbers in SI.
     Pairs(Vec<[f64; 2]>),
     /// A text, or a word that is known.
     Text(String),
@@ -37,13 +37,13 @@ impl Fault {
         Self { span: place.span(), message: message.into() }
     }
 
-    /// The refusal of the key whose value, or name, this is.
+    /// This fault as the refusal of a key.
     pub(super) fn of(self, key: impl Into<String>) -> Refused {
         Refused { key: key.into(), fault: self }
     }
 }
 
-/// A key that is refused, its value or its name, and why.
+/// A key whose value or name is refused, and why.
 #[derive(Debug)]
 pub(super) struct Refused {
     pub(super) key: String,
@@ -89,7 +89,7 @@ pub(super) fn unexpected(value: &Spanned<DeValue>, expected: &str) -> Fault {
     Fault::at(value, format!("found {}, expected {expected}", described(value.get_ref())))
 }
 
-/// A number in SI or a text with a unit, or the word, which is an infinite number.
+/// A number in SI, or a text with a unit, or the word, which stands for an infinite number.
 pub(super) fn number(quantity: &Quantity, word: Option<&str>, value: &Spanned<DeValue>) -> Result<f64, Fault> {
     let or_word = word.map_or_else(String::new, |word| format!(", or \"{word}\""));
     let plain = |text: &str, radix| match i64::from_str_radix(text, radix) {

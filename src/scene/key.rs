@@ -57,7 +57,7 @@ pub enum Form {
     Axes,
     /// The random variables of a table, by the keys that vary.
     Variables,
-    /// Numeric keys that are wanted, with their ranges.
+    /// Numeric keys that a calibration finds, with their ranges.
     Free,
     /// A word, or a table with keys of its own.
     WordOrTable(&'static Words),

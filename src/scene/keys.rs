@@ -94,9 +94,9 @@ pub const KEYS: &[Key] = keys! {
         get: |scene| scene.mass.is_none().then_some(scene.sphere.density),
         set: Scene::set_density
     };
-    /// Mass of all that moves with the sphere, in place of its density: of a hammer or a pendulum with a spherical tip.
+    /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
     "sphere.mass": MASS => { get: |scene| scene.mass, set: Scene::set_mass };
-    /// Yield strength of the sphere: only to warn where it would yield too.
+    /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
     "sphere.yield_strength": STRENGTH => { scene.sphere.yield_strength? };
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus": MODULUS => {
@@ -111,25 +111,25 @@ pub const KEYS: &[Key] = keys! {
         set: Scene::set_yield_strength
     };
     /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
-    /// hardness test. The yield strength is the pressure over 2.9; with flow_stress.power it is the one whose curve has that
-    /// flow stress at a plastic strain of 0.08.
+    /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
+    /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
     "half_space.hardness": HARDNESS => { get: |scene| scene.hardness, set: Scene::set_hardness };
     /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
     "half_space.flow_stress.power.exponent": HARDENING_EXPONENT => {
         get: |scene| scene.flow_number(exponent),
         set: |scene, value| scene.set_flow_number(exponent, value)
     };
-    /// By how many yield strengths the flow stress sigma_Y (1 + b (1 - exp(-c strain))) rises in the end: b.
+    /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
     "half_space.flow_stress.voce.saturation": SATURATION => {
         get: |scene| scene.flow_number(saturation),
         set: |scene, value| scene.set_flow_number(saturation, value)
     };
-    /// How fast it rises: c.
+    /// Rate c of that flow stress: how fast it rises with plastic strain.
     "half_space.flow_stress.voce.rate": HARDENING_RATE => {
         get: |scene| scene.flow_number(rate),
         set: |scene, value| scene.set_flow_number(rate, value)
     };
-    /// Slope of the flow stress over plastic strain, where it rises in a straight line.
+    /// Slope of a flow stress that rises in a straight line with plastic strain.
     "half_space.flow_stress.linear.slope": HARDENING_SLOPE => {
         get: |scene| scene.flow_number(slope),
         set: |scene, value| scene.set_flow_number(slope, value)
@@ -138,7 +138,7 @@ pub const KEYS: &[Key] = keys! {
     "half_space.density": DENSITY => { scene.half_space.density? };
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed": SPEED => { get: |scene| Some(scene.speed), set: Scene::set_speed };
-    /// Height of the fall that gives the speed, in place of it; 0 is a sphere let go at first touch. Needs gravity.
+    /// Height that the sphere falls from, in place of the speed; with 0 it is released at first touch. Needs gravity.
     "impact.drop_height": DROP_HEIGHT => { get: |scene| scene.drop_height, set: Scene::set_drop_height };
     /// Gravity, towards the half-space; it acts during contact too.
     "gravity.acceleration": ACCELERATION => { get: |scene| scene.forces.gravity, set: Scene::set_gravity };
@@ -179,11 +179,11 @@ pub const KEYS: &[Key] = keys! {
     "law.ma_liu.hardness_ratio": FACTOR = "2.8" => { MaLiu.hardness_ratio };
     /// Indentation of full plasticity over that at first yield.
     "law.ma_liu.transition_ratio": TRANSITION_RATIO = "110" => { MaLiu.transition_ratio };
-    /// True contact area over that of the cut of sphere and surface.
+    /// True contact area over the area in which the sphere cuts the original surface.
     "law.mesarovic_johnson.area_factor": AREA_FACTOR = "1.43" => { MesarovicJohnson.area_factor };
     /// Stiffness of loading, in units of force over indentation at first yield.
     "law.walton_braun.loading_stiffness": FACTOR = "1" => { WaltonBraun.loading_stiffness };
-    /// Stiffness of loading over that of unloading; the restitution is its root.
+    /// Stiffness of loading over that of unloading; the restitution is the square root of this ratio.
     "law.walton_braun.stiffness_ratio": SHARE = "0.5" => { WaltonBraun.stiffness_ratio };
     /// Mean contact pressure while the sphere goes in.
     "law.johnson.dynamic_pressure": STRENGTH = "3 yield strengths" => { Johnson.dynamic_pressure? };
@@ -208,12 +208,12 @@ impl Key {
     }
 }
 
-/// The key that varies, of the path of an axis, of a random key or of one that is wanted; any other path as it is.
+/// The path of the key itself, from that of an axis, a random key or a key of a calibration. Any other path stays as it is.
 pub fn varied(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }
 
-/// Every key as the reader of a file sees it: its path and how its value is written.
+/// Every key: its path, and how its value is written.
 pub fn forms() -> impl Iterator<Item = (&'static str, Form)> {
     let numeric = KEYS.iter().map(|key| (key.path, Form::Number(key.quantity, key.word)));
     numeric.chain(OTHER_KEYS.iter().map(|key| (key.path, key.form)))

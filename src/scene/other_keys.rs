@@ -26,17 +26,18 @@ macro_rules! keys {
 
 /// The keys that do not vary, in the order of the file.
 pub const OTHER_KEYS: &[OtherKey] = keys! {
-    /// Material that the sphere takes its numbers from; a key beside it goes before. It can be an axis.
+    /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
     "sphere.material": Word(&MATERIALS);
-    /// Material that the half-space takes its numbers from; a key beside it goes before. It can be an axis.
+    /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
     "half_space.material": Word(&MATERIALS);
-    /// Points of a measured flow curve: plastic strain and true stress, straight between them and constant after the last.
+    /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
+    /// last.
     "half_space.flow_stress.points": Pairs(&STRAIN, &STRENGTH);
     /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
     "half_space.flow_stress.table": Text("flow.csv");
     /// File of coefficients of the loading curve, relative to the scenario.
     "law.plm.coefficients": Text("my.toml") = "built in";
-    /// Form of the geometric hardness: of 2005, or the later one.
+    /// Formula of the geometric hardness: exponential is that of 2005, cosine the later one.
     "law.jackson_green.hardness": Word(&HARDNESSES) = "\"exponential\"";
     /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
     "law.jackson_green.jumps": Word(&JUMPS) = "\"printed\"";
@@ -44,15 +45,16 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     "law.kogut_etsion.jumps": Word(&JUMPS) = "\"printed\"";
     /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
     "law.kogut_komvopoulos.jumps": Word(&JUMPS) = "\"printed\"";
-    /// Law that says how the contact loads.
+    /// Law of the loading.
     "law.combined.loading": Word(&LOADINGS);
-    /// Law that says how the contact unloads.
+    /// Law of the unloading.
     "law.combined.unloading": Word(&UNLOADINGS);
-    /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for, else rk8.
+    /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for,
+    /// else rk8.
     "solver.method": Word(&METHODS) = "rk8; auto for tables and repeated impacts";
-    /// Steps of verlet over the contact time.
+    /// Steps of verlet during the contact time.
     "solver.steps_per_contact": Count(&STEPS) = "50";
-    /// Rows of a trace, evenly spaced in time; every event gets a row besides.
+    /// Rows of a trace, evenly spaced in time; every event adds a row.
     "output.samples": Count(&SAMPLES) = "400";
     /// Results that a table has besides the restitution.
     "output.columns": WordList(&COLUMNS) = "all";
@@ -60,9 +62,9 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     "sweep": Axes;
     /// Random cases: samples, seed, and keys with distributions.
     "monte_carlo": Variables;
-    /// Where repeated impacts hit: the dent is what the sphere meets next, or every impact is on new surface.
+    /// Where repeated impacts hit: same is in the dent of the impacts before, fresh is on new surface every time.
     "repeat.spot": Word(&SPOTS);
-    /// Most impacts there may be.
+    /// Largest number of impacts.
     "repeat.impacts": Count(&IMPACTS);
     /// Bouncing ends before an impact that would be slower than this.
     "repeat.until.speed": Number(&SPEED, None);
@@ -84,13 +86,13 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     "compare.laws": WordList(&OWN_UNLOADINGS) = "all but walton_braun";
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data": Text("drops.csv");
-    /// One or two numeric keys that are wanted, each with its range and, if need be, its scale.
+    /// One or two numeric keys to find, each with its range and, if needed, its scale.
     "calibrate.free": Free = "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high";
     /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
     "calibrate.robust": Word(&ROBUSTS) = "\"none\"";
-    /// Laws that are fitted too, and ranked.
+    /// Other laws to fit; all laws are ranked.
     "calibrate.laws": WordList(&LAWS) = "none";
-    /// Standard deviations of the measurements, or estimate: from the scatter about the fitted law.
+    /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
     "calibrate.noise": WordOrTable(&NOISES) = "columns `_sd` of the data, else \"estimate\"";
     /// Error of the law as a share of each value, added in quadrature, independent from value to value.
     "calibrate.noise.model": Number(&MODEL_ERROR, None) = "0";
@@ -128,21 +130,21 @@ pub const OTHER_KEYS: &[OtherKey] = keys! {
     "calibrate.measured.contact_time": Number(&TIME, None);
     /// Largest force, measured in the impact of the scenario: in place of data.
     "calibrate.measured.peak_force": Number(&FORCE, None);
-    /// Load that the step goes to.
+    /// Load at which the step ends.
     "indentation.steps[].load": Number(&LOAD, None);
-    /// Indentation that the step goes to, in place of the load.
+    /// Indentation at which the step ends, in place of the load.
     "indentation.steps[].indentation": Number(&INDENTATION, None);
     /// Name of the material in tables and pictures.
     "indentation.half_space[].name": Text("Ti-10Nb");
     /// Young's modulus of this half-space.
     "indentation.half_space[].youngs_modulus": Number(&MODULUS, None);
-    /// Half of the width of the interval that the modulus lies in.
+    /// Uncertainty of the modulus: half of the width of its interval.
     "indentation.half_space[].youngs_modulus_uncertainty": Number(&MODULUS, None) = "none";
     /// Poisson's ratio of this half-space.
     "indentation.half_space[].poissons_ratio": Number(&POISSONS_RATIO, None);
-    /// Yield strength of this half-space; without it, it stays elastic.
+    /// Yield strength of this half-space; without the key it stays elastic.
     "indentation.half_space[].yield_strength": Number(&STRENGTH, None);
-    /// Half of the width of the interval that the strength lies in.
+    /// Uncertainty of the strength: half of the width of its interval.
     "indentation.half_space[].yield_strength_uncertainty": Number(&STRENGTH, None) = "none";
 };
 

@@ -1,4 +1,4 @@
-//! The quantities of a scenario: dimension, allowed range, and the way out of a value beyond it.
+//! The quantities of a scenario: dimension, allowed range, and a hint about values outside of it.
 
 use thiserror::Error;
 
@@ -27,9 +27,9 @@ pub struct Quantity {
     pub high: Bound,
     /// How it may be written.
     pub example: &'static str,
-    /// The way out at or beyond one end, or empty.
+    /// What to do about a value at or beyond one end of the range; may be empty.
     pub hint: &'static str,
-    /// Whether that is the lower end.
+    /// Whether the hint is about the lower end.
     pub is_hint_low: bool,
     /// On which scales it may be written.
     pub notation: Notation,
@@ -69,14 +69,14 @@ const fn number(name: &'static str, low: Bound, high: Bound, example: &'static s
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
 /// An elastic modulus.
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
-/// The sphere's modulus, which may be without limit.
+/// The sphere's modulus, which is infinite for a rigid sphere.
 pub const SPHERE_MODULUS: Quantity = Quantity { hint: "for a rigid sphere write \"rigid\"", ..MODULUS };
 /// A yield strength.
 pub const STRENGTH: Quantity = Quantity {
     hint: "for an elastic body leave the key out",
     ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
 };
-/// How the plain number of a quantity may be written, besides in SI.
+/// How a value may be written, besides as a plain number in SI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Notation {
     /// With a unit.
@@ -85,7 +85,8 @@ pub enum Notation {
     Hardness,
 }
 
-/// A hardness, as the mean pressure of a hardness test. Nothing that keeps a dent is softer; a bare 300 is not meant in Pa.
+/// A hardness, as the mean pressure of a hardness test. No material that keeps a dent is softer than the lower end, which
+/// refuses a Vickers hardness that is written without HV.
 pub const HARDNESS: Quantity = Quantity {
     notation: Notation::Hardness,
     low: Bound::Closed(1e5),
@@ -122,27 +123,27 @@ pub const POISSONS_RATIO: Quantity = Quantity {
 pub const EXPONENT: Quantity = number("an unloading exponent", Bound::Open(1.0), Bound::Closed(2.0), "1.5");
 /// A factor of a published law, such as a pressure over the yield strength.
 pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
-/// True contact area over that of the cut of sphere and surface: from sink-in to pile-up.
+/// True contact area over the area in which the sphere cuts the original surface: from sink-in to pile-up.
 pub const AREA_FACTOR: Quantity = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
 /// Indentation at full plasticity over that at yield.
 pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
-/// Indentation over that at yield, where there is something to unload plastically.
+/// Indentation over that at first yield, for an indentation that leaves a dent.
 pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Bound::Open(1.0), Bound::Closed(1e6), "105.1");
 /// A force.
 pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
 /// An energy.
 pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"");
-/// A share of something that may be all of it.
+/// A ratio of at most 1.
 pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
 
-/// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps carry no meaning.
+/// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps have no meaning.
 pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
-/// Rows of a trace: two ends, and no more than some hundred megabytes of memory, which holds it until it is written.
+/// Rows of a trace: at least its two ends, at most what some hundred megabytes of memory hold.
 pub const SAMPLES: Quantity = Quantity {
     hint: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
     ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
 };
-/// Steps of the fixed-step method: at least one, and no more than seconds of computing.
+/// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
 pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
 
 /// Gravity.
@@ -157,8 +158,8 @@ pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Lengt
 pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
 /// Fraction of critical damping.
 ///
-/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only creeps, and
-/// the number of steps that follow a creep goes with the square of this fraction: more than any run takes.
+/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only
+/// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
 pub const VISCOUS: Quantity = Quantity {
     hint: "beyond that a contact only creeps",
     ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
@@ -183,7 +184,7 @@ pub const MODEL_ERROR: Quantity = number("a share", Bound::Closed(0.0), Bound::O
 
 /// Random cases of a table.
 pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
-/// Which random numbers.
+/// The seed of random numbers.
 pub const SEED: Quantity = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
 /// Values of an axis.
 pub const POINTS: Quantity = Quantity {
@@ -201,11 +202,11 @@ pub const fn positive_of(dimension: Dimension) -> Quantity {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{written} is not allowed: {} must be {}{}", .quantity.name, .quantity.allowed(), .quantity.way_out(*.value))]
 pub struct RangeError {
-    /// The value as it was written, and in SI.
+    /// The value as it was written.
     pub written: String,
-    /// In SI.
+    /// The value in SI.
     pub value: f64,
-    /// What it should have been.
+    /// The quantity, with the allowed range.
     pub quantity: Quantity,
 }
 
@@ -224,7 +225,7 @@ impl Quantity {
         if above && below { Ok(value) } else { Err(RangeError { written: written(), value, quantity: *self }) }
     }
 
-    /// Reads "5 mm" and the like, and checks it.
+    /// Reads a text such as "5 mm", and checks the value.
     ///
     /// # Errors
     /// The message of a [`units::UnitError`] or [`RangeError`].

@@ -77,7 +77,7 @@ fn heading(table: &str) -> String {
     law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
 }
 
-/// Words that are listed in the line of their key.
+/// A key with more words than this refers to a table of them.
 const MOST_WORDS: usize = 20;
 
 /// What may be written as the value of a key, as Markdown.
@@ -112,9 +112,9 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// A part of a page that is written here.
+/// A part of a page that the program writes.
 struct Part {
-    /// What stands before it and behind it.
+    /// The marks before and after it.
     marks: [&'static str; 2],
     /// Its text.
     text: fn() -> String,

@@ -10,8 +10,8 @@ use super::taken::Body;
 use super::words::{DRAWN, MATERIALS, METHODS, SCALES, Words};
 use crate::law::LawChoice;
 
-/// The schema (draft 2020-12). It knows forms, words and ranges of the numbers; what a text with a unit says, and which keys
-/// go together, only the program itself checks.
+/// The schema (draft 2020-12). It describes the forms, the words, and the ranges of numbers. Only the program itself checks
+/// texts with a unit, and which keys go together.
 pub fn schema() -> Value {
     let mut root = table();
     for law in LawChoice::names() {
@@ -77,7 +77,7 @@ fn of_form(form: &Form) -> Value {
         Form::Axes => axes(),
         Form::Variables => variables(),
         Form::Free => free(),
-        // the keys of the table are put there after it
+        // the keys of the table are added later
         Form::WordOrTable(words) => {
             let mut schema = table();
             schema["type"] = json!(["string", "object"]);

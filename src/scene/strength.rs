@@ -1,5 +1,5 @@
-//! What a scene says in other words: the sphere's mass in place of its density, and the strength of the half-space by a
-//! hardness. Whatever is put into the scene last, the numbers that follow are made anew.
+//! Numbers of a scene that follow from others: the density from a given mass, and the yield strength from a given hardness.
+//! Every setter here computes anew what depends on its value.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::strength::flow::FlowCurve;
 use crate::strength::hardness::strength_of_hardness;
 
 impl Scene {
-    /// Puts a radius \[m\] into the scene; a given mass then has another density.
+    /// Sets the radius \[m\]. The density from a given mass follows.
     pub fn set_radius(&mut self, radius: f64) {
         self.sphere.radius = radius;
         if let Some(mass) = self.mass {
@@ -17,46 +17,46 @@ impl Scene {
         }
     }
 
-    /// Puts a mass \[kg\] into the scene, of all that moves with the sphere; its density is that of a sphere with this mass.
+    /// Sets the mass \[kg\] of all that moves with the sphere. The density becomes that of a sphere with this mass.
     pub fn set_mass(&mut self, mass: f64) {
         let radius = self.sphere.radius;
         self.mass = Some(mass);
         self.sphere.density = mass / (4.0 / 3.0 * PI * radius * radius * radius);
     }
 
-    /// Puts a density \[kg/m³\] into the scene, in place of a mass if there was one.
+    /// Sets the density \[kg/m³\], and removes a given mass.
     pub fn set_density(&mut self, density: f64) {
         (self.sphere.density, self.mass) = (density, None);
     }
 
-    /// Puts a yield strength \[Pa\] of the half-space into the scene, in place of a hardness if there was one.
+    /// Sets the yield strength \[Pa\] of the half-space, and removes a given hardness.
     pub fn set_yield_strength(&mut self, strength: f64) {
         (self.half_space.yield_strength, self.hardness) = (Some(strength), None);
     }
 
-    /// Puts a hardness into the scene, as a mean pressure \[Pa\]; the yield strength follows.
+    /// Sets the hardness of the half-space, as a mean pressure \[Pa\]. The yield strength follows.
     pub fn set_hardness(&mut self, mean_pressure: f64) {
         self.hardness = Some(mean_pressure);
         self.soften_or_harden();
     }
 
-    /// Puts Young's modulus \[Pa\] of the half-space into the scene; a strength from a hardness may depend on it.
+    /// Sets Young's modulus \[Pa\] of the half-space. A yield strength from a hardness may depend on it.
     pub fn set_half_space_modulus(&mut self, modulus: f64) {
         self.half_space.material.youngs_modulus = modulus;
         self.soften_or_harden();
     }
 
-    /// Whether the scene says more of how the metal flows than a yield strength, or the law has no use for it.
+    /// Whether more than a yield strength describes the flow stress, or the law does not use it.
     pub fn has_flow(&self) -> bool {
         self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
     }
 
-    /// A number of the flow curve, if the curve has it.
+    /// A number of the flow curve, if a curve of this form is given.
     pub fn flow_number(&self, number: NumberOf) -> Option<f64> {
         number(&mut self.law.flow()?.clone()).copied()
     }
 
-    /// Changes a number of the flow curve; a strength from a hardness follows.
+    /// Sets a number of the flow curve. A yield strength from a hardness follows.
     pub fn set_flow_number(&mut self, number: NumberOf, value: f64) {
         if let LawChoice::Plm(plm) = &mut self.law
             && let Some(place) = plm.flow.as_mut().and_then(number)
@@ -66,7 +66,7 @@ impl Scene {
         self.soften_or_harden();
     }
 
-    /// Makes the yield strength that follows from a given hardness.
+    /// Computes the yield strength from the hardness, if that is given.
     fn soften_or_harden(&mut self) {
         if let Some(mean_pressure) = self.hardness {
             let modulus = self.half_space.material.youngs_modulus;

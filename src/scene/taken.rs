@@ -1,4 +1,4 @@
-//! What the bodies of a scene take from named materials.
+//! The values that the bodies of a scene take from named materials.
 
 use crate::materials::{Entry, Known, Property};
 
@@ -36,13 +36,13 @@ impl Body {
         Self::ALL.into_iter().find(|body| body.material() == path)
     }
 
-    /// The key that a property of the material is the value of, if the body has a use for it.
+    /// The key that takes its value from this property, if the body uses the property.
     pub fn path(self, property: Property) -> Option<&'static str> {
         match (self, property) {
             (Self::Sphere, Property::Density) => Some("sphere.density"),
             (Self::Sphere, Property::YoungsModulus) => Some("sphere.youngs_modulus"),
             (Self::Sphere, Property::PoissonsRatio) => Some("sphere.poissons_ratio"),
-            // the sphere has no hardness; its strength only warns
+            // the sphere has a yield strength only, and that only serves to warn
             (Self::Sphere, Property::Hardness) => Some("sphere.yield_strength"),
             (Self::Sphere, Property::HardeningExponent) => None,
             (Self::HalfSpace, Property::Density) => Some("half_space.density"),
@@ -61,12 +61,12 @@ pub struct Taken {
     pub body: Body,
     /// Its material.
     pub material: &'static Entry,
-    /// What the scenario leaves to the material.
+    /// The properties that the scenario does not give itself.
     pub left: Vec<Property>,
 }
 
 impl Taken {
-    /// What is taken: keys and what the material says of them.
+    /// The keys that take a value, each with what is known of the property.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
         self.left.iter().filter_map(move |property| Some((self.body.path(*property)?, material.of(*property)?)))
@@ -77,12 +77,12 @@ impl Taken {
         self.in_key(known.property, known.taken.value)
     }
 
-    /// A value of the range, in SI.
+    /// Both ends of its range, in SI.
     pub fn range(&self, known: &Known) -> [f64; 2] {
         [&known.range[0], &known.range[1]].map(|end| self.in_key(known.property, end.value))
     }
 
-    /// What was taken in words, each under its name: the value as it is written, its range, and what kind of number it is.
+    /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.
     pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
         self.values().map(|(_, Known { property, taken, range: [low, high], basis, .. })| {
             let name = format!("{}_{}", self.body.material(), property.name());
@@ -90,7 +90,7 @@ impl Taken {
         })
     }
 
-    /// What a property gives its key: the sphere takes a hardness as the strength that it first yields at.
+    /// The value of the key. From a hardness the sphere takes the yield strength.
     fn in_key(&self, property: Property, value: f64) -> f64 {
         match (self.body, property) {
             (Body::Sphere, Property::Hardness) => self.material.strength(value),

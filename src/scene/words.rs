@@ -9,11 +9,11 @@ use crate::repeat::Place;
 /// Words that a key takes.
 #[derive(Debug)]
 pub struct Words {
-    /// One of them is called.
+    /// What one of them is called in messages.
     pub one: &'static str,
-    /// Several of them are called.
+    /// What several of them are called in messages.
     pub several: &'static str,
-    /// What there is.
+    /// All of them.
     pub known: fn() -> Vec<String>,
 }
 
@@ -35,12 +35,12 @@ pub static OWN_UNLOADINGS: Words =
 /// Where repeated impacts hit.
 pub static SPOTS: Words =
     Words { one: "spot", several: "spots", known: || Place::ALL.iter().map(|place| place.name().to_owned()).collect() };
-/// What becomes of a printed jump.
+/// What is done about a jump of the printed formulas.
 pub static JUMPS: Words = Words { one: "word", several: "words here", known: || words(&["printed", "crossed"]) };
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words =
     Words { one: "word", several: "words here", known: || words(&["exponential", "cosine"]) };
-/// What is known of the noise of measurements, where it is no number.
+/// How the noise of measurements is given, if not by numbers.
 pub static NOISES: Words = Words { one: "word", several: "words here", known: || words(&["estimate"]) };
 /// How the range of a key is searched.
 pub static SCALES: Words = Words { one: "scale", several: "scales", known: || words(&["log", "linear"]) };

@@ -1,7 +1,7 @@
 //! Tables for the terminal.
 
-/// Lines of cells, each column as wide as its widest cell. A cell begins at the left of its column where `is_left` says so of
-/// the column's number; else it ends at the right.
+/// Lines of cells, each column as wide as its widest cell. Columns whose number `is_left` are aligned at the left,
+/// others at the right.
 pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows {

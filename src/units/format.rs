@@ -25,7 +25,7 @@ pub fn si(value: f64, dimension: Dimension) -> String {
     format!("{} {}", number(value), dimension.si_unit()).trim_end().to_owned()
 }
 
-/// In the unit that fits, to six digits: "5 mm".
+/// In a suitable unit, to six digits: "5 mm".
 pub fn human(value: f64, dimension: Dimension) -> String {
     let shown = || {
         dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
@@ -43,7 +43,7 @@ pub fn human(value: f64, dimension: Dimension) -> String {
     else {
         return si(value, dimension);
     };
-    // the exponent is moved in decimal, so that no digit is made up
+    // the exponent is changed in the decimal text, so that no digit changes
     let shifted = exponent.parse::<i32>().ok().and_then(|e| format!("{digits}e{}", e - power).parse().ok());
     format!("{} {name}", number(shifted.unwrap_or(value)))
 }

@@ -2,14 +2,14 @@
 
 use super::Dimension;
 
-/// What one of a unit is in SI.
+/// The size of a unit in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
     /// A power of ten.
     Ten(i32),
     /// A factor.
     Times(f64),
-    /// A divisor, where that is the exact one of the two.
+    /// A divisor, which is exact where the factor is not.
     Over(f64),
 }
 

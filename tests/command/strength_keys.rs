@@ -133,7 +133,7 @@ fn every_form_of_a_flow_curve_is_read() {
         assert!(message.contains("s.toml:") && message.contains(want), "{text}: {message}");
     }
     let other_law = with_flow("power = { exponent = 0.1 }\n[law.thornton]");
-    assert!(refused(&other_law).contains("thornton knows no hardening"), "{}", refused(&other_law));
+    assert!(refused(&other_law).contains("thornton has no hardening"), "{}", refused(&other_law));
     let elastic = with_flow("power = { exponent = 0.1 }").replace("yield_strength = \"345 MPa\"\n", "");
     assert!(refused(&elastic).contains("begins at a strength"), "{}", refused(&elastic));
     let varied = with_flow("points = [[0.002, \"350 MPa\"], [0.01, 400e6]]")

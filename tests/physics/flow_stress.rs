@@ -298,13 +298,13 @@ fn scenes_without_an_impact_refuse_what_does_not_fit() {
     let flow = "[half_space.flow_stress]\n";
     for (text, want) in [
         (format!("{indentation}{flow}points = [[0.01, 3e8], [0.02, 4e8]]\n"), "below the yield strength"),
-        (format!("{indentation}{flow}power = {{ exponent = 0.1 }}\n[law.thornton]\n"), "thornton knows no hardening"),
+        (format!("{indentation}{flow}power = {{ exponent = 0.1 }}\n[law.thornton]\n"), "thornton has no hardening"),
     ] {
         let message = read(&text).indentation().unwrap_err().to_string();
         assert!(message.contains("s.toml:") && message.contains(want), "{message}");
     }
     let message = read(&format!("{compare}{flow}power = {{ exponent = 0.1 }}\n")).comparison().unwrap_err().to_string();
-    assert!(message.contains("half_space.flow_stress") && message.contains("know no hardening"), "{message}");
+    assert!(message.contains("half_space.flow_stress") && message.contains("have no hardening"), "{message}");
     // a hardness gives the strength there too
     let hardness = |text: &str| text.replace("yield_strength = \"345 MPa\"", "hardness = \"1.0005 GPa\"");
     assert!(off(read(&hardness(&compare)).comparison().unwrap().bodies.yield_strength, 345e6) < 1e-14);

@@ -170,7 +170,7 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::write(desk.path("out/trace.csv"), "mine").unwrap();
     let arguments = ["run", "s.toml", "--out", "out"];
     let message = ends(&desk, &arguments, 2);
-    assert!(message.contains("out/trace.csv: is there, and is not as this program wrote it"), "{message}");
+    assert!(message.contains("out/trace.csv: exists, but not as this program wrote it"), "{message}");
     assert_eq!((desk.read("out/trace.csv"), desk.files("out")), ("mine".to_owned(), vec!["trace.csv".to_owned()]));
     ends(&desk, &["run", "s.toml", "--out", "out", "--force"], 0);
     let trace = desk.read("out/trace.csv");
@@ -334,7 +334,7 @@ fn a_file_of_somebody_else_gives_way_only_to_the_same_bytes() {
     fs::remove_file(desk.path("out/.plm-impact.json")).unwrap();
     fs::remove_file(desk.path("out/summary.json")).unwrap();
     let said = ends(&desk, &["run", "s.toml", "--out", "out", "--set", "impact.speed=1"], 2);
-    assert!(said.contains("is not as this program wrote it"), "{said}");
+    assert!(said.contains("not as this program wrote it"), "{said}");
 }
 
 #[test]

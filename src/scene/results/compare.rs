@@ -9,20 +9,20 @@ use crate::reference::quasi_static::Unloaded;
 pub struct Row {
     /// The law, or `finite_elements`.
     pub law: String,
-    /// What it makes of the peak; `None` where it has no answer.
+    /// Its unloading from the peak; `None` where the law has no answer.
     pub branch: Option<Branch>,
 }
 
 /// How a law unloads from the peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
-    /// δ_r \[m\].
+    /// Depth of the dent, δ_r \[m\].
     pub residual_indentation: f64,
-    /// δ_r/δ_m.
+    /// Depth of the dent over the indentation at the peak, δ_r/δ_m.
     pub residual_share: f64,
-    /// Of unloading \[J\].
+    /// Energy that unloading gives back \[J\].
     pub recovered_energy: f64,
-    /// √(recovered/spent).
+    /// Restitution, √(recovered/spent).
     pub restitution: f64,
     /// How far the share, the energy and e are from the finite elements, relative; where there are some.
     pub deviations: Option<[f64; 3]>,
@@ -71,9 +71,9 @@ pub fn row() -> Vec<Reported<Row>> {
         "residual_share" as "share of peak": row.branch.map(|branch| branch.residual_share);
         /// Energy that unloading gives back.
         "recovered_energy_J" as "recovered": row.branch.map(|branch| branch.recovered_energy);
-        /// Root of the share of the spent work that comes back.
+        /// Square root of the share of the spent work that comes back.
         "restitution" as "e": row.branch.map(|branch| branch.restitution);
-        /// Relative difference of the share of the dent from the finite elements; `null` where there are none, as below.
+        /// Relative difference of the share of the dent from the finite elements; `null` without these, as below.
         "residual_deviation" as "depth against FE":
             row.branch.and_then(|branch| branch.deviations).map(|[share, _, _]| share);
         /// Relative difference of the recovered energy from the finite elements.

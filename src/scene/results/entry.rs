@@ -6,17 +6,17 @@ use serde_json::Value;
 use crate::impact::Essentials;
 use crate::scene::Scene;
 
-/// A result of what `T` holds.
+/// A result that is found from a `T`.
 #[derive(Debug, Clone, Copy)]
 pub struct Reported<T> {
     /// Its name, with the unit.
     pub name: &'static str,
     /// What it is, in one sentence.
     pub about: &'static str,
-    /// Under which condition it is there; empty: always.
+    /// The condition under which it is there; empty if it is always there.
     pub condition: &'static str,
-    /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for its share
-    /// of the value of that line. Empty: the terminal does not show the result.
+    /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for
+    /// its share of the value of that line. Empty: the terminal does not show the result.
     pub label: &'static str,
     /// Its value; `None` where it is left out.
     pub value: fn(&T) -> Option<Value>,
@@ -31,7 +31,7 @@ pub struct Described {
     pub name: &'static str,
     /// What it is, in one sentence.
     pub about: &'static str,
-    /// Under which condition it is there; empty: always.
+    /// The condition under which it is there; empty if it is always there.
     pub condition: &'static str,
     /// Whether it is a column of tables too.
     pub is_column: bool,
@@ -72,7 +72,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// Why impacts of this scene do not have it; `None` where they do.
+    /// Why impacts of this scene do not have the column; `None` where they have it.
     pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
         match self.needs {
             Needs::Strength if scene.half_space.yield_strength.is_none() => {

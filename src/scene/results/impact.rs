@@ -8,22 +8,22 @@ use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, 
 pub struct Single<'a> {
     /// The contact.
     pub contact: &'a Contact,
-    /// What came of it.
+    /// Its results.
     pub impact: &'a Impact,
 }
 
 impl Single<'_> {
-    /// Only where the half-space can yield.
+    /// The value, if the half-space can yield.
     fn plastic<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
     }
 
-    /// Only with gravity or damping.
+    /// The value, if there is gravity or damping.
     fn forced<V>(&self, value: fn(&UnderForces) -> V) -> Option<V> {
         self.impact.under_forces.as_ref().map(value)
     }
 
-    /// Only in fixed steps.
+    /// The value, if the steps are fixed.
     fn verlet<V>(&self, value: fn(&InFixedSteps) -> V) -> Option<V> {
         self.impact.in_fixed_steps.as_ref().map(value)
     }
@@ -32,13 +32,13 @@ impl Single<'_> {
 /// The results of one impact, in the order of `summary.json`.
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
-        /// Rebound speed over impact speed; `null` for a sphere that is let go at first touch.
+        /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
             (of.impact.speed > 0.0).then_some(of.impact.restitution);
         /// Share of the kinetic energy that is radiated as elastic waves, to first order.
         "wave_loss_fraction" as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
             of.impact.wave_loss_fraction;
-        /// The restitution less what the waves take; 0 where they would take more than comes back.
+        /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" if WAVES [Density: Essentials::restitution_with_waves]:
             of.impact.restitution_with_waves();
         /// Speed of the sphere when it separates.
@@ -58,7 +58,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "peak_contact_radius_m" as "contact radius": of.impact.peak_contact_radius;
         /// Peak force over the contact area there.
         "peak_mean_pressure_Pa" as "mean pressure {}": of.impact.peak_mean_pressure;
-        /// What of the largest indentation is recovered on unloading.
+        /// The part of the largest indentation that is recovered on unloading.
         "elastic_approach_m": of.impact.elastic_approach;
         /// Depth of the dent; 0 without one.
         "residual_indentation_m" as "dent depth" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
@@ -82,7 +82,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "plastic_fraction" if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)]: None::<f64>;
         /// Whether the sphere left (`separated`) or stayed (`captured`).
         "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
-        /// Time of separation, or until when a captured sphere was followed.
+        /// Time of separation; for a captured sphere, the time at which the computation ends.
         "end_time_s" as "at {}" if FORCES: of.forced(|under| under.end_time);
         /// Indentation at that time.
         "end_indentation_m" if FORCES: of.forced(|under| under.end_indentation);
@@ -95,7 +95,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "verlet.compression_time_s" as "compression {}" if VERLET: of.verlet(|seen| seen.compression_time);
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
         "verlet.separation_time_s" as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
-        /// What the energy is off by at the end of the contact, as a share; positive for a gain.
+        /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_drift_at_end" as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
         /// Kinetic energy of the sphere at first touch.
         "energy.kinetic_in_J" as "energy": of.impact.energy.kinetic_in;
@@ -120,7 +120,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "accuracy.contact_time_error" as "contact time by {}": of.impact.accuracy.contact_time_error;
         /// Steps of the integration.
         "work.steps" as "steps": of.impact.work.steps;
-        /// Steps that were done again, shorter.
+        /// Steps that were repeated with a shorter length.
         "work.rejected" as "{} rejected": of.impact.work.rejected;
         /// How often the contact force was computed.
         "work.force_evaluations" as "{} force evaluations": of.impact.work.force_evaluations;
@@ -156,7 +156,8 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "elastic_force_N" if DAMPING: row.elastic_force;
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
-        /// The event, if the row is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `separation` or `captured`.
+        /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `separation`
+        /// or `captured`.
         "event": event_name(row.event);
     }
 }

@@ -10,13 +10,13 @@ pub fn half_space() -> Vec<Reported<Tested>> {
         "name" if NAMED: of.specimen.name.clone();
         /// Young's modulus.
         "youngs_modulus_Pa": of.specimen.half_space.material.youngs_modulus;
-        /// Half of the width of the interval that the modulus lies in.
+        /// Uncertainty of the modulus: half of the width of its interval.
         "youngs_modulus_uncertainty_Pa" if UNCERTAIN: of.specimen.modulus_uncertainty;
         /// Poisson's ratio.
         "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
         "yield_strength_Pa" if YIELDS: of.specimen.half_space.yield_strength;
-        /// Half of the width of the interval that the strength lies in.
+        /// Uncertainty of the strength: half of the width of its interval.
         "yield_strength_uncertainty_Pa" if UNCERTAIN: of.specimen.strength_uncertainty;
         /// Effective modulus E* of the pair of bodies.
         "effective_modulus_Pa": of.pair.effective_modulus;
@@ -47,11 +47,11 @@ pub fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
 pub struct Stepped<'a> {
     /// Its number, from 1.
     pub number: usize,
-    /// What came of it.
+    /// Its results.
     pub step: &'a Step,
     /// Whether the half-space can yield.
     pub can_yield: bool,
-    /// What the uncertainties make of it.
+    /// The spans of its results under the uncertainties.
     pub spans: Option<Spans>,
 }
 
@@ -66,12 +66,12 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
     results! { |of: Stepped<'a>|
         /// Number of the step, from 1.
         "step" as "step": of.number;
-        /// Load that the step goes to.
+        /// Load at which the step ends.
         "target_load_N" as "to" if GIVEN: match of.step.target {
             Target::Load(load) => Some(load),
             Target::Indentation(_) => None,
         };
-        /// Indentation that the step goes to.
+        /// Indentation at which the step ends.
         "target_indentation_m" as "to" if GIVEN: match of.step.target {
             Target::Load(_) => None,
             Target::Indentation(indentation) => Some(indentation),
@@ -104,7 +104,8 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         "unloading_stiffness_N_per_m" as "stiffness S": of.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": of.step.memory.unloading_exponent;
-        /// Lowest and highest indentation at the end of the step, over the corners of the uncertain inputs; so below.
+        /// Lowest and highest indentation at the end of the step, over all ends of the uncertain inputs, as for the
+        /// results below.
         "uncertainty.indentation_m" if UNCERTAIN: of.span(|spans| spans.indentation);
         /// Lowest and highest force.
         "uncertainty.force_N" if UNCERTAIN: of.span(|spans| spans.force);

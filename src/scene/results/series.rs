@@ -11,11 +11,11 @@ use crate::units::rounded::quantity;
 pub struct Series<'a> {
     /// The contact.
     pub contact: &'a Contact,
-    /// What was to be run.
+    /// What the scenario asks for.
     pub repeat: &'a Repeat,
-    /// What came of it.
+    /// The impacts that were run.
     pub sequence: &'a Sequence,
-    /// Doubts about scene and impacts, for a person.
+    /// Warnings about the scene and the impacts.
     pub warnings: &'a [String],
 }
 
@@ -56,7 +56,7 @@ impl Series<'_> {
     }
 }
 
-/// How the time is estimated that bouncing goes on after the end of the series.
+/// How the time of bouncing after the end of the series is estimated.
 const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
                          for all bounces to come and contact times left out (a lower bound where e rises as the speed \
                          falls); null if e is 1 or more, or the sphere stays in its dent";
@@ -70,7 +70,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "spot" as "{} spot": of.repeat.place.name();
         /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": of.sequence.end.name();
-        /// The same as a sentence.
+        /// Why the series ended, as a sentence.
         "end" as "ended": end_text(of.repeat, of.sequence);
         /// Restitution of the last impact.
         "final_restitution" as "last restitution": of.last(|hit| hit.restitution);
@@ -86,14 +86,15 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "gravity_m_per_s2" if BOUNCES: of.bouncing(|by| by.gravity);
         /// Height of the first fall; `null` where the first speed is given.
         "drop_height_m" if BOUNCES: of.bouncing(|by| by.drop_height);
-        /// Most impacts there may be.
+        /// Largest number of impacts.
         "most_impacts" if BOUNCES: of.bouncing(|by| by.most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
         "until_speed_m_per_s" if BOUNCES: of.bouncing(|by| by.until);
         /// Time of the last separation.
         "last_separation_time_s" as "last separation" if BOUNCES:
             of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
-        /// Estimate of the time that bouncing would go on; `null`: for ever, or not at all.
+        /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
+        /// its dent.
         "remaining_time_s" as "estimated time left" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
         /// How that time is estimated.
         "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
@@ -203,7 +204,7 @@ pub struct TraceRow {
 /// The columns of the `trace.csv` of a series.
 pub fn trace() -> Vec<Reported<TraceRow>> {
     results! { |row: TraceRow|
-        /// Number of the impact that the row is of or comes after; 0 during the fall before the first.
+        /// Number of the impact that the row belongs to or follows; 0 during the fall before the first.
         "impact": row.impact;
         /// Time of the series for a bouncing sphere; for shots, time since each first touch.
         "time_s": row.time;
@@ -215,7 +216,7 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "force_N": row.force;
         /// Branch of the law, or `flight`.
         "branch": row.branch;
-        /// The event, if the row is one, as in the trace of one impact; `release` where a fall begins.
+        /// The event in this row, if there is one, as in the trace of one impact; `release` where a fall begins.
         "event": row.event;
     }
 }

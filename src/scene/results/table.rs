@@ -2,23 +2,23 @@
 
 use super::entry::{File, Reported, file, results};
 
-/// What the rows of a table come to.
+/// Counts and statistics of the rows of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Totals {
-    /// How many there are.
+    /// Number of rows.
     pub rows: u64,
-    /// Those without a result.
+    /// Rows without a result.
     pub failures: u64,
-    /// Those that the law has no answer for.
+    /// Rows that the law has no answer for.
     pub outside_law: u64,
     /// The restitutions of random cases.
     pub restitution: Option<Distribution>,
 }
 
-/// What the restitutions of random cases come to.
+/// Statistics of the restitutions of random cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distribution {
-    /// How many there are.
+    /// Number of restitutions.
     pub samples: u64,
     /// Their mean.
     pub mean: f64,
@@ -75,7 +75,7 @@ pub fn totals() -> Vec<Reported<Totals>> {
     }
 }
 
-/// What is said of every random key.
+/// The description of every random key.
 pub fn drawn() -> Vec<Reported<Drawn>> {
     results! { |of: Drawn|
         /// Path of the key.

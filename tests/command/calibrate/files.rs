@@ -62,7 +62,10 @@ fn every_bad_table_is_refused() {
             "data = \"d.csv\"\nfree = { \"damping.viscous\" = { from = 0, to = 1, scale = \"log\" } }",
             "scale = \"linear\"",
         ),
-        ("data = \"d.csv\"\nfree = { \"impact.speed\" = { from = 1, to = 2 } }", "is wanted, and the data give it"),
+        (
+            "data = \"d.csv\"\nfree = { \"impact.speed\" = { from = 1, to = 2 } }",
+            "is a key to find, and the data give it",
+        ),
         ("data = \"d.csv\"\nfree = { \"sphere.yield_strength\" = { from = 1, to = 2 } }", "only warns"),
         (
             "data = \"d.csv\"\nfree = { \"law.thornton.yield_pressure\" = { from = 1, to = 2 } }",
