@@ -190,7 +190,7 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::write(desk.path("c.toml"), "mine").unwrap();
     let curve = format!("{}/src/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
     let message = ends(&desk, &["fit-plm", &curve, "-o", "c.toml"], 2);
-    assert!(message.contains("c.toml: is there"), "{message}");
+    assert!(message.contains("c.toml: exists"), "{message}");
     assert_eq!(desk.read("c.toml"), "mine");
 }
 
