@@ -6,7 +6,8 @@
 use crate::impact::Warning;
 use crate::law::published::PeakState;
 use crate::law::{Bodies, LawChoice, OutsideLaw, Peak, Plm, Unloading};
-use crate::reference::quasi_static::{self, Unloaded, UnloadingCurve};
+use crate::reference::quasi_static::{self, UnloadingCurve};
+use crate::reference::unloading::Unloaded;
 
 /// Where a peak comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,10 +65,10 @@ impl Comparison {
     /// The finite-element unloading of the same materials whose peak is nearest to this one, within 1 % in indentation.
     pub fn finite_elements(&self) -> Option<&'static Unloaded> {
         let x = self.peak.indentation;
-        let off = |row: &Unloaded| (row.indentation / x - 1.0).abs() + (row.force / self.peak.force - 1.0).abs();
+        let off = |row: &Unloaded| (row.x / x - 1.0).abs() + (row.f / self.peak.force - 1.0).abs();
         quasi_static::unloadings(self.sphere_modulus, &self.bodies)
             .into_iter()
-            .filter(|row| (row.indentation / x - 1.0).abs() < 0.01)
+            .filter(|row| (row.x / x - 1.0).abs() < 0.01)
             .min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 

@@ -2,6 +2,19 @@
 //! five material cases of Xie et al. (2024), for half-spaces that harden and for whole impacts; 30-digit impacts; measured
 //! rebound hardness. The head of each table in `src/reference` says where it comes from, how it was obtained and its error.
 
+/// Functions that read tables which are compiled in.
+macro_rules! tables {
+    ($($(#[doc = $about:literal])+ $read:ident: $row:ty = $file:literal;)+) => {$(
+        $(#[doc = $about])+
+        ///
+        /// # Errors
+        /// [`ReferenceError`](crate::reference::ReferenceError) if the table was damaged.
+        pub fn $read() -> Result<Vec<$row>, $crate::reference::ReferenceError> {
+            $crate::reference::rows($file, include_str!($file))
+        }
+    )+};
+}
+
 pub mod hardening;
 pub mod impacts;
 pub mod measured;

@@ -1,10 +1,10 @@
 //! An impact by velocity Verlet in fixed steps, as DEM codes do it: kinks stepped over, separation noticed at the first step
 //! without force.
 //!
-//! A whole number of steps says nothing of the error of the motion. So the two times of the outcome are taken within a step:
-//! maximum compression where the speed at the deepest step, with the acceleration there, comes to zero; separation where
-//! the free flight that the last step ends in left the contact. Both are exact to second order in the step, as the motion is
-//! without damping. [`FixedSteps`] has what a code with this step sees.
+//! A time in whole steps would hide the error of the motion. So the two times of the outcome lie within a step. Maximum
+//! compression is where speed and acceleration of the deepest step give zero speed. Separation is found by following the free
+//! flight at the end of the last step back to the contact. Without damping both are exact to second order in the step, as
+//! the motion is. [`FixedSteps`] has the times that a code with this step sees.
 
 use super::outcome::{Fate, FixedSteps, Outcome};
 use super::record::{Along, Event, Recorder, loading_point};

@@ -1,4 +1,4 @@
-//! Dense output of rk8: the polynomial of degree 9 that takes y and its first four derivatives at both ends of a step.
+//! Dense output of rk8: the polynomial of degree 9 with the right y and first four derivatives at both ends of a step.
 //!
 //! On a smooth piece these derivatives are known from g, so the interpolant costs no evaluation, and its error, of order
 //! h¹⁰/2¹⁰ × the tenth derivative / 10!, stays below that of the step itself. A power that is no polynomial lacks these

@@ -19,6 +19,9 @@ const LARGEST_SHARE: f64 = 0.1;
 /// Of so many knots one has a series: series for all of them would take four times the room and save little.
 const EVERY: usize = 4;
 
+/// No series is made for a knot of more work: the powers of the work would leave double precision.
+const LARGEST_WORK: f64 = 1e20;
+
 /// Gauss's rule with four nodes on (0, 1). It is exact for w, w² and w³, and on a piece whose ends are at most 10 % apart it
 /// integrates the higher powers as well as they count.
 const NODES: [f64; 4] =
@@ -77,29 +80,33 @@ impl Crossing {
 #[allow(clippy::cast_precision_loss)] // fourteen terms
 pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
     let mut crossings = Vec::with_capacity(pieces.len() / EVERY);
-    // ∫ (w/w_i)^k dx from 0 to the start of a piece
+    // ∫ w^k dx from 0 to the start of a piece
     let mut moments = [0.0; TERMS];
-    for (index, pair) in (1..).zip(pieces.windows(2)) {
+    for (index, pair) in (1..).zip(pieces.windows(2)).take_while(|(_, pair)| pair[1].work < LARGEST_WORK) {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
         if let Shape::Power { exponent, .. } = piece.shape {
-            moments = std::array::from_fn(|k| length / (k as f64 * (exponent + 1.0) + 1.0));
+            let mut term = length;
+            for (k, moment) in moments.iter_mut().enumerate() {
+                *moment = term / (k as f64 * (exponent + 1.0) + 1.0);
+                term *= next.work;
+            }
         } else {
-            // (w/w_i)^k so far has the w_i of the start, and is to have that of the end
-            let (share, mut unit) = (piece.work / next.work, 1.0);
-            let shares = NODES.map(|node| piece.work_at(piece.start + node * length) / next.work);
+            let works = NODES.map(|node| piece.work_at(piece.start + node * length));
             let mut terms = WEIGHTS.map(|weight| weight * length);
             for moment in &mut moments {
-                *moment = unit * *moment + ((terms[0] + terms[1]) + (terms[2] + terms[3]));
-                unit *= share;
-                for (term, share) in terms.iter_mut().zip(&shares) {
-                    *term *= share;
+                *moment += (terms[0] + terms[1]) + (terms[2] + terms[3]);
+                for (term, work) in terms.iter_mut().zip(&works) {
+                    *term *= work;
                 }
             }
         }
         if index % EVERY == 0 {
-            let mut coefficients: [f64; TERMS] = std::array::from_fn(|k| BINOMIALS[k] * moments[k] / next.start);
-            coefficients[0] = 1.0; // exactly
+            let (mut coefficients, mut unit) = ([1.0; TERMS], 1.0 / next.start);
+            for k in 1..TERMS {
+                unit /= next.work;
+                coefficients[k] = BINOMIALS[k] * moments[k] * unit;
+            }
             crossings.push(Crossing { piece: index, start: next.start, work: next.work, coefficients });
         }
     }

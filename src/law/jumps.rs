@@ -2,18 +2,18 @@
 
 use crate::math::root::halved;
 
-/// What becomes of the jumps of a force that was printed piece by piece.
+/// How the jumps of a force that was printed piece by piece are treated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Jumps {
     /// Kept, at the printed limits.
     #[default]
     Printed,
-    /// Every piece goes on until the next one crosses it: no jump, and no piece changed beyond its crossing.
+    /// Removed: every piece goes on until the next one crosses it.
     Crossed,
 }
 
-/// Where an excess that is positive at `from` falls to zero, by bisection; `None` if it is not positive there, or does not
-/// fall to zero before `until`.
+/// The place where an excess that is positive at `from` falls to zero, by bisection. `None` if it is not positive at `from`, or
+/// not zero before `until`.
 pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
     /// Steps of the search.
     const GROWTH: f64 = 1.02;

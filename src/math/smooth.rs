@@ -133,20 +133,20 @@ impl Smooth {
 
     /// The distance at which the work from the start is `work` ≥ 0; `before` is the work of the way to the start.
     ///
-    /// Newton's method in ln x and ln w, where forces of contacts are almost straight, each step integrated from the last
-    /// point on; then in x, where the work is convex, so that it ends on the root.
+    /// Newton's method, first in ln x and ln w, in which the work of a contact is almost a straight line; then in x, in which the
+    /// work is convex, so that the steps end on the root. Each step integrates from the last point on.
     #[cold]
     pub(crate) fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
         if work <= 0.0 || !work.is_finite() {
             return work.max(0.0);
         }
         let (mut distance, mut done) = (0.0, 0.0);
-        // where the piece begins without force the logarithm is that of the distance
+        // on a piece that begins without force the logarithm is that of the distance
         let (origin, before) = if self.value(start, 0.0) > 0.0 && before > 0.0 { (start, before) } else { (0.0, 0.0) };
         if before == 0.0 {
             distance = if start > 0.0 { start } else { 1.0 };
             done = self.work(start, 0.0, distance);
-            // a formula may end somewhere
+            // beyond its range a formula may give no number
             while !done.is_finite() && distance > f64::MIN_POSITIVE {
                 distance *= 0.5;
                 done = self.work(start, 0.0, distance);

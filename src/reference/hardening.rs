@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use super::unloading::Unloaded;
 use super::{ReferenceError, rows};
 use crate::law::{Bodies, Plm, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
@@ -99,26 +100,6 @@ impl ExactImpact {
     pub fn exponent(&self) -> UnloadingExponent {
         self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::from)
     }
-}
-
-/// A full unloading of the finite elements, in units of the first yield point.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Unloaded {
-    /// Name of the material.
-    pub material: String,
-    /// x_m.
-    pub x: f64,
-    /// f_m.
-    pub f: f64,
-    /// W/(F_Y δ_Y) of loading.
-    pub spent: f64,
-    /// a_m/R.
-    #[serde(rename = "contact_radius_over_R")]
-    pub contact_radius: f64,
-    /// δ_r/δ_m.
-    pub residual_share: f64,
-    /// √(recovered/spent work).
-    pub restitution: f64,
 }
 
 fn with_materials<T: serde::de::DeserializeOwned>(

@@ -2,8 +2,6 @@
 
 use serde::Deserialize;
 
-use super::{ReferenceError, rows};
-
 /// The result of the finite elements for an impact.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct ImpactRow {
@@ -49,18 +47,9 @@ pub struct Sample {
 /// The table of the impacts.
 pub const TABLE: &str = "fe_dynamic.csv";
 
-/// The impacts.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn impacts() -> Result<Vec<ImpactRow>, ReferenceError> {
-    rows(TABLE, include_str!("fe_dynamic.csv"))
-}
-
-/// Their samples, by time.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn samples() -> Result<Vec<Sample>, ReferenceError> {
-    rows("fe_dynamic_curves.csv", include_str!("fe_dynamic_curves.csv"))
+tables! {
+    /// The impacts.
+    impacts: ImpactRow = "fe_dynamic.csv";
+    /// Their samples, by time.
+    samples: Sample = "fe_dynamic_curves.csv";
 }

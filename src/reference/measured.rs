@@ -2,7 +2,6 @@
 
 use serde::Deserialize;
 
-use super::{ReferenceError, rows};
 use crate::material::Material;
 
 /// An impact device, and what it shows on two test blocks.
@@ -63,18 +62,9 @@ impl Steel {
     }
 }
 
-/// The devices, D first.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn devices() -> Result<Vec<Device>, ReferenceError> {
-    rows("leeb.csv", include_str!("leeb.csv"))
-}
-
-/// Tensile strength of steels against HLD.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn steels() -> Result<Vec<Steel>, ReferenceError> {
-    rows("leeb_tensile.csv", include_str!("leeb_tensile.csv"))
+tables! {
+    /// The devices, D first.
+    devices: Device = "leeb.csv";
+    /// Tensile strength of steels against HLD.
+    steels: Steel = "leeb_tensile.csv";
 }

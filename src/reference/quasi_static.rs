@@ -3,25 +3,8 @@
 use std::sync::LazyLock;
 
 use super::ReferenceError;
-use super::unloading;
+use super::unloading::{self, Unloaded};
 use crate::law::Bodies;
-
-/// A full unloading of a finite-element run, quasi-static, in units of the yield point, whose loading is known.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Unloaded {
-    /// Which material case.
-    pub case: String,
-    /// x_m.
-    pub indentation: f64,
-    /// f_m.
-    pub force: f64,
-    /// δ_r/δ_m.
-    pub residual_share: f64,
-    /// W/(F_Y δ_Y).
-    pub spent: f64,
-    /// √(recovered/spent work).
-    pub restitution: f64,
-}
 
 /// Xie et al. (2024), Table 1: E_s, E_h, σ_Y \[Pa\] of every case; ν is 0.3 in all. The sphere of case 5 is as good as rigid.
 const MATERIALS: [(&str, [f64; 3]); 5] = [
@@ -53,9 +36,10 @@ fn unloaded() -> Result<Vec<Unloaded>, ReferenceError> {
         Some(Unloaded {
             spent: row.spent?,
             restitution: row.restitution?,
-            case: row.case,
-            indentation: row.x,
-            force: row.f,
+            material: row.case,
+            x: row.x,
+            f: row.f,
+            contact_radius: row.contact_radius,
             residual_share: row.residual_share,
         })
     };
@@ -83,8 +67,8 @@ pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
     let Some((case, _)) = case.filter(|_| (bodies.poissons_ratio - 0.3).abs() <= 1e-9) else { return Vec::new() };
-    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.case == *case).collect();
-    rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
+    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.material == *case).collect();
+    rows.sort_by(|a, b| a.x.total_cmp(&b.x));
     rows
 }
 
@@ -94,7 +78,7 @@ pub(crate) fn unloading_curve(
     bodies: &Bodies,
     indentation: f64,
 ) -> Option<&'static UnloadingCurve> {
-    if unloadings(sphere_modulus, bodies).first()?.case != "case3" {
+    if unloadings(sphere_modulus, bodies).first()?.material != "case3" {
         return None;
     }
     CURVES.iter().find(|curve| (curve.peak / indentation - 1.0).abs() < 0.01)
@@ -110,12 +94,12 @@ mod tests {
         let rows = unloaded().unwrap_or_default();
         assert_eq!((rows.len(), unloading::unloadings().unwrap_or_default().len()), (59, 63));
         for (case, _) in MATERIALS {
-            assert!(rows.iter().any(|row| row.case == case));
+            assert!(rows.iter().any(|row| row.material == case));
         }
         // recovered work f ε/(n + 1) with n between 1.35 and 1.55 for every unloading but the shallowest
-        for row in rows.iter().filter(|row| row.indentation > 5.0) {
+        for row in rows.iter().filter(|row| row.x > 5.0) {
             let recovered = row.restitution * row.restitution * row.spent;
-            let n = row.force * row.indentation * (1.0 - row.residual_share) / recovered - 1.0;
+            let n = row.f * row.x * (1.0 - row.residual_share) / recovered - 1.0;
             assert!((1.2..1.6).contains(&n), "{row:?}: {n}");
         }
         let curves = curves().unwrap_or_default();

@@ -2,8 +2,6 @@
 
 use serde::Deserialize;
 
-use super::{ReferenceError, rows};
-
 /// A full unloading. Lengths are in units of the yield indentation, forces of the yield force.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct UnloadingRow {
@@ -39,6 +37,26 @@ pub struct UnloadingRow {
     pub inner_residual_radius: f64,
 }
 
+/// A full unloading whose loading is known back to first yield, in units of the yield point.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Unloaded {
+    /// Name of the material, or of the case.
+    pub material: String,
+    /// x_m.
+    pub x: f64,
+    /// f_m.
+    pub f: f64,
+    /// W/(F_Y δ_Y) of loading.
+    pub spent: f64,
+    /// a_m/R.
+    #[serde(rename = "contact_radius_over_R")]
+    pub contact_radius: f64,
+    /// δ_r/δ_m.
+    pub residual_share: f64,
+    /// √(recovered/spent work).
+    pub restitution: f64,
+}
+
 /// An increment in contact on the way back, behind the peak.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct UnloadingPoint {
@@ -69,26 +87,11 @@ pub struct DentPoint {
     pub z: f64,
 }
 
-/// All unloadings.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn unloadings() -> Result<Vec<UnloadingRow>, ReferenceError> {
-    rows("fe_unloading.csv", include_str!("fe_unloading.csv"))
-}
-
-/// Points of all of them.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn points() -> Result<Vec<UnloadingPoint>, ReferenceError> {
-    rows("fe_unloading_curves.csv", include_str!("fe_unloading_curves.csv"))
-}
-
-/// Points of the dents; few unloadings have them.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
-pub fn dents() -> Result<Vec<DentPoint>, ReferenceError> {
-    rows("fe_dents.csv", include_str!("fe_dents.csv"))
+tables! {
+    /// All unloadings.
+    unloadings: UnloadingRow = "fe_unloading.csv";
+    /// Points of all of them.
+    points: UnloadingPoint = "fe_unloading_curves.csv";
+    /// Points of the dents; few unloadings have them.
+    dents: DentPoint = "fe_dents.csv";
 }

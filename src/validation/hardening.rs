@@ -8,7 +8,8 @@ use super::check::{Check, Tolerance, rms};
 use crate::impact::{Contact, Solver};
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::Sphere;
-use crate::reference::hardening::{ExactImpact, Materials, Unloaded, impacts, unloadings};
+use crate::reference::hardening::{ExactImpact, Materials, impacts, unloadings};
+use crate::reference::unloading::Unloaded;
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 const EXACT_REFERENCE: &str = "30-digit energy balance and quadrature, oracle_hardening.csv";

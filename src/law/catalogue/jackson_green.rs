@@ -27,8 +27,8 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | a, R | | m | contact radius, sphere radius |
 /// | x_m | | 1 | δ_m/δ_y |
 ///
-/// The printed force jumps at x = 1.9: by +0.5 % for ν = 0.3, by −3.1 % for ν = 0.49. `jumps` = printed keeps that; crossed
-/// lets Hertz go on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
+/// The printed force jumps at x = 1.9: by +0.5 % for ν = 0.3, by −3.1 % for ν = 0.49. `jumps` = printed keeps that. With
+/// crossed, Hertz goes on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
 /// 1.287 for 0.49 (σ_Y/E* = 0.002). For a given C above about 2 that would be before first yield, and for one below about
 /// 0.3 it may be beyond the range of the fit: then the crossed law has no answer beyond first yield.
 /// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
@@ -41,7 +41,7 @@ pub struct JacksonGreen {
     pub yield_factor: Option<f64>,
     /// Which form of H_G.
     pub hardness: Hardness,
-    /// What becomes of the printed jump.
+    /// How the printed jump is treated.
     pub jumps: Jumps,
 }
 

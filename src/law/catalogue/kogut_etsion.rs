@@ -43,7 +43,7 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 pub struct KogutEtsion {
     /// K H/σ_Y; `None`: 2.8 (0.454 + 0.41 ν).
     pub yield_factor: Option<f64>,
-    /// What becomes of the printed jumps.
+    /// How the printed jumps are treated.
     pub jumps: Jumps,
 }
 

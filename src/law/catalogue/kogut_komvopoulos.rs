@@ -36,7 +36,7 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// Kogut and Komvopoulos (2004), J. Mater. Res. 19, 3641.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KogutKomvopoulos {
-    /// What becomes of the printed jumps.
+    /// How the printed jumps are treated.
     pub jumps: Jumps,
 }
 

@@ -2,7 +2,7 @@
 
 use super::entry::{File, Reported, file, results};
 use crate::compare::{Comparison, Origin};
-use crate::reference::quasi_static::Unloaded;
+use crate::reference::unloading::Unloaded;
 
 /// One law in the table; deviations are relative to the finite elements of the same peak.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +33,7 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
     let (point, peak) = (&comparison.bodies.yield_point, &comparison.peak);
     let reference = comparison.finite_elements();
     // shares of the peak, as the peaks differ by up to 1 %
-    let recovered_share = |fe: &Unloaded| fe.restitution * fe.restitution * fe.spent / (fe.force * fe.indentation);
+    let recovered_share = |fe: &Unloaded| fe.restitution * fe.restitution * fe.spent / (fe.f * fe.x);
     let branch = |share: f64, recovered: f64, e: f64| Branch {
         residual_indentation: share * peak.indentation * point.indentation,
         residual_share: share,
@@ -46,7 +46,7 @@ pub fn rows(comparison: &Comparison) -> Vec<Row> {
     };
     let finite_elements = reference.map(|fe| {
         let recovered = fe.restitution * fe.restitution * fe.spent;
-        let scale = peak.force * peak.indentation / (fe.force * fe.indentation);
+        let scale = peak.force * peak.indentation / (fe.f * fe.x);
         let branch = branch(fe.residual_share, recovered * scale, fe.restitution);
         Row { law: "finite_elements".to_owned(), branch: Some(branch) }
     });
