@@ -75,8 +75,8 @@ impl Crossing {
     }
 }
 
-/// The series for the knots of a curve. It must begin with a power law from zero, and each of its other pieces but the last
-/// must be straight and end at most 10 % beyond its start.
+/// The series for the knots of a curve that begins with a power law from zero. Its straight pieces must end at most 10 %
+/// beyond their starts; there are no series behind a piece of another kind.
 #[allow(clippy::cast_precision_loss)] // fourteen terms
 pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
     let mut crossings = Vec::with_capacity(pieces.len() / EVERY);
@@ -85,26 +85,33 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
     for (index, pair) in (1..).zip(pieces.windows(2)).take_while(|(_, pair)| pair[1].work < LARGEST_WORK) {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
-        if let Shape::Power { exponent, .. } = piece.shape {
-            let mut term = length;
-            for (k, moment) in moments.iter_mut().enumerate() {
-                *moment = term / (k as f64 * (exponent + 1.0) + 1.0);
-                term *= next.work;
-            }
-        } else {
-            let works = NODES.map(|node| piece.work_at(piece.start + node * length));
-            let mut terms = WEIGHTS.map(|weight| weight * length);
-            for moment in &mut moments {
-                *moment += (terms[0] + terms[1]) + (terms[2] + terms[3]);
-                for (term, work) in terms.iter_mut().zip(&works) {
-                    *term *= work;
+        match piece.shape {
+            Shape::Power { exponent, .. } => {
+                let mut term = length;
+                for (k, moment) in moments.iter_mut().enumerate() {
+                    *moment = term / (k as f64 * (exponent + 1.0) + 1.0);
+                    term *= next.work;
                 }
             }
+            Shape::Straight { slope, .. } => {
+                let works = NODES.map(|node| {
+                    let d = node * length;
+                    piece.work + d * (piece.force + 0.5 * slope * d)
+                });
+                let mut terms = WEIGHTS.map(|weight| weight * length);
+                for moment in &mut moments {
+                    *moment += (terms[0] + terms[1]) + (terms[2] + terms[3]);
+                    for (term, work) in terms.iter_mut().zip(&works) {
+                        *term *= work;
+                    }
+                }
+            }
+            Shape::Smooth(_) | Shape::LatePower { .. } => break,
         }
         if index % EVERY == 0 {
-            let (mut coefficients, mut unit) = ([1.0; TERMS], 1.0 / next.start);
+            let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / next.start, 1.0 / next.work);
             for k in 1..TERMS {
-                unit /= next.work;
+                unit *= per_work;
                 coefficients[k] = BINOMIALS[k] * moments[k] * unit;
             }
             crossings.push(Crossing { piece: index, start: next.start, work: next.work, coefficients });

@@ -124,11 +124,18 @@ fn steel(tables: &str) -> Scene {
 /// anew from its pieces has no series.
 #[test]
 fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
-    let flows =
-        ["power.exponent = 0", "power.exponent = 0.3", "linear.slope = 4e9", "voce = { saturation = 2, rate = 30 }"];
-    // a kink, beyond which the strength is constant
-    for flow in flows.into_iter().chain(["points = [[0, 345e6], [0.01, 600e6]]"]) {
-        let text = STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"));
+    let flows = [
+        (STEEL.to_owned(), "power.exponent = 0"),
+        (STEEL.to_owned(), "power.exponent = 0.3"),
+        (STEEL.to_owned(), "linear.slope = 4e9"),
+        (STEEL.to_owned(), "voce = { saturation = 2, rate = 30 }"),
+        // a kink, beyond which the strength is constant
+        (STEEL.to_owned(), "points = [[0, 345e6], [0.01, 600e6]]"),
+        // so soft that the powers of the work would leave double precision at the last pieces
+        (STEEL.replace("345 MPa", "1 kPa"), "linear.slope = 1e6"),
+    ];
+    for (steel, flow) in flows {
+        let text = steel.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"));
         let contact = read(&text).resolve().unwrap().contact().unwrap();
         for k in 0..200 {
             let speed = 0.02 * 1.05_f64.powi(k);
