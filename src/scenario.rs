@@ -60,7 +60,7 @@ pub use source::plan_of;
 pub use template::template;
 
 /// A scenario file, read and checked.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Scenario {
     /// Its text, in which the place of a value can be found.
     pub document: Document,

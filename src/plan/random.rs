@@ -50,8 +50,9 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// The variable, cut to `range` (the ends may be infinite).
-    pub fn new(key: &'static Key, distribution: Distribution, range: (f64, f64)) -> Self {
+    /// The variable, cut to the allowed range of its key (the ends may be infinite).
+    pub fn of(key: &'static Key, distribution: Distribution) -> Self {
+        let range = key.quantity.range();
         let share = (distribution.below(range.0), distribution.below(range.1));
         Self { key, distribution, range, share }
     }

@@ -9,11 +9,12 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::values::{Fault, Refused, count, list, number, numbers, unexpected, word};
 use crate::impact::Method;
 use crate::law::LawChoice;
-use crate::materials::{Entry, find};
-use crate::plan::axis::Values;
-use crate::plan::random::Distribution;
+use crate::materials::find;
+use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::free::Free;
+use crate::plan::random::{Distribution, Variable};
 use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED};
-use crate::scene::taken::Body;
+use crate::scene::taken::{Body, Taken};
 use crate::scene::words::{DRAWN, LAWS, MATERIALS, METHODS, SCALES};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
@@ -22,21 +23,8 @@ use crate::units::nearest::did_you_mean;
 pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
-/// The values of an axis.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum AxisEntry {
-    /// Numbers in SI.
-    Numbers(Values),
-    /// Methods.
-    Methods(Vec<Method>),
-    /// Laws.
-    Laws(Vec<LawChoice>),
-    /// Materials of a body.
-    Materials(Vec<&'static Entry>),
-}
-
 /// A body whose material is drawn from its ranges.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct DrawnMaterial {
     pub(super) body: Body,
     /// How many random keys stand before it.
@@ -46,27 +34,20 @@ pub(super) struct DrawnMaterial {
 }
 
 /// `[monte_carlo]`
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct RandomKeys {
     /// Number of samples.
     pub(super) samples: u64,
     /// Seed of the random numbers; 0 if not given.
     pub(super) seed: u64,
     /// Random keys in the order of the file.
-    pub(super) variables: Vec<(&'static str, Distribution)>,
+    pub(super) variables: Vec<Variable>,
     /// Materials to draw from.
     pub(super) materials: Vec<DrawnMaterial>,
 }
 
-/// A key to find: its path, both ends of its range, and whether the range is logarithmic.
-pub(super) type FreeEntry = (&'static str, f64, f64, bool);
-
 /// The axes of `[sweep]`, in the order of the file; `place` is the path of the table.
-pub(super) fn axes(
-    place: &str,
-    table: &DeTable,
-    whole: &Spanned<DeValue>,
-) -> Result<Vec<(&'static str, AxisEntry)>, Refused> {
+pub(super) fn axes(place: &str, table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<Axis>, Refused> {
     if table.is_empty() {
         let message = "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
         return Err(Fault::at(whole, message).of(place));
@@ -77,28 +58,24 @@ pub(super) fn axes(
     table.iter().map(axis).collect()
 }
 
-fn axis(name: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<(&'static str, AxisEntry), Fault> {
-    match name.get_ref().as_ref() {
-        METHOD => {
-            let names = names(value, "[\"rk8\", \"dop853\"]", |item| word(&METHODS, item))?;
-            Ok((METHOD, AxisEntry::Methods(names.iter().filter_map(|name| Method::from_name(name)).collect())))
-        }
-        LAW => {
-            let names = names(value, "[\"plm\", \"thornton\"]", law)?;
-            Ok((LAW, AxisEntry::Laws(names.iter().filter_map(|name| LawChoice::from_name(name)).collect())))
-        }
-        path => {
-            if let Some(body) = Body::of_key(path) {
-                let names = names(value, "[\"steel-s235\", \"aluminium-6061-t6\"]", |item| word(&MATERIALS, item))?;
-                return Ok((
-                    body.material(),
-                    AxisEntry::Materials(names.iter().filter_map(|name| find(name)).collect()),
-                ));
-            }
-            let key = known(path, true, name)?;
-            Ok((key.path, AxisEntry::Numbers(axis_values(key.quantity, value)?)))
-        }
-    }
+fn axis(name: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Axis, Fault> {
+    let path = name.get_ref().as_ref();
+    let setting = if path == METHOD {
+        let names = names(value, "[\"rk8\", \"dop853\"]", |item| word(&METHODS, item))?;
+        Setting::Method(names.iter().filter_map(|name| Method::from_name(name)).collect())
+    } else if path == LAW {
+        let names = names(value, "[\"plm\", \"thornton\"]", law)?;
+        Setting::Law(names.iter().filter_map(|name| LawChoice::from_name(name)).collect())
+    } else if let Some(body) = Body::of_key(path) {
+        let names = names(value, "[\"steel-s235\", \"aluminium-6061-t6\"]", |item| word(&MATERIALS, item))?;
+        // what is left to the materials depends on the other keys
+        let taken = |material| Taken { body, material, left: Vec::new() };
+        Setting::Material(body, names.iter().filter_map(|name| find(name)).map(taken).collect())
+    } else {
+        let key = known(path, true, name)?;
+        return Ok(Axis::of_number(key, axis_values(key.quantity, value)?));
+    };
+    Ok(Axis::of_words(setting))
 }
 
 /// `[monte_carlo]`.
@@ -118,7 +95,7 @@ pub(super) fn variables(place: &str, table: &DeTable, whole: &Spanned<DeValue>) 
                     continue;
                 }
                 let key = known(path, false, name).map_err(refused)?;
-                read_table.variables.push((key.path, distribution(key.quantity, value).map_err(refused)?));
+                read_table.variables.push(Variable::of(key, distribution(key.quantity, value).map_err(refused)?));
             }
         }
     }
@@ -133,7 +110,7 @@ pub(super) fn variables(place: &str, table: &DeTable, whole: &Spanned<DeValue>) 
 }
 
 /// `calibrate.free`: keys with ranges.
-pub(super) fn free(place: &str, table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<FreeEntry>, Refused> {
+pub(super) fn free(place: &str, table: &DeTable, whole: &Spanned<DeValue>) -> Result<Vec<Free>, Refused> {
     const FORM: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
     if table.is_empty() || table.len() > 2 {
         let message = format!("{} keys are given, expected one or two, each with {FORM}", table.len());
@@ -152,7 +129,7 @@ pub(super) fn free(place: &str, table: &DeTable, whole: &Spanned<DeValue>) -> Re
         if is_logarithmic && from <= 0.0 {
             return Err(Fault::at(value, "a logarithmic range begins above 0; write scale = \"linear\""));
         }
-        Ok((key.path, from, to, is_logarithmic))
+        Ok(Free { key, from, to, is_logarithmic })
     };
     let entries = table.iter();
     entries

@@ -111,13 +111,8 @@ impl Scenario {
     }
 
     fn free(&self, scene: &Scene) -> Vec<Free> {
-        let given = self.entries.free.iter().flatten();
-        let given = given.filter_map(|&(path, from, to, is_logarithmic)| {
-            Some(Free { key: Key::find(path)?, from, to, is_logarithmic })
-        });
-        let given: Vec<Free> = given.collect();
-        if !given.is_empty() {
-            return given;
+        if let Some(given) = &self.entries.free {
+            return given.clone();
         }
         let (path, factor) = if self.entries.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (STRENGTH, 1.0) };
         let [from, to] = RANGE.map(|share| share * scene.half_space.material.youngs_modulus * factor);

@@ -6,10 +6,12 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::axes::{self, AxisEntry, FreeEntry, RandomKeys};
+use super::axes::{self, RandomKeys};
 use super::values::{Fault, Refused, Value, read, unexpected};
 use crate::law::LawChoice;
-use crate::plan::random::Distribution;
+use crate::plan::axis::{Axis, Setting};
+use crate::plan::free::Free;
+use crate::plan::random::{Distribution, Variable};
 use crate::scene::key::Form;
 use crate::scene::keys::forms;
 use crate::scene::other_keys::List;
@@ -18,7 +20,7 @@ use crate::units::nearest::did_you_mean;
 
 /// The values of a scenario by their place in the file, with the number of the item in a list of tables
 /// (`indentation.steps[2].load`, counted from 0).
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Entries {
     values: BTreeMap<String, Value>,
     /// Lengths of the lists of tables.
@@ -26,11 +28,11 @@ pub(super) struct Entries {
     /// The tables of the file, also empty ones.
     tables: Vec<String>,
     /// Axes of `[sweep]`, in the order of the file.
-    pub(super) axes: Option<Vec<(&'static str, AxisEntry)>>,
+    pub(super) axes: Option<Vec<Axis>>,
     /// `[monte_carlo]`.
     pub(super) variables: Option<RandomKeys>,
     /// `calibrate.free`.
-    pub(super) free: Option<Vec<FreeEntry>>,
+    pub(super) free: Option<Vec<Free>>,
 }
 
 impl Entries {
@@ -109,22 +111,22 @@ impl Entries {
 
     /// The keys that vary.
     pub(super) fn varied(&self) -> impl Iterator<Item = &'static str> {
-        let axes = self.axes.iter().flatten().map(|(path, _)| *path);
-        let variables = self.variables.iter().flat_map(|table| &table.variables).map(|(path, _)| *path);
-        axes.chain(variables).chain(self.free.iter().flatten().map(|(path, ..)| *path))
+        let axes = self.axes.iter().flatten().map(Axis::path);
+        let variables = self.variables.iter().flat_map(|table| &table.variables).map(|variable| variable.key.path);
+        axes.chain(variables).chain(self.free.iter().flatten().map(|free| free.key.path))
     }
 
     /// The first value of a key that varies: of its axis or range, or the mean or lower end of its distribution.
     pub(super) fn first(&self, path: &str) -> Option<f64> {
-        let axis = self.axes.iter().flatten().find(|(varied, _)| *varied == path);
-        if let Some((_, AxisEntry::Numbers(values))) = axis {
+        let axis = self.axes.iter().flatten().find(|axis| axis.path() == path);
+        if let Some(Axis { setting: Setting::Number { values, .. }, .. }) = axis {
             return Some(values.at(0));
         }
-        if let Some((_, from, ..)) = self.free.iter().flatten().find(|(free, ..)| *free == path) {
-            return Some(*from);
+        if let Some(free) = self.free.iter().flatten().find(|free| free.key.path == path) {
+            return Some(free.from);
         }
-        let table = self.variables.as_ref()?;
-        table.variables.iter().find(|(varied, _)| *varied == path).map(|(_, distribution)| match *distribution {
+        let variable = self.variables.as_ref()?.variables.iter().find(|variable| variable.key.path == path)?;
+        Some(match variable.distribution {
             Distribution::Uniform { from, .. } => from,
             Distribution::Normal { mean, .. } | Distribution::Lognormal { mean, .. } => mean,
         })
@@ -149,7 +151,7 @@ impl Entries {
     }
 
     /// Replaces the drawn material of a body by random keys.
-    pub(super) fn draw(&mut self, body: Body, drawn: Vec<(&'static str, Distribution)>) {
+    pub(super) fn draw(&mut self, body: Body, drawn: Vec<Variable>) {
         let Some(RandomKeys { variables, materials, .. }) = &mut self.variables else { return };
         let Some(at) = materials.iter().position(|known| known.body == body) else { return };
         let count = drawn.len();

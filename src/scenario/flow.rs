@@ -81,7 +81,7 @@ impl Scenario {
             let message = format!("the law {} has no hardening: leave the table out, or take the law plm", law.name());
             return refuse(FLOW, &message);
         }
-        if self.entries.axes.iter().flatten().any(|(path, _)| *path == "law") {
+        if varies("law") {
             let message = "only the law plm has hardening: leave the table out, or the axis \"law\"";
             return refuse(FLOW, message);
         }

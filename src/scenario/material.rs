@@ -1,6 +1,5 @@
 //! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
 
-use super::axes::AxisEntry;
 use super::entries::Entries;
 use super::flow::FLOW;
 use super::values::{Fault, Refused};
@@ -8,7 +7,8 @@ use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
 use crate::materials::{Entry, Property, find};
 use crate::plan::axis::{Axis, Setting};
-use crate::plan::random::Distribution;
+use crate::plan::random::{Distribution, Variable};
+use crate::scene::Key;
 use crate::scene::taken::{Body, Taken};
 
 /// Keys that replace a value of the material, besides the key of that value.
@@ -38,7 +38,15 @@ impl Entries {
                 }
                 continue;
             };
-            let left = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
+            let left: Vec<_> = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
+            for axis in self.axes.iter_mut().flatten() {
+                match &mut axis.setting {
+                    Setting::Material(of, materials) if *of == body => {
+                        materials.iter_mut().for_each(|taken| taken.left.clone_from(&left));
+                    }
+                    _ => {}
+                }
+            }
             let taken = Taken { body, material, left };
             let mut variables = Vec::new();
             for (path, known) in taken.values() {
@@ -48,7 +56,8 @@ impl Entries {
                     && !(path == "sphere.poissons_ratio"
                         && self.number("sphere.youngs_modulus") == Some(f64::INFINITY));
                 if drawn.is_some() && from < to && is_used {
-                    variables.push((path, Distribution::Uniform { from, to }));
+                    let drawn = |key| Variable::of(key, Distribution::Uniform { from, to });
+                    variables.extend(Key::find(path).map(drawn));
                 } else {
                     self.give(path, taken.value(known));
                 }
@@ -70,9 +79,9 @@ impl Entries {
 
     /// The material of a body: of the first case, where it varies.
     fn material(&self, body: Body) -> Option<&'static Entry> {
-        let axis = self.axes.iter().flatten().find(|(path, _)| *path == body.material());
-        match axis {
-            Some((_, AxisEntry::Materials(materials))) => materials.first().copied(),
+        let axis = self.axes.iter().flatten().find(|axis| axis.path() == body.material());
+        match axis.map(|axis| &axis.setting) {
+            Some(Setting::Material(_, materials)) => materials.first().map(|taken| taken.material),
             _ => find(self.text(body.material())?),
         }
     }
@@ -106,13 +115,6 @@ impl Entries {
 }
 
 impl Scenario {
-    /// The axis of the materials of a body.
-    pub(super) fn axis_of_materials(&self, path: &str, materials: &[&'static Entry]) -> Option<Axis> {
-        let first = self.taken.iter().find(|taken| taken.body.material() == path)?;
-        let materials = materials.iter().map(|material| Taken { material, ..first.clone() });
-        Some(Axis::of_words(Setting::Material(first.body, materials.collect())))
-    }
-
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), ScenarioError> {
         for axis in axes {

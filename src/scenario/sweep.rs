@@ -1,13 +1,11 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::axes::{AxisEntry, RandomKeys};
+use super::axes::RandomKeys;
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
-use crate::plan::axis::{Axis, Setting};
-use crate::plan::random::Variable;
+use crate::plan::axis::Setting;
 use crate::plan::{Cases, Plan};
-use crate::scene::Key;
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -28,15 +26,14 @@ impl Scenario {
         let (cases, table) = match (&self.entries.axes, &self.entries.variables) {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
-                // the law of the scenario keeps the parameters that the scenario gives
-                let own = |law: &LawChoice| if law.name() == own_law.name() { own_law.clone() } else { law.clone() };
-                let axes = axes.iter().filter_map(|(path, entry)| match entry {
-                    AxisEntry::Numbers(values) => Some(Axis::of_number(Key::find(path)?, values.clone())),
-                    AxisEntry::Methods(methods) => Some(Axis::of_words(Setting::Method(methods.clone()))),
-                    AxisEntry::Laws(laws) => Some(Axis::of_words(Setting::Law(laws.iter().map(own).collect()))),
-                    AxisEntry::Materials(materials) => self.axis_of_materials(path, materials),
-                });
-                let axes: Vec<Axis> = axes.collect();
+                let mut axes = axes.clone();
+                for axis in &mut axes {
+                    if let Setting::Law(laws) = &mut axis.setting {
+                        // the law of the scenario keeps the parameters that the scenario gives
+                        let own = laws.iter_mut().filter(|law| law.name() == own_law.name());
+                        own.for_each(|law| law.clone_from(&own_law));
+                    }
+                }
                 self.refuse_mixture(&axes)?;
                 scene.materials.retain(|taken| axes.iter().all(|axis| axis.path() != taken.body.material()));
                 for axis in &axes {
@@ -45,11 +42,7 @@ impl Scenario {
                 (Cases::Grid(axes), "sweep")
             }
             (None, Some(RandomKeys { samples, seed, variables, .. })) => {
-                let variables = variables.iter().filter_map(|(path, distribution)| {
-                    let key = Key::find(path)?;
-                    Some(Variable::new(key, *distribution, key.quantity.range()))
-                });
-                let variables: Vec<Variable> = variables.collect();
+                let variables = variables.clone();
                 for variable in &variables {
                     (variable.key.set)(&mut scene, variable.middle());
                 }
