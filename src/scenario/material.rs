@@ -40,11 +40,9 @@ impl Entries {
             };
             let left: Vec<_> = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
             for axis in self.axes.iter_mut().flatten() {
-                match &mut axis.setting {
-                    Setting::Material(of, materials) if *of == body => {
-                        materials.iter_mut().for_each(|taken| taken.left.clone_from(&left));
-                    }
-                    _ => {}
+                let Setting::Material(of, materials) = &mut axis.setting else { continue };
+                for taken in materials.iter_mut().filter(|_| *of == body) {
+                    taken.left.clone_from(&left);
                 }
             }
             let taken = Taken { body, material, left };

@@ -30,8 +30,9 @@ impl Scenario {
                 for axis in &mut axes {
                     if let Setting::Law(laws) = &mut axis.setting {
                         // the law of the scenario keeps the parameters that the scenario gives
-                        let own = laws.iter_mut().filter(|law| law.name() == own_law.name());
-                        own.for_each(|law| law.clone_from(&own_law));
+                        for law in laws.iter_mut().filter(|law| law.name() == own_law.name()) {
+                            law.clone_from(&own_law);
+                        }
                     }
                 }
                 self.refuse_mixture(&axes)?;
