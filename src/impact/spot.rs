@@ -6,8 +6,8 @@ use super::result::Impact;
 use super::solve::{Method, Solver};
 use crate::law::{ElasticApproach, Law, Peak};
 
-/// A place on the half-space. Indentations of every impact on it count from the surface as it was when fresh: first touch
-/// is at the depth of the dent.
+/// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
+/// the depth of the dent.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spot {
     /// The law of the next impact; `None` on fresh surface.

@@ -82,7 +82,7 @@ pub enum Warning {
     },
     /// More comes back than was spent, but by less than the error of the run.
     #[error(
-        "restitution {restitution:.6} is above 1, by no more than an energy ledger that is off by {drift:.1e} can tell: tighten the tolerance or use another method"
+        "restitution {restitution:.6} is above 1, but the energy ledger is off by {drift:.1e}, so this may be an error of the run: tighten the tolerance or use another method"
     )]
     RoughRebound {
         /// e.

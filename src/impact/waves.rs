@@ -1,8 +1,8 @@
-//! Energy that an impact radiates as elastic waves into the half-space, to first order: with the force of the impact as it is
-//! without them.
+//! Energy that an impact radiates as elastic waves into the half-space, to first order: the force is that of the impact
+//! without waves.
 //!
 //! A normal point force F(t) on an elastic half-space radiates the power C(ν) F'²/(ρ c_s³) as pressure, shear and Rayleigh
-//! waves, c_s = √(E/(2 (1 + ν) ρ)), all of the half-space. Over an impact
+//! waves, with c_s = √(E/(2 (1 + ν) ρ)) and E, ν, ρ of the half-space. Over an impact
 //!
 //! ```text
 //! W_rad = C/(ρ c_s³) ∫ (dF/dδ)² |δ'| dδ        e_waves² = e² − 2 W_rad/(m v²)

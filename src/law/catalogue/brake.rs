@@ -14,8 +14,8 @@ use crate::law::published::{RecoveryRule, hertzian};
 /// | δ_m, F_m | `indentation`, `force` | m, N | peak |
 /// | δ_m − δ_r | `elastic_approach` | m | δ_m F_m/F_Hertz(δ_m): ε = f/√x |
 ///
-/// Made for Brake's own loading law, which is not public in full: behind the loading of Jackson and Green it leaves far less
-/// of a dent than finite elements. Name a loading under `[law.combined]`.
+/// It was made for Brake's own loading law, which is not public in full. With the loading of Jackson and Green it leaves far
+/// smaller dents than finite elements do. Name a loading under `[law.combined]`.
 ///
 /// Brake (2015), Int. J. Solids Struct. 62, 104.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

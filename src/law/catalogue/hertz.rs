@@ -19,8 +19,8 @@ use crate::math::functions::pow;
 /// | x, f | `indentation`, `force` | δ/δ_Y, F/F_Y: f = x^1.5 |
 /// | ε | `elastic_approach` | (δ_m − δ_r)/δ_Y = f^(2/3) |
 ///
-/// The whole law is elastic for ever, e = 1. Its unloading behind another loading is that of an unchanged radius R
-/// (Sathuvalli 2016, Procedia Structural Integrity 2, 1771).
+/// The whole law is elastic at any load, e = 1. Combined with the loading of another law, its unloading keeps the radius R of
+/// the sphere (Sathuvalli 2016, Procedia Structural Integrity 2, 1771).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Hertz;
 

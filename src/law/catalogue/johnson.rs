@@ -21,7 +21,7 @@ use crate::math::functions::{pow, powi};
 /// | p_d | `dynamic_pressure` | Pa | mean pressure of the dent; 3 σ_Y if not given |
 ///
 /// There is no elastic regime. Near yield, below x of about 15 for steel, the rebound would be deeper than the indentation and
-/// e above 1: there the law has no answer. Behind the loading of another law, the unloading takes a_m of that loading.
+/// e above 1: there the law has no answer. Combined with the loading of another law, the unloading takes a_m of that loading.
 ///
 /// Johnson (1985), Contact Mechanics, Cambridge University Press, ch. 11.5; the coefficient 3.549 follows from the two lines
 /// above.

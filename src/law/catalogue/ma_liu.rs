@@ -7,7 +7,7 @@ use crate::law::published::{Loading, RecoveryRule, hertzian};
 use crate::math::functions::{cbrt, ln, powi};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
-/// The law of Ma and Liu, in the form remembered of it.
+/// The law of Ma and Liu, written from memory.
 ///
 /// ```text
 /// loading    f = x^1.5                      x ≤ 1
@@ -23,9 +23,9 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | k | | 1 | slope of F = 2π R H δ: 3 H/(C_ν σ_Y) |
 /// | c_1, c_2, c_3 | | 1 | from equal force and slope at x = 1 and equal slope at x_p: c_2 = (k − 3/2)/ln x_p, c_1 = 3/2 − c_2, c_3 = 1 − c_1 |
 ///
-/// From memory: the structure is that of the abstract (three regimes, fixed by hardness and one geometric parameter, joined
-/// with equal slopes, Hertzian unloading), but neither constants nor the fully plastic slope were seen in print. Take its
-/// numbers as an example of the form.
+/// The structure is that of the abstract: three regimes, fixed by hardness and one geometric parameter, joined with equal
+/// slopes, and Hertzian unloading. The constants and the fully plastic slope were not seen in print. Take its numbers as an
+/// example of the form.
 ///
 /// Ma and Liu (2015), J. Appl. Mech. 82, 121006.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,7 +89,7 @@ impl ContactLaw for MaLiu {
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
         let (mixed, slope) = self.mixed(bodies);
         let curve = Curve::hertz().then_smooth(1.0, mixed).then_straight(self.transition_ratio, slope);
-        // that of the Hertz contact which unloading leaves from
+        // the radius of the Hertz contact at the start of unloading
         let elastic_approach = self.elastic_approach(bodies);
         Some(Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force)))
     }

@@ -25,8 +25,8 @@ use crate::law::published::{Loading, Recovered, RecoveryRule};
 /// The elastic energy is 8 p_0² a_m³/(3E*) = (4/(3π)) F_m (δ_m − δ_r): that of a power law with n = 3π/4 − 1.
 /// F(t) is the stack of flat punches of radii up to a; its second term is t √(1 − t²) (public code has t √(1 − t)).
 ///
-/// Loading has no elastic regime. Below x of about 16 (steel) the residual indentation would be negative: there the law has
-/// no answer; its authors mean it for full plasticity, E* a/(σ_Y R) ≥ 50 for loading and 30 for uniform pressure.
+/// Loading has no elastic regime. Below x of about 16 (steel) the residual indentation would be negative, and the law has no
+/// answer. Its authors state it for full plasticity: E* a/(σ_Y R) ≥ 50 for loading, and ≥ 30 for uniform pressure.
 ///
 /// Mesarovic and Johnson (2000), J. Mech. Phys. Solids 48, 2009; loading as Storåkers et al. (1997), Int. J. Solids
 /// Struct. 34, 3061.

@@ -21,12 +21,12 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | f_u | `unloading_factor` | 1 | 1 by Stronge; Dong (2018) fits it, his fit is not public |
 /// | x, f | | 1 | δ/δ_y, F/F_y of Stronge's own yield point, where the mean Hertz pressure is ϑ σ_Y (C = 1.5 ϑ) |
 ///
-/// Full plasticity is where the mean pressure reaches about 2.8 σ_Y: 2.806 σ_Y at x = 84 for ϑ = 1.1, and that pressure is
-/// kept, so that nothing jumps (2.8 σ_Y exactly would be a fall of 0.2 %). Texts that quote the law write the factor of the
-/// last line as 2.55; here it is 1 + ln 167/(3ϑ) = 2.5509 for ϑ = 1.1, by continuity at x = 84.
+/// Full plasticity is where the mean pressure reaches about 2.8 σ_Y: 2.806 σ_Y at x = 84 for ϑ = 1.1. The law keeps that
+/// pressure, so that the force does not jump (with exactly 2.8 σ_Y it would fall by 0.2 %). Texts that quote the law write the
+/// factor of the last line as 2.55; here it is 1 + ln 167/(3ϑ) = 2.5509 for ϑ = 1.1, by continuity at x = 84.
 ///
-/// Just above yield the two halves do not fit: the force grows with twice Hertz's slope, and the unloading gives back up to
-/// 17 % more energy than the loading takes. Between δ/δ_Y of about 1.1 and 2.5 (ν = 0.3) the law has no answer.
+/// Just above yield loading and unloading do not fit together: the force grows with twice Hertz's slope, and the unloading
+/// gives back up to 17 % more energy than the loading takes. Between δ/δ_Y of about 1.1 and 2.5 (ν = 0.3) the law has no answer.
 ///
 /// Stronge (2000), Impact Mechanics, Cambridge University Press, ch. 6; unloading as Eq. 2 of Xie et al. (2024).
 #[derive(Debug, Clone, Copy, PartialEq)]
