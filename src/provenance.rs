@@ -1,5 +1,7 @@
 //! Where a result comes from, in enough detail to repeat it.
 
+use std::fmt::Write as _;
+
 use serde::Serialize;
 
 /// Version of the program.
@@ -12,13 +14,21 @@ pub const PROGRAM: &str = concat!("plm-impact ", env!("CARGO_PKG_VERSION"));
 /// unit or meaning; a new key beside the others needs no new version.
 pub const FORMAT: u64 = 1;
 
-/// Version of the numbers in tables. Raise it when any number of a table changes, be it in its last digit, or when rows are
+/// Version of the numbers in tables. Raise it when any number of a table changes, even in its last digit, or when rows are
 /// dealt out to shards in another way: rows of different versions are not put into one table.
 pub const NUMBERS: u64 = 6;
 
 /// The version of the form of files that do not name it.
 pub fn first_format() -> u64 {
     1
+}
+
+/// A hash in hexadecimal.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut hex, byte| {
+        let _ = write!(hex, "{byte:02x}");
+        hex
+    })
 }
 
 /// Where a result comes from.

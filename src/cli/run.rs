@@ -43,7 +43,7 @@ fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
     let directory = if arguments.sweep.shard()?.is_none() {
         output.prepare(file, scenario)?
     } else {
-        // each shard is looked after by itself
+        // every shard is checked by itself
         OutputDirectory::shared(&output.directory(file)).map_err(Error::from)?
     };
     super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, output)

@@ -52,7 +52,7 @@ pub fn note(text: impl Display) {
     speak(None, &text.to_string());
 }
 
-/// Whether a program reads what is said.
+/// Whether errors are written for programs.
 pub fn is_json() -> bool {
     IS_JSON.load(Ordering::Relaxed)
 }

@@ -1,4 +1,4 @@
-//! What a program is told of an error: where it is, what stands there, and what is allowed.
+//! The details of an error for programs: its place, the value there, and what is allowed.
 
 use std::path::Path;
 
@@ -42,7 +42,7 @@ pub struct Details {
 }
 
 impl Error {
-    /// What a program is told of this error.
+    /// The details of this error.
     pub fn details(&self) -> Details {
         match self {
             Self::Scenario(error)

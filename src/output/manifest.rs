@@ -1,7 +1,6 @@
 //! The list of the files that the program wrote into a folder. It lies in that folder. By it the program knows its own
 //! files, and their origin.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, Read, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -10,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::new_file;
-use crate::provenance::first_format;
+use crate::provenance::{first_format, hex};
 
 /// Its name in the folder.
 pub const MANIFEST: &str = ".plm-impact.json";
@@ -35,16 +34,11 @@ impl Record {
     pub fn of(path: &Path, name: &str, is_table: bool) -> io::Result<Self> {
         let mut file = File::open(path)?;
         let length = file.metadata()?.len();
-        let mut hasher = Sha256::new();
         let mut bytes = Vec::new();
         file.by_ref().take(END).read_to_end(&mut bytes)?;
         file.seek(SeekFrom::Start(length.saturating_sub(END).max(bytes.len() as u64)))?;
         file.take(END).read_to_end(&mut bytes)?;
-        hasher.update(&bytes);
-        let sha256 = hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
-            let _ = write!(hex, "{byte:02x}");
-            hex
-        });
+        let sha256 = hex(&Sha256::digest(&bytes));
         Ok(Self { name: name.to_owned(), length, sha256, is_table })
     }
 

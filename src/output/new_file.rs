@@ -87,7 +87,7 @@ impl Drop for NewFile {
     }
 }
 
-/// Writes a file by itself: whole, on the disk and in its place, or not at all.
+/// Writes a single file: complete, on the disk and in its place, or not at all.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = NewFile::create(place)?;
     file.write_all(bytes)?;

@@ -1,9 +1,9 @@
 //! The texts that a plan is read from: hashed, and kept beside tables so that another machine reads the same plan again.
 
-use std::fmt::Write as _;
-
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+
+use crate::provenance::hex;
 
 /// All that a result depends on, as text.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -39,9 +39,6 @@ impl Source {
             hasher.update([0, 0, 0]);
             hasher.update(table);
         }
-        hasher.finalize().iter().fold(String::with_capacity(64), |mut hex, byte| {
-            let _ = write!(hex, "{byte:02x}");
-            hex
-        })
+        hex(&hasher.finalize())
     }
 }

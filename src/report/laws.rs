@@ -1,4 +1,4 @@
-//! The list of laws, for a person.
+//! The list of laws for the terminal.
 
 use std::fmt::Write as _;
 

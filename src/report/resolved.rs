@@ -23,7 +23,7 @@ pub struct Entry {
     pub column: String,
     /// In SI, or a word.
     pub value: Value,
-    /// The value for a person.
+    /// The value as text, for the terminal.
     pub text: String,
 }
 

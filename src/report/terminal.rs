@@ -78,7 +78,7 @@ fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {
     results.iter().filter(|result| !result.label.is_empty())
 }
 
-/// A value for a person, in the unit that its name ends in; `None` where there is no value.
+/// A value as text, in the unit at the end of its name; `None` where there is no value.
 fn text(name: &str, value: &Value) -> Option<String> {
     let number_of = match value {
         Value::String(word) => return Some(word.clone()),

@@ -241,7 +241,7 @@ impl Quantity {
         })
     }
 
-    /// A value for a person: a hardness in HV, anything else with a unit that fits.
+    /// A value as text: a hardness in HV, any other in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         match self.notation {
             Notation::Units => units::human(value, self.dimension),

@@ -24,11 +24,11 @@ pub struct Distribution {
     pub mean: f64,
     /// Their standard deviation, with n − 1 in the denominator.
     pub standard_deviation: f64,
-    /// A twentieth of them lies below.
+    /// 5 % of them are smaller.
     pub quantile_05: f64,
-    /// Half of them lies below.
+    /// Half of them are smaller.
     pub quantile_50: f64,
-    /// A twentieth of them lies above.
+    /// 5 % of them are larger.
     pub quantile_95: f64,
     /// 0 where the quantiles are exact, else the width of the bins that they come from.
     pub quantile_resolution: f64,
@@ -64,11 +64,11 @@ pub fn totals() -> Vec<Reported<Totals>> {
         "restitution.mean" if RANDOM: of.restitution.map(|e| e.mean);
         /// Standard deviation of the restitution, with n - 1 in the denominator.
         "restitution.standard_deviation" if RANDOM: of.restitution.map(|e| e.standard_deviation);
-        /// A twentieth of the restitutions lies below.
+        /// 5 % of the restitutions are smaller.
         "restitution.quantile_05" if RANDOM: of.restitution.map(|e| e.quantile_05);
-        /// Half of the restitutions lies below.
+        /// Half of the restitutions are smaller.
         "restitution.quantile_50" if RANDOM: of.restitution.map(|e| e.quantile_50);
-        /// A twentieth of the restitutions lies above.
+        /// 5 % of the restitutions are larger.
         "restitution.quantile_95" if RANDOM: of.restitution.map(|e| e.quantile_95);
         /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
         "restitution.quantile_resolution" if RANDOM: of.restitution.map(|e| e.quantile_resolution);
