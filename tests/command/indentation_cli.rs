@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use plm_impact::units::four_digits;
+
 use crate::common::command::{Desk, text};
 
 const CYCLES: &str = include_str!("../../scenarios/indentation-cycles.toml");
@@ -63,7 +65,12 @@ fn several_half_spaces_are_told_apart_by_name() {
         let step = &half_space["steps"][0];
         let span = &step["uncertainty"]["residual_indentation_m"];
         let residual = step["residual_indentation_m"].as_f64().unwrap();
-        assert!(span[0].as_f64().unwrap() < residual && residual < span[1].as_f64().unwrap());
+        let [low, high] = [0, 1].map(|end| span[end].as_f64().unwrap());
+        assert!(low < residual && residual < high);
+        // the terminal shows the same in µm, with four digits
+        let digits = |length: f64| four_digits(1e6 * length);
+        let shown = format!("{} µm ({} to {})", digits(residual), digits(low), digits(high));
+        assert!(table.contains(&shown), "{shown} not in\n{table}");
     }
     let trace = desk.read("out/trace.csv");
     assert!(trace.starts_with("half_space,step,indentation_m,") && trace.contains("\nTi-70Nb,2,"), "{}", &trace[..200]);
