@@ -10,9 +10,9 @@ use super::outcome::Outcome;
 use super::scaled_forces::ScaledForces;
 use crate::integrate::lockstep::conservative::Conservative;
 use crate::integrate::lockstep::damped::Damped;
-use crate::integrate::lockstep::{Ended, LANES, Lanes, Started};
+use crate::integrate::lockstep::{LANES, Lanes, Started};
 use crate::integrate::rk8::Rk8;
-use crate::integrate::{Drag, IntegrationError};
+use crate::integrate::{Drag, IntegrationError, Landing, State};
 use crate::law::Law;
 
 /// An impact to be integrated: law, q = v/V, and what acts beside the law.
@@ -47,34 +47,35 @@ struct InLane<'a> {
 }
 
 impl InLane<'_> {
-    /// Puts the next leg into a lane. Returns the outcome instead if no leg is left that the lane can integrate.
-    fn set_out(
-        &mut self,
-        lanes: &mut impl Lanes,
-        lane: usize,
-        alone: &mut Rk8,
-    ) -> Option<Result<Outcome, IntegrationError>> {
-        loop {
-            let (landing, at) = match lanes.start(lane, self.course.path(), &self.course.at) {
-                Started::UnderWay => return None,
-                Started::Foreign => return Some(self.course.finish(alone, None)),
-                Started::Landed(landing, at) => (landing, at),
-            };
-            self.course.at = at;
-            if let Some(outcome) = self.course.landed(landing, None) {
-                return Some(Ok(outcome));
+    /// Puts the next leg into a lane, unless the impact has ended. A leg that the lane cannot integrate, and all legs after
+    /// it, are integrated alone. True if the lane is taken.
+    fn set_out(&mut self, lanes: &mut impl Lanes, lane: usize, alone: &mut Rk8) -> Result<bool, IntegrationError> {
+        while !self.course.has_ended() {
+            match lanes.start(lane, self.course.path(), &self.course.at) {
+                Started::UnderWay => return Ok(true),
+                Started::Foreign => drop(self.course.finish(alone, None)?),
+                Started::Landed(landing, at) => self.go_on(landing, at),
             }
         }
+        Ok(false)
     }
 
-    /// Goes on to the start of the next leg after a landing. Returns the outcome if the impact ends there.
-    fn go_on(&mut self, landed: Ended) -> Option<Result<Outcome, IntegrationError>> {
-        match landed {
-            Ok((landing, at)) => {
-                self.course.at = at;
-                self.course.landed(landing, None).map(Ok)
-            }
-            Err(error) => Some(Err(error)),
+    /// Goes on after a landing: to the start of the next leg, or to the end.
+    fn go_on(&mut self, landing: Landing, at: State) {
+        self.course.at = at;
+        self.course.landed(landing, None);
+    }
+
+    /// Hands over the outcome, or why there is none.
+    fn put(
+        &self,
+        ended: Result<(), IntegrationError>,
+        put: &mut impl FnMut(usize, Result<&Outcome, &IntegrationError>),
+    ) {
+        match (ended, self.course.outcome()) {
+            (Err(error), _) => put(self.index, Err(&error)),
+            (Ok(()), Some(outcome)) => put(self.index, Ok(&outcome)),
+            (Ok(()), None) => {}
         }
     }
 }
@@ -99,8 +100,8 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
             let (law, q, forces) = &problems[index];
             let flying = slot.insert(InLane { index, course: Course::begin(law, *q, forces, None) });
             match flying.set_out(lanes, lane, alone) {
-                None => return,
-                Some(outcome) => put(index, outcome.as_ref()),
+                Ok(true) => return,
+                ended => flying.put(ended.map(drop), put),
             }
             *slot = None;
         }
@@ -118,8 +119,12 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
         for (lane, slot) in flying.iter_mut().enumerate() {
             let Some(impact) = slot else { continue };
             let Some(landed) = lanes.take_landing(lane, impact.course.path(), &impact.course.at) else { continue };
-            if let Some(outcome) = impact.go_on(landed).or_else(|| impact.set_out(&mut lanes, lane, alone)) {
-                put(impact.index, outcome.as_ref());
+            let goes_on = landed.and_then(|(landing, at)| {
+                impact.go_on(landing, at);
+                impact.set_out(&mut lanes, lane, alone)
+            });
+            if goes_on != Ok(true) {
+                impact.put(goes_on.map(drop), put);
                 launch(lane, slot, &mut lanes, alone, put);
                 under_way -= usize::from(slot.is_none());
             }
@@ -127,7 +132,11 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
     }
     for (lane, impact) in flying.iter_mut().enumerate().filter_map(|(lane, slot)| Some((lane, slot.as_mut()?))) {
         if let Some(landed) = lanes.finish(lane) {
-            put(impact.index, impact.go_on(landed).unwrap_or_else(|| impact.course.finish(alone, None)).as_ref());
+            let ended = landed.and_then(|(landing, at)| {
+                impact.go_on(landing, at);
+                if impact.course.has_ended() { Ok(()) } else { impact.course.finish(alone, None).map(drop) }
+            });
+            impact.put(ended, put);
         }
     }
 }

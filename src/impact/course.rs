@@ -30,6 +30,8 @@ enum Phase {
     Loading { piece: usize, event: Option<Event>, creep: Option<Creep> },
     /// On the way back, as far as the creep to rest would begin, or all of it.
     Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep> },
+    /// At its end, where distances count from the residual indentation.
+    Ended { unloading: Unloading, loading_time: f64, fate: Fate },
 }
 
 /// An impact, leg by leg. The integrator carries `at` along `path` and reports how that leg ended.
@@ -110,7 +112,8 @@ impl<'a> Course<'a> {
             if let Some(recorder) = recorder.as_deref_mut() {
                 self.mark_yield(&begun, integrator, recorder)?;
             }
-            if let Some(outcome) = self.landed(landing, recorder.as_deref_mut()) {
+            self.landed(landing, recorder.as_deref_mut());
+            if let Some(outcome) = self.outcome() {
                 return Ok(outcome);
             }
         }
@@ -139,7 +142,7 @@ impl<'a> Course<'a> {
     }
 
     /// Goes on after a landing: to the next leg, or to the end.
-    pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) -> Option<Outcome> {
+    pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) {
         match self.phase {
             Phase::Loading { piece, event, creep } => {
                 if let Some(recorder) = recorder.as_deref_mut() {
@@ -148,10 +151,9 @@ impl<'a> Course<'a> {
                 let is_near_rest = creep.is_some_and(|creep| self.at.speed <= creep.below);
                 if landing == Landing::End && !is_near_rest {
                     self.go_on(piece, event, recorder);
-                    return None;
+                } else {
+                    self.turn(piece, landing == Landing::Rest || landing == Landing::End, recorder);
                 }
-                let is_at_rest = landing == Landing::Rest || landing == Landing::End;
-                self.turn(piece, is_at_rest, recorder)
             }
             Phase::Unloading { ref unloading, loading_time, is_captured, creep } => {
                 let is_still = |creep: Creep| -self.at.speed <= creep.below;
@@ -159,7 +161,7 @@ impl<'a> Course<'a> {
                 if creep.is_some() && landing == Landing::End && !creeps {
                     self.path.leg = Leg::Back(self.back_to(unloading, is_captured));
                     self.phase = Phase::Unloading { unloading: *unloading, loading_time, is_captured, creep: None };
-                    return None;
+                    return;
                 }
                 let fate = match landing {
                     Landing::End | Landing::LiftOff if !is_captured && !creeps => Fate::Separated,
@@ -169,8 +171,9 @@ impl<'a> Course<'a> {
                     let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
                     recorder.take(&Along::Unloading { unloading, drag: self.path.drag }, Some((event, &self.at)));
                 }
-                Some(self.outcome(*unloading, loading_time, fate))
+                self.phase = Phase::Ended { unloading: *unloading, loading_time, fate };
             }
+            Phase::Ended { .. } => {}
         }
     }
 
@@ -242,7 +245,7 @@ impl<'a> Course<'a> {
     }
 
     /// Begins the way back at the end of compression, unless the sphere has crept up to its static indentation.
-    fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) -> Option<Outcome> {
+    fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) {
         let unloading = self.law.unloading(self.law.state_at(piece, self.at.distance - entry_of(self.law, piece)));
         if let Some(recorder) = recorder {
             let event = if is_at_rest { Event::Captured } else { Event::Peak };
@@ -251,7 +254,8 @@ impl<'a> Course<'a> {
         let loading_time = self.at.time;
         self.at.distance = unloading.peak.elastic_approach;
         if is_at_rest {
-            return Some(self.outcome(unloading, loading_time, Fate::Captured));
+            self.phase = Phase::Ended { unloading, loading_time, fate: Fate::Captured };
+            return;
         }
         self.at.speed = 0.0;
         // a sphere that came without speed does not leave
@@ -269,7 +273,6 @@ impl<'a> Course<'a> {
         let distance = unloading.peak.elastic_approach;
         self.path.sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
         self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
-        None
     }
 
     /// Where the way back ends, if nothing ends it before.
@@ -277,10 +280,17 @@ impl<'a> Course<'a> {
         if is_captured && self.forces.is_conservative() { self.forces.static_approach(unloading) } else { 0.0 }
     }
 
-    /// The outcome of a run that ends here, where distances count from the residual indentation.
-    fn outcome(&self, unloading: Unloading, loading_time: f64, fate: Fate) -> Outcome {
+    /// Whether it has come to its end.
+    pub fn has_ended(&self) -> bool {
+        matches!(self.phase, Phase::Ended { .. })
+    }
+
+    /// The outcome of an impact that has ended. It is large, so it is made only when it is wanted.
+    #[inline(always)]
+    pub fn outcome(&self) -> Option<Outcome> {
+        let Phase::Ended { unloading, loading_time, fate } = self.phase else { return None };
         let State { time, distance, speed, loss } = self.at;
-        Outcome {
+        Some(Outcome {
             unloading,
             restitution: if fate == Fate::Captured { 0.0 } else { -speed / self.q },
             loading_time,
@@ -290,7 +300,7 @@ impl<'a> Course<'a> {
             end_speed: speed,
             loss: loss / ACCELERATION,
             fixed_steps: None,
-        }
+        })
     }
 }
 

@@ -14,10 +14,15 @@ use super::solve::{Method, Solver, run};
 use super::{batch, closed_form, validity};
 use crate::integrate::IntegrationError;
 use crate::law::{ElasticApproach, Law};
+use crate::material::OutOfFloatRange;
 
 impl Case<'_> {
     fn exact(&self) -> Option<Outcome> {
         closed_form::solve_with(self.law, self.q, &self.forces)
+    }
+
+    fn problem(&self) -> batch::Problem<'_> {
+        (self.law, self.q, self.forces)
     }
 }
 
@@ -106,24 +111,24 @@ impl Contact {
             Method::Auto => !case.forces.is_conservative(),
             _ => false,
         };
-        let (mut stepped, mut problems) = (Vec::with_capacity(impacts.len()), Vec::with_capacity(impacts.len()));
-        let mut rows = Vec::with_capacity(impacts.len());
-        for (contact, speed) in impacts {
-            rows.push(match contact.case(None, *speed) {
-                Ok(case) if is_stepped(&case) => {
-                    problems.push((case.law, case.q, case.forces));
-                    stepped.push((rows.len(), case));
-                    // replaced below
-                    Err(IntegrationError::NotFinite { time: 0.0 }.into())
-                }
-                Ok(_) => contact.essentials_by(*speed, solver),
-                Err(error) => Err(error.into()),
-            });
-        }
+        let cases: Vec<_> = impacts.iter().map(|(contact, speed)| contact.case(None, *speed)).collect();
+        let mut stepped = Vec::with_capacity(impacts.len());
+        let row = |(place, case): (usize, &Result<Case, OutOfFloatRange>)| match case {
+            Ok(case) if is_stepped(case) => {
+                stepped.push(place);
+                // replaced below
+                Err(IntegrationError::NotFinite { time: 0.0 }.into())
+            }
+            Ok(_) => impacts[place].0.essentials_by(impacts[place].1, solver),
+            Err(error) => Err(error.clone().into()),
+        };
+        let mut rows: Vec<_> = cases.iter().enumerate().map(row).collect();
+        let problems: Vec<_> =
+            stepped.iter().filter_map(|place| cases[*place].as_ref().ok()).map(Case::problem).collect();
         batch::each(&problems, solver.tolerance, |index, outcome| {
-            let (place, case) = &stepped[index];
-            let (contact, speed) = impacts[*place];
-            rows[*place] = match outcome {
+            let place = stepped[index];
+            let ((contact, speed), Ok(case)) = (impacts[place], &cases[place]) else { return };
+            rows[place] = match outcome {
                 Ok(outcome) => contact.essentials_of(speed, case, outcome),
                 Err(error) => Err(error.clone().into()),
             };
