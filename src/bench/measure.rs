@@ -192,7 +192,7 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
             let alone = if contender == Contender::Batch { Contender::Method(Method::Rk8) } else { contender };
             let Ok((_, work)) = Runner::new(alone, rung, PHASES[0], problem).run(problem) else { continue };
             let started = Instant::now();
-            let _ = black_box(runner.run(problem));
+            black_box(&runner.run(problem));
             let once = started.elapsed().max(Duration::from_nanos(20));
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let repetitions = (burst.as_secs_f64() / once.as_secs_f64()).clamp(1.0, 1e5) as u32;
@@ -213,7 +213,7 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
         for (runner, repetitions, measurement) in &mut entries {
             let started = Instant::now();
             for _ in 0..*repetitions {
-                let _ = black_box(runner.run(problem));
+                black_box(&runner.run(problem));
             }
             #[allow(clippy::cast_precision_loss)]
             let impacts = f64::from(*repetitions) * runner.size() as f64;
