@@ -130,7 +130,7 @@ fn a_bouncing_ball_writes_all_its_files() {
     assert_eq!(desk.files("plots/s"), files);
     let table = text(&output.stdout);
     assert!(table.starts_with("impacts") && table.contains("fresh spot"), "{table}");
-    assert!(table.contains("as many impacts as were asked for") && table.contains("estimated time left"), "{table}");
+    assert!(table.contains("as many impacts as were asked for") && table.contains("time to rest"), "{table}");
 
     let impacts = desk.read("plots/s/impacts.csv");
     assert_eq!(column(&impacts, "impact"), ["1", "2", "3", "4"]);

@@ -95,7 +95,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
             of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
         /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
         /// its dent.
-        "remaining_time_s" as "estimated time left" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
+        "remaining_time_s" as "time to rest" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
         /// How that time is estimated.
         "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
         /// Highest rebound over the original surface.
