@@ -120,7 +120,7 @@ impl Contact {
                 Err(IntegrationError::NotFinite { time: 0.0 }.into())
             }
             Ok(_) => impacts[place].0.essentials_by(impacts[place].1, solver),
-            Err(error) => Err(error.clone().into()),
+            Err(error) => Err((*error).into()),
         };
         let mut rows: Vec<_> = cases.iter().enumerate().map(row).collect();
         let problems: Vec<_> =
