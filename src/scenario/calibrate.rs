@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
+use super::flow::HARDNESS;
 use super::{Kind, NEEDED, Scenario, ScenarioError};
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
-use crate::plan::{Cases, Plan};
+use crate::plan::{Cases, Plan, YIELD_STRENGTH};
 use crate::scene::{Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
 
@@ -40,10 +41,6 @@ pub struct Wanted {
     /// Other laws to fit.
     pub laws: Vec<LawChoice>,
 }
-
-/// The key to find where the scenario names none. If the scenario gives a hardness, that is found instead.
-const STRENGTH: &str = "half_space.yield_strength";
-const HARDNESS: &str = "half_space.hardness";
 
 /// The range of the strength in multiples of the modulus of the half-space. For a hardness both ends are [`CONSTRAINT`]
 /// times as large.
@@ -110,11 +107,12 @@ impl Scenario {
         }
     }
 
+    /// The keys to find. If the scenario names none, it is the yield strength; or the hardness, if the scenario gives that.
     fn free(&self, scene: &Scene) -> Vec<Free> {
         if let Some(given) = &self.entries.free {
             return given.clone();
         }
-        let (path, factor) = if self.entries.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (STRENGTH, 1.0) };
+        let (path, factor) = if self.entries.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };
         let [from, to] = RANGE.map(|share| share * scene.half_space.material.youngs_modulus * factor);
         let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
         Key::find(path).map(free).into_iter().collect()

@@ -2,6 +2,7 @@
 
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
+use crate::plan::YIELD_STRENGTH;
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::csv_text::{CsvText, Refusal};
@@ -13,7 +14,7 @@ pub(super) const FLOW: &str = "half_space.flow_stress";
 pub(super) const TABLE: &str = "half_space.flow_stress.table";
 
 /// The key in place of a yield strength.
-const HARDNESS: &str = "half_space.hardness";
+pub(super) const HARDNESS: &str = "half_space.hardness";
 
 /// The forms of a curve, each with the numbers it needs.
 const FORMS: [(&str, &[&str]); 5] = [
@@ -93,7 +94,7 @@ impl Scenario {
             let message = "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness";
             return refuse(FLOW, message);
         }
-        if flow.last_strain().is_some() && (varies("half_space.yield_strength") || varies(HARDNESS)) {
+        if flow.last_strain().is_some() && (varies(YIELD_STRENGTH) || varies(HARDNESS)) {
             let message =
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce";
             return refuse(FLOW, message);
