@@ -62,9 +62,9 @@ const SHOWN: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
 pub fn table(of: &Series) -> String {
-    let hits: Vec<(usize, Hit)> = (1..).zip(of.sequence.hits.iter().copied()).collect();
-    let is_shown = |number: usize| number <= SHOWN.0 || number + SHOWN.1 > hits.len();
-    let shown: Vec<_> = hits.iter().filter(|hit| is_shown(hit.0)).copied().collect();
+    let hits = &of.sequence.hits;
+    let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
     let mut rows = terminal::columns(&results::impacts(), &shown);
     if shown.len() < hits.len() {
         rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
