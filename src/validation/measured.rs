@@ -46,10 +46,17 @@ pub(super) fn restitution(
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> f64 {
-    let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
+fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, ValidationError> {
+    let mut failed = None;
+    let is_low = |strength: f64| match restitution(device, exp(strength), coefficients) {
+        Ok(e) => e < wanted,
+        Err(error) => {
+            failed = Some(error);
+            false
+        }
+    };
     let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
-    exp(0.5 * (low + high))
+    failed.map_or_else(|| Ok(exp(0.5 * (low + high))), Err)
 }
 
 pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
@@ -58,7 +65,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
     let mut checks = Vec::new();
     for (block, of_device) in measured::BLOCKS {
-        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients);
+        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients)?;
         for device in others {
             let measured = of_device(device) / 1000.0;
             let numbers = [measured, restitution(device, strength, &coefficients)?];
