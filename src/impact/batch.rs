@@ -67,15 +67,15 @@ impl InLane<'_> {
     }
 
     /// Hands over the outcome, or why there is none.
-    fn put(
+    fn put<T>(
         &self,
-        ended: Result<(), IntegrationError>,
+        ended: &Result<T, IntegrationError>,
         put: &mut impl FnMut(usize, Result<&Outcome, &IntegrationError>),
     ) {
         match (ended, self.course.outcome()) {
-            (Err(error), _) => put(self.index, Err(&error)),
-            (Ok(()), Some(outcome)) => put(self.index, Ok(&outcome)),
-            (Ok(()), None) => {}
+            (Err(error), _) => put(self.index, Err(error)),
+            (Ok(_), Some(outcome)) => put(self.index, Ok(&outcome)),
+            (Ok(_), None) => {}
         }
     }
 }
@@ -101,7 +101,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
             let flying = slot.insert(InLane { index, course: Course::begin(law, *q, forces, None) });
             match flying.set_out(lanes, lane, alone) {
                 Ok(true) => return,
-                ended => flying.put(ended.map(drop), put),
+                ended => flying.put(&ended, put),
             }
             *slot = None;
         }
@@ -124,7 +124,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
                 impact.set_out(&mut lanes, lane, alone)
             });
             if goes_on != Ok(true) {
-                impact.put(goes_on.map(drop), put);
+                impact.put(&goes_on, put);
                 launch(lane, slot, &mut lanes, alone, put);
                 under_way -= usize::from(slot.is_none());
             }
@@ -136,7 +136,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
                 impact.go_on(landing, at);
                 if impact.course.has_ended() { Ok(()) } else { impact.course.finish(alone, None).map(drop) }
             });
-            impact.put(ended, put);
+            impact.put(&ended, put);
         }
     }
 }

@@ -20,10 +20,6 @@ impl Case<'_> {
     fn exact(&self) -> Option<Outcome> {
         closed_form::solve_with(self.law, self.q, &self.forces)
     }
-
-    fn problem(&self) -> batch::Problem<'_> {
-        (self.law, self.q, self.forces)
-    }
 }
 
 impl Contact {
@@ -123,8 +119,8 @@ impl Contact {
             Err(error) => Err((*error).into()),
         };
         let mut rows: Vec<_> = cases.iter().enumerate().map(row).collect();
-        let problems: Vec<_> =
-            stepped.iter().filter_map(|place| cases[*place].as_ref().ok()).map(Case::problem).collect();
+        let of_place = |place: &usize| cases[*place].as_ref().ok().map(|case| (case.law, case.q, case.forces));
+        let problems: Vec<_> = stepped.iter().filter_map(of_place).collect();
         batch::each(&problems, solver.tolerance, |index, outcome| {
             let place = stepped[index];
             let ((contact, speed), Ok(case)) = (impacts[place], &cases[place]) else { return };
