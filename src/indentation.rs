@@ -19,7 +19,7 @@ use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
 use machine::{Machine, Stroke};
-pub use specimen::{Span, Spans, Specimen, Tested};
+pub use specimen::{Specimen, Tested};
 
 /// Where a step ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -233,8 +233,7 @@ impl StaticContact {
                 trace.extend(stroke.points(samples).map(|point| self.row(number, &point)));
             }
             let step = self.step(*target, &stroke)?;
-            let is_new = stroke.is_new_peak();
-            if is_new {
+            if stroke.is_new_peak() {
                 doubts.extend(of_peak(&self.law, peak).map(|warning| Doubt { step: number, warning }));
             }
             self.doubt(number, &step, steps.last(), &mut doubts);

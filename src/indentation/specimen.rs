@@ -1,4 +1,4 @@
-//! Uncertain elastic constants and strengths: what the corners of their intervals make of every step.
+//! Uncertain elastic constants and strengths: the same steps at every corner of their intervals.
 
 use super::{Indentation, IndentationError, Indenter, StaticContact, Step, Target};
 use crate::law::ContactLaw;
@@ -29,39 +29,23 @@ pub struct Tested {
     pub can_yield: bool,
     /// The results.
     pub indentation: Indentation,
-    /// The spans of each step, if there are uncertainties.
-    pub spans: Option<Vec<Spans>>,
+    /// The results at every corner of the uncertainties; none without uncertainties.
+    pub corners: Vec<Indentation>,
 }
 
-/// Lowest and highest value over the corners and the middle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
-    /// Lowest.
-    pub low: f64,
-    /// Highest.
-    pub high: f64,
-}
-
-/// What the uncertainties make of a step. SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spans {
-    /// δ at its end \[m\].
-    pub indentation: Span,
-    /// F at its end \[N\].
-    pub force: Span,
-    /// δ_r \[m\].
-    pub residual_indentation: Span,
-    /// S \[N/m\].
-    pub unloading_stiffness: Span,
-    /// a_m \[m\].
-    pub contact_radius: Span,
-    /// In the step \[J\].
-    pub plastic_work: Span,
+impl Tested {
+    /// The lowest and the highest value that a result of a step has at the corners and in the middle; `None` without
+    /// uncertainties. The first step is number 0.
+    pub fn span(&self, step: usize, value: fn(&Step) -> f64) -> Option<[f64; 2]> {
+        let all = self.corners.iter().chain([&self.indentation]).map(|one| value(&one.steps[step]));
+        let wider = |[low, high]: [f64; 2], value: f64| [-max_or_nan(-low, -value), max_or_nan(high, value)];
+        (!self.corners.is_empty()).then(|| all.fold([f64::INFINITY, f64::NEG_INFINITY], wider))
+    }
 }
 
 impl Specimen {
     /// The half-space with every combination of the ends of its intervals: two or four, or none without uncertainties.
-    pub fn corners(&self) -> Vec<HalfSpace> {
+    fn corners(&self) -> Vec<HalfSpace> {
         if self.modulus_uncertainty.is_none() && self.strength_uncertainty.is_none() {
             return Vec::new();
         }
@@ -77,42 +61,17 @@ impl Specimen {
         moduli.iter().flat_map(|modulus| strengths.iter().map(|strength| corner(*modulus, *strength))).collect()
     }
 
-    /// The spans of every step of `middle`, the indentation of this specimen; `None` where all is known.
+    /// The results at every corner.
     ///
     /// # Errors
     /// [`IndentationError`] of a corner.
-    pub fn spans(
+    pub fn indent_corners(
         &self,
         indenter: Indenter,
         law: &dyn ContactLaw,
         targets: &[Target],
-        middle: &Indentation,
-    ) -> Result<Option<Vec<Spans>>, IndentationError> {
-        let corners = self.corners();
-        if corners.is_empty() {
-            return Ok(None);
-        }
-        let corners: Vec<Indentation> = corners
-            .iter()
-            .map(|half_space| StaticContact::try_new(indenter, half_space, law)?.indent(targets, None))
-            .collect::<Result<_, _>>()?;
-        let spans = (0..middle.steps.len()).map(|step| {
-            let span = |value: fn(&Step) -> f64| {
-                let values = corners.iter().chain([middle]).map(|one| value(&one.steps[step]));
-                values.fold(Span { low: f64::INFINITY, high: f64::NEG_INFINITY }, |span, value| Span {
-                    low: -max_or_nan(-span.low, -value),
-                    high: max_or_nan(span.high, value),
-                })
-            };
-            Spans {
-                indentation: span(|step| step.indentation),
-                force: span(|step| step.force),
-                residual_indentation: span(|step| step.memory.residual_indentation),
-                unloading_stiffness: span(|step| step.memory.unloading_stiffness),
-                contact_radius: span(|step| step.memory.contact_radius),
-                plastic_work: span(|step| step.plastic_work),
-            }
-        });
-        Ok(Some(spans.collect()))
+    ) -> Result<Vec<Indentation>, IndentationError> {
+        let indent = |half_space| StaticContact::try_new(indenter, half_space, law)?.indent(targets, None);
+        self.corners().iter().map(indent).collect()
     }
 }

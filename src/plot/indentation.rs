@@ -8,7 +8,7 @@ use super::frame::Frame;
 use super::key::{self, Entry};
 use super::style::{DASHED, GREY, SOLID, Stroke, series};
 use super::{PlotError, SIZE};
-use crate::indentation::{Span, Tested, TraceRow};
+use crate::indentation::{Tested, TraceRow};
 use crate::law::Branch;
 use crate::units::rounded::quantity;
 
@@ -38,7 +38,7 @@ pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
     let entries = entries(&loops, tested);
     let rows = || loops.iter().flat_map(|one| one.rows);
     let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
-    let deepest = spans(tested).map(|(span, _, _)| span.high).fold(deepest, f64::max);
+    let deepest = spans(tested).map(|([_, high], ..)| high).fold(deepest, f64::max);
     let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
     let room = if spans(tested).next().is_some() { 1.16 } else { 1.08 };
     let mut canvas = Canvas::try_new(SIZE)?;
@@ -70,13 +70,13 @@ pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
             frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color);
         }
     }
-    for (span, force, i) in spans(tested) {
+    for ([low, high], force, i) in spans(tested) {
         let color = series(i).0.color;
         let stroke = Stroke::solid(color, 3.0);
         // one above the other, because all loops may end at the same load
         #[allow(clippy::cast_precision_loss)] // a handful
         let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
-        let (low, high) = (above(frame.place(span.low, force)), above(frame.place(span.high, force)));
+        let (low, high) = (above(frame.place(low, force)), above(frame.place(high, force)));
         canvas.polyline(&[low, high], stroke);
         for (x, y) in [low, high] {
             canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke);
@@ -123,12 +123,12 @@ fn marked(rows: &[TraceRow], index: usize, count: usize) -> impl Iterator<Item =
 }
 
 /// Ranges of the indentation at the ends of steps in load control, with the load and the index of the half-space.
-fn spans(tested: &[Tested]) -> impl Iterator<Item = (Span, f64, usize)> {
+fn spans(tested: &[Tested]) -> impl Iterator<Item = ([f64; 2], f64, usize)> {
     tested.iter().enumerate().flat_map(|(i, one)| {
-        let steps = one.spans.iter().flatten().zip(&one.indentation.steps);
-        steps
-            .filter(|(spans, _)| spans.indentation.high > spans.indentation.low)
-            .map(move |(spans, step)| (spans.indentation, step.force, i))
+        one.indentation.steps.iter().enumerate().filter_map(move |(number, step)| {
+            let [low, high] = one.span(number, |step| step.indentation)?;
+            (high > low).then_some(([low, high], step.force, i))
+        })
     })
 }
 

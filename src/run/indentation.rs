@@ -17,11 +17,11 @@ pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticConta
     let contacts = contacts.map_err(|reason| refused(scenario, None, reason))?;
     for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
         let name = specimen.name.as_deref();
-        let middle = contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
+        contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
         // at every end of the uncertainties there has to be a result too
         let name = name.map(|name| format!("{name} at an end of its uncertainty"));
         let refuse = |reason| refused(scenario, name.as_deref(), reason);
-        specimen.spans(scene.indenter, scene.law.get(), &scene.targets, &middle).map_err(refuse)?;
+        specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(refuse)?;
     }
     Ok((scene, contacts))
 }
@@ -38,12 +38,12 @@ pub fn compute(
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
         let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
-        let spans = specimen.spans(scene.indenter, scene.law.get(), &scene.targets, &indentation).map_err(refuse)?;
+        let corners = specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(refuse)?;
         let named =
             |doubt| specimen.name.as_ref().map_or_else(|| format!("{doubt}"), |name| format!("{name}, {doubt}"));
         warnings.extend(indentation.doubts.iter().map(named));
         let (pair, can_yield) = (*contact.pair(), contact.can_yield());
-        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation, spans });
+        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation, corners });
     }
     Ok((scene, tested, warnings))
 }

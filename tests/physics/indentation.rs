@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use Target::{Indentation as To, Load};
 use plm_impact::impact::Warning;
-use plm_impact::indentation::{Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target};
+use plm_impact::indentation::{
+    Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target, Tested,
+};
 use plm_impact::law::{Branch, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
 use proptest::prelude::*;
@@ -206,24 +208,28 @@ fn the_spans_of_uncertain_inputs_hold_every_case_within() {
     let targets = [Load(30.0), Load(0.0)];
     let (plm, exponent) = (&Plm::default(), UnloadingExponent::Paper);
     let run = |half_space: &HalfSpace| contact(half_space, exponent).indent(&targets, None).unwrap();
-    let middle = run(&specimen.half_space);
-    let spans = specimen.spans(indenter(), plm, &targets, &middle).unwrap().unwrap();
-    assert_eq!(specimen.corners().len(), 4);
+    let corners = specimen.indent_corners(indenter(), plm, &targets).unwrap();
+    assert_eq!(corners.len(), 4);
+    let known = Specimen { modulus_uncertainty: None, strength_uncertainty: None, ..specimen.clone() };
+    assert!(known.indent_corners(indenter(), plm, &targets).unwrap().is_empty());
+    let pair = *contact(&specimen.half_space, exponent).pair();
+    let indentation = run(&specimen.half_space);
+    let tested = Tested { specimen, pair, can_yield: true, indentation, corners };
+    let results: [fn(&Step) -> f64; 3] =
+        [|step| step.memory.residual_indentation, |step| step.indentation, |step| step.memory.unloading_stiffness];
     for i in 0..=10 {
         for j in 0..=10 {
             let (i, j) = (f64::from(i) / 5.0 - 1.0, f64::from(j) / 5.0 - 1.0);
             let inner: Indentation = run(&alloy(100e9 + i * 12e9, Some(510e6 + j * 23e6)));
-            for (step, spans) in inner.steps.iter().zip(&spans) {
-                let residual = step.memory.residual_indentation;
-                assert!(spans.residual_indentation.low <= residual && residual <= spans.residual_indentation.high);
-                assert!(spans.indentation.low <= step.indentation && step.indentation <= spans.indentation.high);
-                let stiffness = step.memory.unloading_stiffness;
-                assert!(spans.unloading_stiffness.low <= stiffness && stiffness <= spans.unloading_stiffness.high);
+            for (number, step) in inner.steps.iter().enumerate() {
+                for value in results {
+                    let [low, high] = tested.span(number, value).unwrap();
+                    assert!((low..=high).contains(&value(step)));
+                }
             }
         }
     }
-    let known = Specimen { modulus_uncertainty: None, strength_uncertainty: None, ..specimen };
-    assert!(known.spans(indenter(), plm, &targets, &middle).unwrap().is_none());
+    assert!(Tested { corners: Vec::new(), ..tested }.span(0, results[0]).is_none());
 }
 
 /// Xie et al. 2024, Table 1: E_s, E_h, σ_Y [Pa]; ν = 0.3. The sphere of case 5 is rigid, as in the finite elements.

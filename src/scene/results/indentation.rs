@@ -1,7 +1,7 @@
 //! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
 
 use super::entry::{File, Reported, file, results};
-use crate::indentation::{Span, Spans, Step, Target, Tested};
+use crate::indentation::{Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub fn half_space() -> Vec<Reported<Tested>> {
@@ -37,9 +37,7 @@ pub fn half_space() -> Vec<Reported<Tested>> {
 
 /// The steps of one half-space.
 pub fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
-    let spans = |i: usize| of.spans.as_ref().and_then(|spans| spans.get(i).copied());
-    let steps = of.indentation.steps.iter().enumerate();
-    steps.map(|(i, step)| Stepped { number: i + 1, step, can_yield: of.can_yield, spans: spans(i) }).collect()
+    (1..).zip(&of.indentation.steps).map(|(number, step)| Stepped { number, step, tested: of }).collect()
 }
 
 /// One step of an indentation.
@@ -49,15 +47,13 @@ pub struct Stepped<'a> {
     pub number: usize,
     /// Its results.
     pub step: &'a Step,
-    /// Whether the half-space can yield.
-    pub can_yield: bool,
-    /// The spans of its results under the uncertainties.
-    pub spans: Option<Spans>,
+    /// All of the half-space.
+    pub tested: &'a Tested,
 }
 
 impl Stepped<'_> {
-    fn span(&self, span: fn(&Spans) -> Span) -> Option<[f64; 2]> {
-        self.spans.as_ref().map(span).map(|Span { low, high }| [low, high])
+    fn span(&self, value: fn(&Step) -> f64) -> Option<[f64; 2]> {
+        self.tested.span(self.number - 1, value)
     }
 }
 
@@ -89,7 +85,7 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         /// Elastic energy in the contact at its end.
         "stored_energy_J": of.step.stored_energy;
         /// Energy spent on the dent in the step.
-        "plastic_work_J" as "plastic work" if YIELDS: of.can_yield.then_some(of.step.plastic_work);
+        "plastic_work_J" as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
         /// Largest force so far.
         "peak_force_N": of.step.memory.force;
         /// Largest indentation so far.
@@ -99,24 +95,24 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         /// Largest force over the contact area there.
         "peak_mean_pressure_Pa": of.step.memory.mean_pressure;
         /// Depth of the dent.
-        "residual_indentation_m" as "dent depth" if YIELDS: of.can_yield.then_some(of.step.memory.residual_indentation);
+        "residual_indentation_m" as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
         /// Slope of the unloading branch at its top.
         "unloading_stiffness_N_per_m" as "stiffness S": of.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": of.step.memory.unloading_exponent;
         /// Lowest and highest indentation at the end of the step, over all ends of the uncertain inputs, as for the
         /// results below.
-        "uncertainty.indentation_m" if UNCERTAIN: of.span(|spans| spans.indentation);
+        "uncertainty.indentation_m" if UNCERTAIN: of.span(|step| step.indentation);
         /// Lowest and highest force.
-        "uncertainty.force_N" if UNCERTAIN: of.span(|spans| spans.force);
+        "uncertainty.force_N" if UNCERTAIN: of.span(|step| step.force);
         /// Lowest and highest depth of the dent.
-        "uncertainty.residual_indentation_m" if UNCERTAIN: of.span(|spans| spans.residual_indentation);
+        "uncertainty.residual_indentation_m" if UNCERTAIN: of.span(|step| step.memory.residual_indentation);
         /// Lowest and highest slope of the unloading branch at its top.
-        "uncertainty.unloading_stiffness_N_per_m" if UNCERTAIN: of.span(|spans| spans.unloading_stiffness);
+        "uncertainty.unloading_stiffness_N_per_m" if UNCERTAIN: of.span(|step| step.memory.unloading_stiffness);
         /// Lowest and highest contact radius.
-        "uncertainty.peak_contact_radius_m" if UNCERTAIN: of.span(|spans| spans.contact_radius);
+        "uncertainty.peak_contact_radius_m" if UNCERTAIN: of.span(|step| step.memory.contact_radius);
         /// Lowest and highest energy spent on the dent in the step.
-        "uncertainty.plastic_work_J" if UNCERTAIN: of.span(|spans| spans.plastic_work);
+        "uncertainty.plastic_work_J" if UNCERTAIN: of.span(|step| step.plastic_work);
     }
 }
 
