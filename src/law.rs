@@ -26,7 +26,7 @@ pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 use curve::Curve;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
-use plm::{ElasticLine, Hardening, RadiusGeometry, RadiusRatio};
+use plm::{ContactRadius, ElasticLine, Hardening};
 
 use crate::math::functions::pow;
 pub use published::{Loading, OutsideLaw, Published};
@@ -95,10 +95,8 @@ pub struct Law {
     pub loading: Curve,
     /// Elastic approach along the loading curve.
     pub elastic: ElasticApproach,
-    /// Hertz-equivalent over true radius of a shallow contact, Λ.
-    pub radius_ratio: RadiusRatio,
-    /// How much narrower a deep contact is, G.
-    pub radius_geometry: RadiusGeometry,
+    /// Contact radius along it.
+    pub radius: ContactRadius,
     /// Exponent of the unloading branch.
     pub exponent: UnloadingExponent,
 }
@@ -109,8 +107,7 @@ impl Law {
         Self {
             loading: Curve::hertz(),
             elastic: ElasticApproach::All,
-            radius_ratio: RadiusRatio::default(),
-            radius_geometry: RadiusGeometry::default(),
+            radius: ContactRadius::default(),
             exponent: UnloadingExponent::Paper,
         }
     }
@@ -192,9 +189,9 @@ impl Law {
         match &self.elastic {
             ElasticApproach::Hardening(hardening) => {
                 let shape = hardening.shape(peak.indentation, equivalent);
-                pressure_shape_exponent(self.radius_ratio.at(shape.equivalent)) - shape.exponent_loss()
+                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
             }
-            _ => pressure_shape_exponent(self.radius_ratio.at(equivalent)),
+            _ => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
         }
     }
 
@@ -222,12 +219,12 @@ impl Law {
         if matches!(self.fresh().elastic, ElasticApproach::Hardening(_)) { 0.32 } else { 0.45 }
     }
 
-    /// The largest plastic strain at which loading to a peak needs the flow curve, and the largest one for which the curve is
-    /// known. `None` where the curve reaches far enough.
+    /// What loading to a peak asks of the flow curve beyond its end, see [`Hardening::beyond_flow_curve`].
     pub(crate) fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
-        let ElasticApproach::Hardening(hardening) = &self.fresh().elastic else { return None };
-        let (strain, last) = (hardening.largest_strain(peak.indentation), hardening.last_strain()?);
-        (strain > last).then_some((strain, last))
+        match &self.fresh().elastic {
+            ElasticApproach::Hardening(hardening) => hardening.beyond_flow_curve(peak.indentation),
+            _ => None,
+        }
     }
 
     /// Checks that the law has an answer for a peak.
@@ -248,15 +245,15 @@ impl Law {
     /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
         let equivalent = peak.force / peak.elastic_approach;
-        let geometry = self.radius_geometry.at(equivalent);
+        let geometry = self.radius.geometry_at(equivalent);
         match &self.elastic {
             ElasticApproach::Published(law) => law.contact_radius(peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.contact_radius(peak),
             ElasticApproach::Hardening(hardening) => {
                 let shape = hardening.shape(peak.indentation, equivalent);
-                equivalent / (self.radius_ratio.at(shape.equivalent) * geometry * shape.narrowing())
+                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
             }
-            _ => equivalent / (self.radius_ratio.at(equivalent) * geometry),
+            _ => equivalent / (self.radius.ratio_at(equivalent) * geometry),
         }
     }
 

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use super::FitError;
 use super::curve::LoadingCurve;
 use super::residuals::{Residuals, deviations, rises};
-use crate::law::plm::contact_radius::{RadiusRatio, RadiusTable};
+use crate::law::plm::contact_radius::{ContactRadius, RadiusTable};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::power::{farther_or_nan, max_or_nan};
 
@@ -123,20 +123,20 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
     let free = start.from.len().saturating_sub(1);
     for curve in curves {
         let kappa = curve.pair.sphere_compliance;
-        let (started, geometry) = start.of(kappa * kappa, curve.yield_radius_ratio);
+        let started = start.of(kappa * kappa, curve.yield_radius_ratio);
         for (point, weight) in curve.points.iter().zip(curve.log_weights()) {
             let Some(radius) = point.contact_radius else { continue };
             let equivalent = point.force / point.elastic_approach;
-            let wanted = equivalent / (radius * geometry.at(equivalent));
+            let wanted = equivalent / (radius * started.geometry_at(equivalent));
             let scale = weight.sqrt() / wanted;
             // the polyline is linear in its values: the share of a knot is the polyline with 1 at this knot and 0 at
             // the others
             let share = |knot: usize| {
                 let ratio = (0..=free).map(|i| if i == knot { 1.0 } else { 0.0 }).collect();
-                RadiusRatio { from: start.from.clone(), ratio }.at(equivalent)
+                ContactRadius { ratio, ..started.clone() }.ratio_at(equivalent)
             };
             let shares: Vec<f64> = (1..=free).map(|knot| scale * share(knot)).collect();
-            rows.push((shares, scale * (wanted - started.at(equivalent))));
+            rows.push((shares, scale * (wanted - started.ratio_at(equivalent))));
         }
     }
     if rows.is_empty() || free == 0 {

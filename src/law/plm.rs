@@ -26,7 +26,7 @@ use super::unloading::exponent_within;
 use super::{Law, Peak, UnloadingExponent, UnloadingShape};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
-pub use contact_radius::{RadiusGeometry, RadiusRatio};
+pub use contact_radius::ContactRadius;
 pub use hardening::Hardening;
 pub use lines::ElasticLine;
 

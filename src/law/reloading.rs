@@ -101,8 +101,7 @@ impl Law {
         let radius = fresh.contact_radius(&memory);
         Self {
             loading: fresh.loading.reloaded(&branch),
-            radius_ratio: fresh.radius_ratio.clone(),
-            radius_geometry: fresh.radius_geometry,
+            radius: fresh.radius.clone(),
             exponent: fresh.exponent,
             elastic: ElasticApproach::Reloaded(Box::new(Reloaded { branch, radius, fresh })),
         }

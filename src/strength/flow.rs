@@ -127,33 +127,25 @@ impl FlowCurve {
     /// # Errors
     /// [`FlowError::Start`] if the first point is below the yield strength, or is at strain 0 with another stress.
     pub fn starts_from(&self, yield_strength: f64) -> Result<(), FlowError> {
-        match self {
-            Self::Points(points) => points.first().map_or(Ok(()), |&FlowPoint { strain, stress }| {
-                let off = (stress / yield_strength - 1.0).abs();
-                let is_low = stress < yield_strength && off > SAME_STRESS;
-                let is_high = strain == 0.0 && off > SAME_STRESS;
-                if is_low || is_high { Err(FlowError::Start { strain, stress, yield_strength }) } else { Ok(()) }
-            }),
-            Self::Power { .. } | Self::Voce { .. } | Self::Linear { .. } => Ok(()),
+        if let Self::Points(points) = self
+            && let Some(&FlowPoint { strain, stress }) = points.first()
+            && (strain == 0.0 || stress < yield_strength)
+            && (stress / yield_strength - 1.0).abs() > SAME_STRESS
+        {
+            return Err(FlowError::Start { strain, stress, yield_strength });
         }
+        Ok(())
     }
 
     /// The strain of the last measured point; `None` for a formula.
     pub fn last_strain(&self) -> Option<f64> {
-        match self {
-            Self::Points(points) => points.last().map(|point| point.strain),
-            Self::Power { .. } | Self::Voce { .. } | Self::Linear { .. } => None,
-        }
+        let Self::Points(points) = self else { return None };
+        points.last().map(|point| point.strain)
     }
 
     /// The flow curve over its yield strength \[Pa\], for a metal of this Young's modulus \[Pa\].
     pub fn rise(&self, yield_strength: f64, youngs_modulus: f64) -> Rise {
-        match self {
-            Self::Power { exponent } => Rise::Power { rate: youngs_modulus / yield_strength, exponent: *exponent },
-            Self::Voce { saturation, rate } => Rise::Voce { saturation: *saturation, rate: *rate },
-            Self::Linear { slope } => Rise::Linear { slope: slope / yield_strength },
-            Self::Points(points) => Rise::Points { points: Arc::clone(points), yield_strength },
-        }
+        Rise { curve: self.clone(), yield_strength, modulus_ratio: youngs_modulus / yield_strength }
     }
 }
 
@@ -163,51 +155,31 @@ const SAME_STRESS: f64 = 1e-9;
 
 /// σ/σ_Y as a function of plastic strain, for one metal. It starts from 1 and never falls.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Rise {
-    /// (1 + rate ε)^N.
-    Power {
-        /// E/σ_Y.
-        rate: f64,
-        /// N.
-        exponent: f64,
-    },
-    /// 1 + b (1 − exp(−c ε)).
-    Voce {
-        /// b.
-        saturation: f64,
-        /// c.
-        rate: f64,
-    },
-    /// 1 + slope ε.
-    Linear {
-        /// H/σ_Y.
-        slope: f64,
-    },
-    /// Linear from (0, 1) through the points, divided by σ_Y, and constant after the last.
-    Points {
-        /// The points, with stresses in Pa.
-        points: Arc<[FlowPoint]>,
-        /// σ_Y \[Pa\].
-        yield_strength: f64,
-    },
+pub struct Rise {
+    /// The form of the curve.
+    pub curve: FlowCurve,
+    /// σ_Y \[Pa\].
+    yield_strength: f64,
+    /// E/σ_Y.
+    modulus_ratio: f64,
 }
 
 impl Rise {
     /// σ/σ_Y at a plastic strain ≥ 0.
     pub fn at(&self, strain: f64) -> f64 {
-        match self {
-            Self::Power { rate, exponent } => pow(1.0 + rate * strain, *exponent),
-            Self::Voce { saturation, rate } => 1.0 - saturation * exp_m1(-rate * strain),
-            Self::Linear { slope } => 1.0 + slope * strain,
-            Self::Points { points, yield_strength } => {
+        match &self.curve {
+            FlowCurve::Power { exponent } => pow(1.0 + self.modulus_ratio * strain, *exponent),
+            FlowCurve::Voce { saturation, rate } => 1.0 - saturation * exp_m1(-rate * strain),
+            FlowCurve::Linear { slope } => 1.0 + slope / self.yield_strength * strain,
+            FlowCurve::Points(points) => {
                 let next = points.partition_point(|point| point.strain <= strain);
-                let start = FlowPoint { strain: 0.0, stress: *yield_strength };
+                let start = FlowPoint { strain: 0.0, stress: self.yield_strength };
                 let low = next.checked_sub(1).map_or(start, |below| points[below]);
                 let stress = points.get(next).map_or(low.stress, |high| {
                     let share = (strain - low.strain) / (high.strain - low.strain);
                     low.stress + share * (high.stress - low.stress)
                 });
-                stress / yield_strength
+                stress / self.yield_strength
             }
         }
     }

@@ -197,18 +197,18 @@ fn every_knot_is_met_to_the_last_digit() {
 #[test]
 fn radius_ratio_and_exponent_have_their_end_values() {
     let table = &PlmCoefficients::built_in().contact_radius;
-    let ratio = table.radius_ratio();
+    let shallow = table.of(0.0, 0.01);
     // Λ: 1 up to A = 1.5, 1.15 at A = 4, 1.19 from A = 8 on
     for (radius, want) in
         [(0.0, 1.0), (1.0, 1.0), (1.5, 1.0), (2.75, 1.075), (4.0, 1.15), (6.0, 1.17), (8.0, 1.19), (1e6, 1.19)]
     {
-        assert!(off(ratio.at(radius), want) < 1e-15, "{radius}");
+        assert!(off(shallow.ratio_at(radius), want) < 1e-15, "{radius}");
     }
     // G = 1 + (0.25 + 0.145 κ²) max(0, â/R − 0.105), here with a_Y = R/100 so that â/R = A/100
     for (kappa, radius, want) in [(0.0, 10.5, 1.0), (0.0, 40.5, 1.075), (0.5, 40.5, 1.085_875), (1.0, 50.5, 1.158)] {
-        let (_, geometry) = table.of(kappa * kappa, 0.01);
-        assert!(off(geometry.at(radius), want) < 1e-15, "{kappa} {radius}");
-        assert_eq!(geometry.at(0.5 * radius.min(10.5)), 1.0);
+        let deep = table.of(kappa * kappa, 0.01);
+        assert!(off(deep.geometry_at(radius), want) < 1e-15, "{kappa} {radius}");
+        assert_eq!(deep.geometry_at(0.5 * f64::min(radius, 10.5)), 1.0);
     }
     assert_eq!(pressure_shape_exponent(1.0), 1.5);
     // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
@@ -328,8 +328,8 @@ fn bad_text_is_refused_with_line_and_key() {
     // a table in the earlier form without geometry: G = 1
     let older: String =
         text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
-    let (_, geometry) = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
-    assert_eq!(geometry.at(1e3), 1.0);
+    let radius = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
+    assert_eq!(radius.geometry_at(1e3), 1.0);
 }
 
 #[test]

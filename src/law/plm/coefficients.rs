@@ -190,8 +190,7 @@ impl PlmCoefficients {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
         let loading = self.force.curve(kappa_squared);
         let elastic = ElasticApproach::Line(ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio));
-        let (radius_ratio, radius_geometry) = self.contact_radius.of(kappa_squared, yield_radius_ratio);
-        Law { loading, elastic, radius_ratio, radius_geometry, exponent }
+        Law { loading, elastic, radius: self.contact_radius.of(kappa_squared, yield_radius_ratio), exponent }
     }
 
     /// The same for a half-space whose flow stress rises so.

@@ -31,31 +31,33 @@ pub struct RadiusTable {
 
 impl RadiusTable {
     /// Λ and G for a sphere of this κ² on a half-space that yields at this a_Y/R.
-    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> (RadiusRatio, RadiusGeometry) {
+    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> ContactRadius {
         let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
-        let geometry =
-            RadiusGeometry { from: self.geometry_from / yield_radius_ratio, slope: slope * yield_radius_ratio };
-        (self.radius_ratio(), geometry)
-    }
-
-    /// Λ alone.
-    pub fn radius_ratio(&self) -> RadiusRatio {
-        RadiusRatio { from: self.from.clone(), ratio: self.ratio.clone() }
+        ContactRadius {
+            from: self.from.clone(),
+            ratio: self.ratio.clone(),
+            geometry_from: self.geometry_from / yield_radius_ratio,
+            geometry_slope: slope * yield_radius_ratio,
+        }
     }
 }
 
-/// Λ(A) = â/a of a shallow contact: a polyline, constant outside its knots.
+/// Λ and G as functions of A. The default is Hertz's contact at any depth, Λ = G = 1.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct RadiusRatio {
-    /// A of the knots.
+pub struct ContactRadius {
+    /// A of the knots of Λ.
     pub from: Vec<f64>,
-    /// Λ there. Without knots Λ = 1 (Hertz).
+    /// Λ there.
     pub ratio: Vec<f64>,
+    /// A from which G grows.
+    pub geometry_from: f64,
+    /// dG/dA from there on.
+    pub geometry_slope: f64,
 }
 
-impl RadiusRatio {
-    /// Λ at A.
-    pub fn at(&self, equivalent_radius: f64) -> f64 {
+impl ContactRadius {
+    /// Λ at A: a polyline, constant outside its knots.
+    pub fn ratio_at(&self, equivalent_radius: f64) -> f64 {
         let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
         match (above.checked_sub(1), self.from.get(above)) {
             (None, _) => self.ratio.first().copied().unwrap_or(1.0),
@@ -66,20 +68,9 @@ impl RadiusRatio {
             }
         }
     }
-}
 
-/// G(A): how much narrower a deep contact is than that of a half-space. The default is 1 at any depth.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RadiusGeometry {
-    /// A from which it grows.
-    pub from: f64,
-    /// dG/dA from there on.
-    pub slope: f64,
-}
-
-impl RadiusGeometry {
     /// G at A.
-    pub fn at(&self, equivalent_radius: f64) -> f64 {
-        1.0 + self.slope * (equivalent_radius - self.from).max(0.0)
+    pub fn geometry_at(&self, equivalent_radius: f64) -> f64 {
+        1.0 + self.geometry_slope * (equivalent_radius - self.geometry_from).max(0.0)
     }
 }

@@ -57,17 +57,12 @@ impl Hardening {
         0.5 * (self.rise.at(STRAINS[0] * s) + self.rise.at(STRAINS[1] * s))
     }
 
-    /// The largest plastic strain at which the flow curve is needed on the way to x.
-    pub(crate) fn largest_strain(&self, x: f64) -> f64 {
-        (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
-    }
-
-    /// The largest plastic strain that the flow curve is known for; `None` for a formula.
-    pub(crate) fn last_strain(&self) -> Option<f64> {
-        match &self.rise {
-            Rise::Points { points, .. } => points.last().map(|point| point.strain),
-            Rise::Power { .. } | Rise::Voce { .. } | Rise::Linear { .. } => None,
-        }
+    /// The largest plastic strain at which loading to x needs the flow curve, and the largest one for which the curve is
+    /// known. `None` where the curve reaches far enough.
+    pub(crate) fn beyond_flow_curve(&self, x: f64) -> Option<(f64, f64)> {
+        let strain = (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0);
+        let last = self.rise.curve.last_strain()?;
+        (strain > last).then_some((strain, last))
     }
 
     /// ε at a point (x, f) with x > 1.
