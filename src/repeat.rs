@@ -103,26 +103,20 @@ impl Repeat {
         matches!(self.drive, Drive::Bouncing { .. })
     }
 
-    /// Computes the impacts one after the other; `samples` rows of each contact are traced, of the first impacts only if
-    /// there are many.
+    /// Computes the impacts one after the other, counting them if there is a counter; `samples` rows of each contact are
+    /// traced, of the first impacts only if there are many.
     ///
     /// # Errors
     /// [`ImpactError`] of the first impact that has no result.
-    pub fn run(&self, contact: &Contact, solver: &Solver, samples: usize) -> Result<Sequence, ImpactError> {
-        self.run_watched(contact, solver, samples, &Counter::default())
-    }
-
-    /// The same, counting the impacts.
-    ///
-    /// # Errors
-    /// [`ImpactError`] of the first impact that has no result.
-    pub fn run_watched(
+    pub fn run(
         &self,
         contact: &Contact,
         solver: &Solver,
         samples: usize,
-        progress: &Counter,
+        progress: Option<&Counter>,
     ) -> Result<Sequence, ImpactError> {
+        let unwatched = Counter::default();
+        let progress = progress.unwrap_or(&unwatched);
         progress.expect(match &self.drive {
             Drive::Bouncing { most, .. } => *most,
             Drive::Shots(speeds) => speeds.len() as u64,

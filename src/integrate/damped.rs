@@ -8,7 +8,7 @@
 
 use super::dop853::{self, EVALUATIONS, Step};
 use super::piece::power::{DraggedHertz, DraggedPower};
-use super::piece::smooth::{Curve, DraggedOfDistance, DraggedOfRoot};
+use super::piece::smooth::DraggedCurve;
 use super::piece::straight::DraggedStraight;
 use super::piece::{Dragged, Quad};
 use super::{IntegrationError, Integrator, Landing, Path, Restoring, Sampler, State, Work};
@@ -110,6 +110,36 @@ impl Damped {
     }
 }
 
+impl Damped {
+    /// Along any piece. On curves that begin without force r = d^(1/M): M = 4 where the drag goes with the stiffness, else 2.
+    fn in_root<const M: u8>(
+        &mut self,
+        path: &Path,
+        state: &mut State,
+        samples: Option<&mut Sampler>,
+    ) -> Result<Landing, IntegrationError> {
+        match path.restoring {
+            Restoring::Straight { at_start, slope } => {
+                self.run(DraggedStraight::along(at_start, slope, path), path, state, samples)
+            }
+            Restoring::Power { coefficient, exponent: 1.5 } => {
+                self.run(DraggedHertz::<M>::along(coefficient, path), path, state, samples)
+            }
+            Restoring::Power { coefficient, exponent } => {
+                self.run(DraggedPower::<M>::along(coefficient, exponent, path), path, state, samples)
+            }
+            Restoring::Smooth { force, start, factor } => match force.variable() {
+                Variable::Indentation => {
+                    self.run(DraggedCurve::<1>::along(force, start, factor, path), path, state, samples)
+                }
+                Variable::RootOfDistance => {
+                    self.run(DraggedCurve::<M>::along(force, start, factor, path), path, state, samples)
+                }
+            },
+        }
+    }
+}
+
 impl Integrator for Damped {
     fn traverse(
         &mut self,
@@ -117,35 +147,10 @@ impl Integrator for Damped {
         state: &mut State,
         samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
-        /// In r = d^(1/4) where the drag goes with the stiffness, else in r = √d.
-        macro_rules! in_root {
-            ($m:ident, $piece:expr) => {
-                if path.drag.eta == 0.0 {
-                    const $m: u8 = 2;
-                    self.run($piece, path, state, samples)
-                } else {
-                    const $m: u8 = 4;
-                    self.run($piece, path, state, samples)
-                }
-            };
-        }
-        match path.restoring {
-            Restoring::Straight { at_start, slope } => {
-                self.run(DraggedStraight::along(at_start, slope, path), path, state, samples)
-            }
-            Restoring::Power { coefficient, exponent: 1.5 } => {
-                in_root!(M, DraggedHertz::<M>::along(coefficient, path))
-            }
-            Restoring::Power { coefficient, exponent } => {
-                in_root!(M, DraggedPower::<M>::along(coefficient, exponent, path))
-            }
-            Restoring::Smooth { force, start, factor } => {
-                let curve = Curve::along(force, start, factor, path);
-                match force.variable() {
-                    Variable::Indentation => self.run(DraggedOfDistance(curve), path, state, samples),
-                    Variable::RootOfDistance => in_root!(M, DraggedOfRoot::<M>(curve)),
-                }
-            }
+        if path.drag.eta == 0.0 {
+            self.in_root::<2>(path, state, samples)
+        } else {
+            self.in_root::<4>(path, state, samples)
         }
     }
 

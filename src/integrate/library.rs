@@ -13,19 +13,8 @@ mod henon;
 mod newton;
 
 use super::{Drag, IntegrationError, Integrator, Landing, Path, Sampler, State, Work};
-pub use driver::Scheme;
-use driver::{Driver, Node};
-
-/// `ode_solvers` with landing.
-#[derive(Debug, Clone)]
-pub struct Library(Driver);
-
-impl Library {
-    /// An integrator with this relative tolerance.
-    pub fn new(scheme: Scheme, tolerance: f64) -> Self {
-        Self(Driver::new(scheme, tolerance))
-    }
-}
+use driver::Node;
+pub use driver::{Library, Scheme};
 
 impl Integrator for Library {
     fn traverse(
@@ -34,7 +23,7 @@ impl Integrator for Library {
         state: &mut State,
         samples: Option<&mut Sampler>,
     ) -> Result<Landing, IntegrationError> {
-        self.0.begin_leg();
+        self.taken_before_leg = self.work.steps + self.work.rejected;
         let super::Sizes { distance, speed } = path.sizes;
         let unit_of_time = distance / speed;
         let begun = *state;
@@ -48,18 +37,15 @@ impl Integrator for Library {
         let is_free = path.pull == 0.0 && path.drag == Drag::NONE;
         // the nodes of all steps before the end, and the end
         let (nodes, landing, end) =
-            if is_free { henon::run(&mut self.0, path, start)? } else { newton::run(&mut self.0, path, start)? };
+            if is_free { henon::run(self, path, start)? } else { newton::run(self, path, start)? };
         *state = absolute(end);
         state.distance = path.landed_at(landing, state.distance);
         if let Some(samples) = samples {
             while let Some(time) = samples.due_before(state.time) {
                 let t = (time - begun.time) / unit_of_time;
                 let node = nodes[nodes.partition_point(|node| node[0] <= t).saturating_sub(1)];
-                let at = if is_free {
-                    henon::after(&mut self.0, path, node, t)?
-                } else {
-                    self.0.after(path, node, t - node[0])?
-                };
+                let at =
+                    if is_free { henon::after(self, path, node, t)? } else { self.after(path, node, t - node[0])? };
                 samples.take(State { time, ..absolute(at) });
             }
         }
@@ -67,6 +53,6 @@ impl Integrator for Library {
     }
 
     fn work(&self) -> Work {
-        self.0.work
+        self.work
     }
 }

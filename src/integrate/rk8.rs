@@ -28,7 +28,7 @@ use super::dense::sample;
 use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
-use super::piece::power::{Hertz, Power};
+use super::piece::power::Power;
 use super::piece::smooth::{OfDistance, OfRoot};
 use super::piece::straight::Straight;
 use super::piece::{Field, NO_PULL, Pull, Variables};
@@ -80,8 +80,8 @@ impl Rk8 {
         }
         match path.restoring {
             Restoring::Straight { at_start, slope } => traverse!(Straight::new(at_start, slope, pull)),
-            Restoring::Power { coefficient, exponent: 1.5 } => traverse!(Hertz::new(coefficient, pull)),
-            Restoring::Power { coefficient, exponent } => traverse!(Power::new(coefficient, exponent, pull)),
+            Restoring::Power { coefficient: k, exponent: 1.5 } => traverse!(Power::<true, PULLED>::new(k, 1.5, pull)),
+            Restoring::Power { coefficient: k, exponent } => traverse!(Power::<false, PULLED>::new(k, exponent, pull)),
             Restoring::Smooth { .. } if PULLED => None,
             Restoring::Smooth { force, start, factor } => Some(match force.variable() {
                 Variable::Indentation => {

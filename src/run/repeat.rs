@@ -38,7 +38,7 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), E
 fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &scene)?;
-    let sequence = repeat.run_watched(&contact, &scene.solver, scene.samples, progress);
+    let sequence = repeat.run(&contact, &scene.solver, scene.samples, Some(progress));
     let sequence = sequence.map_err(|reason| Error::impact(scenario, reason))?;
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();

@@ -206,7 +206,7 @@ fn one_result_whatever_the_method() {
         let text = format!("{BODIES}{BOUNCING}[solver]\nmethod = \"{method}\"\n");
         let scenario = Scenario::from_text("s.toml", &text, &[]).unwrap();
         let (scene, contact, repeat) = prepare_repeat(&scenario).unwrap();
-        let sequence = repeat.run(&contact, &scene.solver, scene.samples).unwrap();
+        let sequence = repeat.run(&contact, &scene.solver, scene.samples, None).unwrap();
         sequence.hits.iter().map(|hit| hit.restitution).collect()
     };
     let exact = e("auto");

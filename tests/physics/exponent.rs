@@ -163,7 +163,7 @@ fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
         assert!(faster.energy.drift < 1e-9, "{:e}", faster.energy.drift);
     }
     let repeat = Repeat { place: Place::Same, drive: Drive::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]) };
-    let sequence = repeat.run(&contact, &auto, 0).unwrap();
+    let sequence = repeat.run(&contact, &auto, 0, None).unwrap();
     assert!(sequence.hits.iter().all(|hit| hit.restitution <= 1.0 && hit.energy.plastic.unwrap() >= 0.0));
     assert!(sequence.warnings.is_empty(), "{:?}", sequence.warnings);
 }

@@ -103,7 +103,7 @@ fn a_spot_that_was_hit_remembers_its_hardened_dent() {
             let series = format!("[repeat]\nspot = \"{spot}\"\nspeeds = {speeds:?}\n");
             let (scene, contact, repeat) =
                 run::repeat::prepare_repeat(&read(&(scenario(&materials, &want) + &series))).unwrap();
-            let hits = repeat.run(&contact, &scene.solver, 10).unwrap().hits;
+            let hits = repeat.run(&contact, &scene.solver, 10, None).unwrap().hits;
             assert!(off(hits[0].restitution, want.restitution) < 1e-11, "{}", want.case);
             if spot == "fresh" {
                 assert_eq!(hits[2].restitution, hits[0].restitution);

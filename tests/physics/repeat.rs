@@ -66,7 +66,7 @@ fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
     // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms has a rounding error of
     // 1e-12
     let contact = contact(elastic(), None);
-    let sequence = bouncing(Place::Same, 1.0, 100_000, None).run(&contact, &auto(), 20).unwrap();
+    let sequence = bouncing(Place::Same, 1.0, 100_000, None).run(&contact, &auto(), 20, None).unwrap();
     let (first, last) = (sequence.hits[0], sequence.hits[99_999]);
     assert_eq!((sequence.end, sequence.hits.len()), (End::Impacts, 100_000));
     assert!(off(last.kinetic_in, first.kinetic_in) < 1e-9, "{:e}", off(last.kinetic_in, first.kinetic_in));
@@ -84,7 +84,7 @@ fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
 fn stepping_bounces_drift_no_more_than_their_tolerance_allows() {
     let contact = contact(elastic(), None);
     let by_steps = solver(Method::Rk8, 1e-12);
-    let sequence = bouncing(Place::Same, 1.0, 1000, None).run(&contact, &by_steps, 2).unwrap();
+    let sequence = bouncing(Place::Same, 1.0, 1000, None).run(&contact, &by_steps, 2, None).unwrap();
     let last = sequence.hits.last().unwrap();
     // 1000 impacts, each with an error of up to 10 tolerances
     assert!(off(last.kinetic_in, sequence.hits[0].kinetic_in) < 1000.0 * 2.0 * 10.0 * 1e-12);
@@ -96,7 +96,7 @@ fn a_ball_of_constant_restitution_follows_the_geometric_series() {
     // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), except for
     // gravity during the contact: m g over the peak force is below 1e-5 here
     let contact = contact(elastic(), Some(Damping::Viscous(0.05)));
-    let sequence = bouncing(Place::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2).unwrap();
+    let sequence = bouncing(Place::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2, None).unwrap();
     let e = sequence.hits[0].restitution;
     assert!(e > 0.8 && e < 0.95, "{e}");
     for (i, hit) in sequence.hits.iter().enumerate() {
@@ -123,7 +123,7 @@ fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
     for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape] {
         for speed in [0.05, 1.0, 3.0, 20.0] {
             let contact = contact(Scene { exponent, ..Scene::steel() }, None);
-            let sequence = bouncing(Place::Same, speed, 100, None).run(&contact, &auto(), 10).unwrap();
+            let sequence = bouncing(Place::Same, speed, 100, None).run(&contact, &auto(), 10, None).unwrap();
             let first = sequence.hits[0];
             assert!(first.restitution < 1.0 && first.residual_indentation > 0.0);
             for hit in &sequence.hits[1..] {
@@ -147,7 +147,7 @@ fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
 #[test]
 fn fresh_spots_are_single_impacts_at_the_speeds_that_remain() {
     let contact = contact(Scene::steel(), None);
-    let sequence = bouncing(Place::Fresh, 3.0, 100, Some(0.02)).run(&contact, &auto(), 10).unwrap();
+    let sequence = bouncing(Place::Fresh, 3.0, 100, Some(0.02)).run(&contact, &auto(), 10, None).unwrap();
     assert_eq!(sequence.end, End::Until);
     for (hit, next) in sequence.hits.iter().zip(&sequence.hits[1..]) {
         let single = contact.closed_form(hit.speed).unwrap();
@@ -173,7 +173,7 @@ fn the_ledger_of_a_hundred_bounces_with_gravity_and_damping_closes() {
         {
             let contact = contact(Scene::steel(), damping);
             let solver = Solver { tolerance, ..auto() };
-            let sequence = bouncing(place, 3.0, 100, None).run(&contact, &solver, 10).unwrap();
+            let sequence = bouncing(place, 3.0, 100, None).run(&contact, &solver, 10, None).unwrap();
             let drift = ledger(&contact, &sequence, place);
             assert!(drift < 10.0 * tolerance, "{place:?} {damping:?}: {drift:e}");
             assert!(sequence.hits.iter().all(|hit| hit.energy.drift < 10.0 * tolerance));
@@ -196,7 +196,7 @@ fn capture_ends_a_series_at_its_limit() {
     };
     let contact = contact(scene, None);
     let weight = contact.mass() * GRAVITY;
-    let run = |speed: f64| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10).unwrap();
+    let run = |speed: f64| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10, None).unwrap();
     let is_captured = |hit: &Hit| hit.peak_force <= 2.5 * weight;
     // the limit by bisection between a captured and a free first impact
     let (mut low, mut high) = (1e-3, 1e3);
@@ -219,7 +219,7 @@ fn capture_ends_a_series_at_its_limit() {
     assert!(!is_captured(&free.hits[0]));
     assert_eq!(free.end, End::InDent);
     // on the same spot it bounces elastically in the dent
-    let same = bouncing(Place::Same, high * 1.1, 5, None).run(&contact, &auto(), 10).unwrap();
+    let same = bouncing(Place::Same, high * 1.1, 5, None).run(&contact, &auto(), 10, None).unwrap();
     assert_eq!((same.end, same.hits.len()), (End::Impacts, 5));
     assert!(same.hits[1..].iter().all(|hit| hit.restitution == 1.0));
     // every series ends by one of these rules, at any speed
@@ -234,7 +234,7 @@ fn a_drop_starts_the_clock_at_the_release() {
     let contact = contact(Scene::steel(), None);
     let speed = drop_speed(GRAVITY, 0.5);
     let drive = Drive::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), speed, most: 2, until: None };
-    let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10).unwrap();
+    let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
     assert!(off(sequence.hits[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
     assert_eq!(sequence.fall.unwrap().height, 0.5);
 }
@@ -243,7 +243,7 @@ fn a_drop_starts_the_clock_at_the_release() {
 fn equal_shots_saturate_and_softer_ones_do_nothing() {
     let contact = Scene::steel().contact();
     let speeds: Vec<f64> = std::iter::repeat_n(2.0, 12).chain([1.0, 0.2, 1e-6, 2.0, 5.0, 4.0]).collect();
-    let hits = shots(Place::Same, &speeds).run(&contact, &auto(), 10).unwrap().hits;
+    let hits = shots(Place::Same, &speeds).run(&contact, &auto(), 10, None).unwrap().hits;
     for pair in hits[..12].windows(2) {
         assert!(pair[1].restitution > pair[0].restitution && pair[1].dent_growth < pair[0].dent_growth);
         assert!(pair[1].dent_growth > 0.0);
@@ -254,11 +254,11 @@ fn equal_shots_saturate_and_softer_ones_do_nothing() {
     }
     // the softer shots in between change nothing
     let without: Vec<f64> = std::iter::repeat_n(2.0, 13).collect();
-    let other = shots(Place::Same, &without).run(&contact, &auto(), 10).unwrap().hits;
+    let other = shots(Place::Same, &without).run(&contact, &auto(), 10, None).unwrap().hits;
     assert_eq!(hits[15].restitution, other[12].restitution);
     assert!(hits[16].dent_growth > 0.0 && hits[17].time.is_none());
     // on fresh surface equal shots are equal
-    let fresh = shots(Place::Fresh, &[2.0, 2.0]).run(&contact, &auto(), 10).unwrap().hits;
+    let fresh = shots(Place::Fresh, &[2.0, 2.0]).run(&contact, &auto(), 10, None).unwrap().hits;
     assert_eq!(fresh[0], fresh[1]);
     assert_eq!(fresh[0].restitution, contact.closed_form(2.0).unwrap().restitution);
 }

@@ -15,27 +15,23 @@ pub enum Scheme {
     Dop853,
 }
 
-/// The crate with method, tolerance and cost.
+/// `ode_solvers` with landing.
 #[derive(Debug, Clone)]
-pub(super) struct Driver {
+pub struct Library {
     scheme: Scheme,
     pub(super) tolerance: f64,
     pub(super) work: Work,
     /// Steps of the legs before this one.
-    taken_before_leg: u64,
+    pub(super) taken_before_leg: u64,
 }
 
 /// A state in variables of size one: [t, d, u, loss], the time since the leg began.
 pub(super) type Node = [f64; 4];
 
-impl Driver {
-    pub(super) fn new(scheme: Scheme, tolerance: f64) -> Self {
+impl Library {
+    /// An integrator with this relative tolerance.
+    pub fn new(scheme: Scheme, tolerance: f64) -> Self {
         Self { scheme, tolerance, work: Work::default(), taken_before_leg: 0 }
-    }
-
-    /// A leg begins: its steps are counted from here.
-    pub(super) fn begin_leg(&mut self) {
-        self.taken_before_leg = self.work.steps + self.work.rejected;
     }
 
     /// Carries `start` from `from` to `to` at this tolerance.

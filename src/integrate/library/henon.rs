@@ -9,7 +9,7 @@
 use nalgebra::{Vector2, Vector3};
 use ode_solvers::System;
 
-use super::driver::{Driver, Node};
+use super::driver::{Library, Node};
 use crate::integrate::{IntegrationError, Landing, Leg, Path};
 
 /// Independent variable of a landing.
@@ -64,7 +64,7 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
 
 /// The nodes of a leg, its landing and the state there.
 pub(super) fn run(
-    driver: &mut Driver,
+    library: &mut Library,
     path: &Path,
     start: Node,
 ) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
@@ -72,28 +72,28 @@ pub(super) fn run(
     const LONG: f64 = 1e3;
     let mut nodes = vec![start];
     let equations = Equations { path, along: Along::Distance, nodes: Some(&mut nodes) };
-    driver.drive(equations, driver.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
+    library.drive(equations, library.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
     let last = nodes.last().copied().unwrap_or(start);
-    let (landing, [t, d, u, _]) = land(driver, path, last)?;
+    let (landing, [t, d, u, _]) = land(library, path, last)?;
     Ok((nodes, landing, [t, d, u, start[3]]))
 }
 
 /// The state at `time`, from a node before it.
-pub(super) fn after(driver: &mut Driver, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
+pub(super) fn after(library: &mut Library, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
     let equations = Equations { path, along: Along::Distance, nodes: None };
-    let end = driver.drive(equations, driver.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
+    let end = library.drive(equations, library.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
     Ok([time, end[0], end[1], node[3]])
 }
 
 /// The state where the distance or the speed reaches `to`.
-fn reach(driver: &mut Driver, path: &Path, along: Along, node: Node, to: f64) -> Result<Node, IntegrationError> {
+fn reach(library: &mut Library, path: &Path, along: Along, node: Node, to: f64) -> Result<Node, IntegrationError> {
     let [t, d, u, loss] = node;
     let from = match along {
         Along::Distance => d,
         Along::Speed => u,
     };
     let end =
-        driver.drive(Equations { path, along, nodes: None }, driver.tolerance, from, to, Vector3::new(d, u, t))?;
+        library.drive(Equations { path, along, nodes: None }, library.tolerance, from, to, Vector3::new(d, u, t))?;
     Ok(match along {
         Along::Distance => [end[2], to, end[1], loss],
         Along::Speed => [end[2], end[0], to, loss],
@@ -101,21 +101,21 @@ fn reach(driver: &mut Driver, path: &Path, along: Along, node: Node, to: f64) ->
 }
 
 /// From a node before the end of the leg to that end.
-fn land(driver: &mut Driver, path: &Path, node: Node) -> Result<(Landing, Node), IntegrationError> {
+fn land(library: &mut Library, path: &Path, node: Node) -> Result<(Landing, Node), IntegrationError> {
     let [_, d, u, _] = node;
     let end = match path.leg {
         Leg::Outward(end) => end / path.sizes.distance,
         Leg::Back(end) => {
-            return Ok((Landing::End, reach(driver, path, Along::Distance, node, end / path.sizes.distance)?));
+            return Ok((Landing::End, reach(library, path, Along::Distance, node, end / path.sizes.distance)?));
         }
     };
     // u² at the end of the piece, by the work of a straight line from here to there
     let g = 0.5 * (scaled_deceleration(path, d) + scaled_deceleration(path, end));
     let left = u * u - 2.0 * g * (end - d);
     if end.is_finite() && left > 0.25 * u * u {
-        return Ok((Landing::End, reach(driver, path, Along::Distance, node, end)?));
+        return Ok((Landing::End, reach(library, path, Along::Distance, node, end)?));
     }
-    let turn = reach(driver, path, Along::Speed, node, 0.0)?;
+    let turn = reach(library, path, Along::Speed, node, 0.0)?;
     if turn[1] < end {
         return Ok((Landing::Turning, turn));
     }
@@ -123,7 +123,7 @@ fn land(driver: &mut Driver, path: &Path, node: Node) -> Result<(Landing, Node),
     let mut square = 2.0 * g_end * (turn[1] - end);
     let mut landed = turn;
     for _ in 0..8 {
-        landed = reach(driver, path, Along::Speed, node, square.sqrt())?;
+        landed = reach(library, path, Along::Speed, node, square.sqrt())?;
         let miss = landed[1] - end;
         if miss.abs() <= 4.0 * f64::EPSILON * end {
             break;

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use ode_solvers::System;
 
-use super::driver::{Driver, Node};
+use super::driver::{Library, Node};
 use crate::integrate::cubic::dips;
 use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
 use crate::math::root::Bracket;
@@ -23,8 +23,8 @@ fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
 const LOOSEST_CREEP: f64 = 1e-5;
 
 /// The tolerance of a leg.
-fn tolerance(driver: &Driver, path: &Path) -> f64 {
-    if path.rest.is_some() { driver.tolerance.min(LOOSEST_CREEP) } else { driver.tolerance }
+fn tolerance(library: &Library, path: &Path) -> f64 {
+    if path.rest.is_some() { library.tolerance.min(LOOSEST_CREEP) } else { library.tolerance }
 }
 
 /// Times nearer to each other than this, in units of size one, are one time.
@@ -141,7 +141,7 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     }
 }
 
-impl Driver {
+impl Library {
     /// The state a `time` after a node.
     pub(super) fn after(&mut self, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
         let ([from, d, u, loss], to) = (node, node[0] + time);
@@ -242,7 +242,7 @@ impl Driver {
 
 /// The nodes of a leg, its landing and the state there.
 pub(super) fn run(
-    driver: &mut Driver,
+    library: &mut Library,
     path: &Path,
     start: Node,
 ) -> Result<(Vec<Node>, Landing, Node), IntegrationError> {
@@ -258,18 +258,18 @@ pub(super) fn run(
     for _ in 0..MOST_ATTEMPTS {
         let equations = Equations { path, log: Some(&mut log) };
         let [t, d, u, loss] = last;
-        driver.drive(equations, tolerance(driver, path), t, LONG, Vector3::new(d, u, loss))?;
+        library.drive(equations, tolerance(library, path), t, LONG, Vector3::new(d, u, loss))?;
         last = log.nodes.last().copied().unwrap_or(start);
-        landed = if log.is_at_rest { Some((Landing::Rest, last)) } else { driver.land(path, last)? };
+        landed = if log.is_at_rest { Some((Landing::Rest, last)) } else { library.land(path, last)? };
         if landed.is_some() {
             break;
         }
-        let further = driver.after(path, last, STRETCH)?;
+        let further = library.after(path, last, STRETCH)?;
         let equations = Equations { path, log: None };
         if let Some(event) = equations.passed(last, further)
             && equations.event(event, last).0 > 0.0
         {
-            let at = driver.between(&equations, event, last, STRETCH)?;
+            let at = library.between(&equations, event, last, STRETCH)?;
             if event != Crossing::Turning || !equations.is_pushed_on(at[1]) {
                 landed = Some(landing_on(event, at));
                 break;

@@ -8,7 +8,7 @@ use crate::integrate::landing::{AT_END, Node, Target};
 use crate::integrate::lanes::Lane;
 use crate::integrate::piece::NO_PULL;
 use crate::integrate::piece::mixed::Mixed;
-use crate::integrate::piece::power::Hertz;
+use crate::integrate::piece::power::Power;
 use crate::integrate::piece::straight::Straight;
 use crate::integrate::rk8::{Constants, Rk8, grown, shrunk};
 use crate::integrate::{Drag, Integrator as _, Landing, MOST_STEPS, Path, Restoring, State};
@@ -62,7 +62,7 @@ impl Lanes for Conservative {
                 ([a, b, 0.0, 1.0], self.rk8.begin(Straight::new(a, b, NO_PULL), path, state))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
-                let hertz = Hertz::new(coefficient, NO_PULL);
+                let hertz = Power::<true, false>::new(coefficient, 1.5, NO_PULL);
                 ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, state))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,

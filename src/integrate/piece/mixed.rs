@@ -6,7 +6,7 @@ use super::{Field, Motion, Quad};
 use crate::integrate::lanes::Lane;
 
 /// Without drag: g = −(a + b y + c y⁴). A term that the piece of a lane lacks has the coefficient zero. The result has the
-/// same bits as with [`super::straight::Straight`] and [`super::power::Hertz`].
+/// same bits as with [`super::straight::Straight`] and [`super::power::Power`].
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrate) struct Mixed<T> {
     pub(in crate::integrate) a: T,

@@ -6,101 +6,28 @@ use crate::integrate::{Drag, Path};
 use crate::math::functions::{pow, powi};
 use crate::math::power::power_turn;
 
-/// Any power law without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1.
+/// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Power<const PULLED: bool> {
-    c: f64,
+pub(in crate::integrate) struct Power<const HERTZ: bool, const PULLED: bool> {
+    pub(in crate::integrate) c: f64,
     m: f64,
     pull: Pull<PULLED>,
 }
 
-/// The same for n = 3/2: g = 2 γ y − c y⁴.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Hertz<const PULLED: bool> {
-    pub(in crate::integrate) c: f64,
-    pull: Pull<PULLED>,
-}
-
-impl<const PULLED: bool> Hertz<PULLED> {
+impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(k: f64, pull: Pull<PULLED>) -> Self {
-        Self { c: 2.0 * k, pull }
-    }
-}
-
-impl<const PULLED: bool> Power<PULLED> {
     pub(in crate::integrate) fn new(k: f64, n: f64, pull: Pull<PULLED>) -> Self {
         Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
     }
 
-    /// c y^(m+1)/(m+1) − γ y².
+    /// m, which the compiler knows for Hertz.
     #[inline(always)]
-    fn any_potential(self, y: f64) -> f64 {
-        let q = self.m + 1.0;
-        let of_force = self.c / q * pow(y.abs(), q);
-        if PULLED { of_force - self.pull.acceleration() * y * y } else { of_force }
-    }
-
-    /// The y of that potential.
-    #[inline(always)]
-    fn at_any_potential(self, potential: f64) -> f64 {
-        if PULLED {
-            // potential = k d^(n+1)/(n+1) − γ d
-            let (n, k) = (0.5 * (self.m - 1.0), 0.5 * self.c);
-            power_turn(k, n, potential.max(0.0), self.pull.acceleration()).sqrt()
-        } else {
-            pow((self.m + 1.0) * potential / self.c, 1.0 / (self.m + 1.0))
-        }
+    fn m(self) -> f64 {
+        if HERTZ { 4.0 } else { self.m }
     }
 }
 
-/// The part of [`Variables`] under a pull: where the pull is stronger than the force, the first step follows from the pull.
-macro_rules! pulled {
-    () => {
-        const IS_PULLED: bool = PULLED;
-        #[inline(always)]
-        fn stiffness(self, y: f64) -> f64 {
-            4.0 * self.pull.acceleration() - self.derivatives(y).0
-        }
-    };
-}
-
-impl<const PULLED: bool> Field<f64> for Hertz<PULLED> {
-    const IS_TIME: bool = false;
-    #[inline(always)]
-    fn scaled(self, factor: f64) -> Self {
-        Self { c: self.c * factor, pull: self.pull.scaled(factor) }
-    }
-    #[inline(always)]
-    fn g(self, y: f64) -> f64 {
-        let square = y * y;
-        self.pull.less(y, self.c * (square * square))
-    }
-    #[inline(always)]
-    fn derivatives(self, y: f64) -> (f64, f64) {
-        let second = self.c * (y * y) * -12.0;
-        (self.pull.onto(second * y * (1.0 / 3.0)), second)
-    }
-}
-
-impl<const PULLED: bool> Variables for Hertz<PULLED> {
-    const IS_POLYNOMIAL: bool = true;
-    pulled!();
-    #[inline(always)]
-    fn potential(self, y: f64) -> f64 {
-        if PULLED {
-            return Power { c: self.c, m: 4.0, pull: self.pull }.any_potential(y);
-        }
-        let square = y * y;
-        0.2 * self.c * square * square * y
-    }
-    #[inline(always)]
-    fn at_potential(self, potential: f64) -> f64 {
-        Power { c: self.c, m: 4.0, pull: self.pull }.at_any_potential(potential)
-    }
-}
-
-impl<const PULLED: bool> Field<f64> for Power<PULLED> {
+impl<const HERTZ: bool, const PULLED: bool> Field<f64> for Power<HERTZ, PULLED> {
     const IS_TIME: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
@@ -108,25 +35,50 @@ impl<const PULLED: bool> Field<f64> for Power<PULLED> {
     }
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
-        self.pull.less(y, self.c * pow(y.abs(), self.m))
+        let square = y * y;
+        let power = if HERTZ { square * square } else { pow(y.abs(), self.m) };
+        self.pull.less(y, self.c * power)
     }
     #[inline(always)]
     fn derivatives(self, y: f64) -> (f64, f64) {
+        if HERTZ {
+            let second = self.c * (y * y) * -12.0;
+            return (self.pull.onto(second * y * (1.0 / 3.0)), second);
+        }
         let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
         (self.pull.onto(second * y / (self.m - 1.0)), second)
     }
 }
 
-impl<const PULLED: bool> Variables for Power<PULLED> {
-    const IS_POLYNOMIAL: bool = false;
-    pulled!();
+impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
+    const IS_POLYNOMIAL: bool = HERTZ;
+    const IS_PULLED: bool = PULLED;
+    /// c y^(m+1)/(m+1) − γ y².
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
-        self.any_potential(y)
+        if HERTZ && !PULLED {
+            let square = y * y;
+            return 0.2 * self.c * square * square * y;
+        }
+        let q = self.m() + 1.0;
+        let of_force = self.c / q * pow(y.abs(), q);
+        if PULLED { of_force - self.pull.acceleration() * y * y } else { of_force }
     }
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
-        self.at_any_potential(potential)
+        if PULLED {
+            // potential = k d^(n+1)/(n+1) − γ d
+            let (n, k) = (0.5 * (self.m() - 1.0), 0.5 * self.c);
+            power_turn(k, n, potential.max(0.0), self.pull.acceleration()).sqrt()
+        } else {
+            let q = self.m() + 1.0;
+            pow(q * potential / self.c, 1.0 / q)
+        }
+    }
+    /// Where the pull is stronger than the force, the first step follows from the pull.
+    #[inline(always)]
+    fn stiffness(self, y: f64) -> f64 {
+        4.0 * self.pull.acceleration() - self.derivatives(y).0
     }
 }
 

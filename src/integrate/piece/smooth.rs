@@ -70,9 +70,10 @@ impl Variables for OfRoot {
     }
 }
 
-/// A formula with drag and pull: d'' = γ − f − drag, f = factor × formula.
+/// A formula with drag, d = r^m: m = 1 for a formula of d; for one of √d m = 2, or 4 where the drag goes with √f', that is
+/// with d^¼.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Curve {
+pub(in crate::integrate) struct DraggedCurve<const M: u8> {
     force: Smooth,
     start: f64,
     factor: f64,
@@ -80,97 +81,70 @@ pub(in crate::integrate) struct Curve {
     pull: f64,
 }
 
-impl Curve {
+impl<const M: u8> DraggedCurve<M> {
     /// The formula with the pull and the drag of a path.
     pub(in crate::integrate) fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
         Self { force, start, factor, drag: path.drag, pull: path.pull }
     }
 
-    /// γ − f − drag, and drag × u, where the force is f and its slope in d is `slope`.
-    fn pulls(&self, f: f64, slope: impl FnOnce() -> f64, u: f64) -> (f64, f64) {
-        let drag = self.drag.at(f, slope) * u;
-        (self.pull - f - drag, drag * u)
+    /// The argument of the formula at r.
+    fn argument(&self, r: f64) -> f64 {
+        match M {
+            1 => self.start + r,
+            2 => r.abs(),
+            _ => r * r,
+        }
     }
 
-    /// Contact force f + η √s u and its derivative along a way on which f, s and u change at these rates.
-    fn contact(&self, f: [f64; 2], s: [f64; 2], u: [f64; 2]) -> (f64, f64) {
-        let root = root_of(s[0]);
-        let of_root = if root > 0.0 { 0.5 * s[1] / root } else { 0.0 };
-        let eta = self.drag.eta;
-        (f[0] + eta * root * u[0], f[1] + eta * (root * u[1] + of_root * u[0]))
+    /// dd/dr = m r^(m−1), which is also dt/dσ.
+    fn clock(r: f64) -> f64 {
+        f64::from(M) * powi(r, i32::from(M) - 1)
+    }
+
+    /// The force and its first two derivatives in d at r.
+    fn derivatives(&self, r: f64) -> [f64; 3] {
+        let root = self.argument(r);
+        let jet = self.force.jet(root);
+        let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| self.factor * part);
+        match M {
+            1 => [f, s, k],
+            _ if root > 0.0 => [f, s / (2.0 * root), (k - s / root) / (4.0 * root * root)],
+            _ => [f, 0.5 * k, 0.0],
+        }
     }
 }
 
-/// A curve that is smooth in d: y = d, σ = t.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedOfDistance(pub(in crate::integrate) Curve);
-
-impl Motion<f64> for DraggedOfDistance {
+impl<const M: u8> Motion<f64> for DraggedCurve<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
-        let Curve { force, start, factor, .. } = self.0;
-        let (rate, loss) = self.0.pulls(factor * force.value(start, y), || factor * force.slope(start, y), u);
-        [u, rate, 1.0, loss]
-    }
-}
-
-impl Dragged for DraggedOfDistance {
-    const ROOT: i32 = 1;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        let curve = &self.0;
-        let jet = curve.force.jet(curve.start + node[0]);
-        let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| curve.factor * part);
-        curve.contact([f, s * rates[0]], [s, k * rates[0]], [node[1], rates[1]])
-    }
-    fn frequency(&self, y: f64) -> f64 {
-        (self.0.factor * self.0.force.slope(self.0.start, y)).max(f64::MIN_POSITIVE).sqrt()
-    }
-}
-
-/// A curve that is smooth in √d: d = r^m, m = 4 where the drag goes with √f', that is with d^¼.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedOfRoot<const M: u8>(pub(in crate::integrate) Curve);
-
-impl<const M: u8> DraggedOfRoot<M> {
-    /// √d.
-    fn root(r: f64) -> f64 {
-        if M == 2 { r } else { r * r }
-    }
-
-    /// f and its first two derivatives in d at √d.
-    fn derivatives(&self, root: f64) -> [f64; 3] {
-        let jet = self.0.force.jet(root);
-        let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| self.0.factor * part);
-        let in_d = if root > 0.0 { [s / (2.0 * root), (k - s / root) / (4.0 * root * root)] } else { [0.5 * k, 0.0] };
-        [f, in_d[0], in_d[1]]
-    }
-}
-
-impl<const M: u8> Motion<f64> for DraggedOfRoot<M> {
-    fn rates(&self, y: f64, u: f64) -> Quad {
-        let clock = f64::from(M) * powi(y, i32::from(M) - 1);
-        let root = Self::root(y.abs());
-        let [f, s, _] = if self.0.drag.eta == 0.0 {
-            [self.0.factor * self.0.force.at_variable(root), 0.0, 0.0]
-        } else {
-            self.derivatives(root)
+        let [of_jet, s, _] = if self.drag.eta == 0.0 { [0.0; 3] } else { self.derivatives(y) };
+        let f = match M {
+            2.. if self.drag.eta != 0.0 => of_jet,
+            _ => self.factor * self.force.at_variable(self.argument(y)),
         };
-        let (rate, loss) = self.0.pulls(f, || s, u);
-        [u, clock * rate, clock, clock * loss]
+        let (clock, drag) = (Self::clock(y), self.drag.at(f, || s) * u);
+        [u, clock * (self.pull - f - drag), clock, clock * (drag * u)]
     }
 }
 
-impl<const M: u8> Dragged for DraggedOfRoot<M> {
+impl<const M: u8> Dragged for DraggedCurve<M> {
     const ROOT: i32 = M as i32;
     fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        let [f, s, k] = self.derivatives(Self::root(node[0].abs()));
-        // along σ the distance changes by u times the clock
-        let moved = rates[0] * f64::from(M) * powi(node[0], i32::from(M) - 1);
-        self.0.contact([f, s * moved], [s, k * moved], [node[1], rates[1]])
+        // f + η √s u, where s = f'(d); f and s change along σ as d does
+        let [f, s, k] = self.derivatives(node[0]);
+        let moved = rates[0] * Self::clock(node[0]);
+        let root = root_of(s);
+        let of_root = if root > 0.0 { 0.5 * (k * moved) / root } else { 0.0 };
+        let eta = self.drag.eta;
+        (f + eta * root * node[1], s * moved + eta * (root * rates[1] + of_root * node[1]))
     }
     fn frequency(&self, y: f64) -> f64 {
         let m = f64::from(M);
-        let [f, s, _] = self.derivatives(Self::root(y));
+        let [f, s, _] = self.derivatives(y);
         // √ of about −du'/dr
-        (m * powi(y, i32::from(M) - 2) * ((m - 1.0) * f + m * powi(y, i32::from(M)) * s)).max(f64::MIN_POSITIVE).sqrt()
+        let square = match M {
+            1 => s,
+            _ => m * powi(y, i32::from(M) - 2) * ((m - 1.0) * f + m * powi(y, i32::from(M)) * s),
+        };
+        square.max(f64::MIN_POSITIVE).sqrt()
     }
 }
