@@ -130,7 +130,6 @@ pub struct Drag<T = f64> {
 }
 
 impl Drag {
-    /// No resistance.
     pub const NONE: Self = Self { chi: 0.0, eta: 0.0 };
 
     /// g χ d'.
@@ -202,13 +201,11 @@ pub struct Rest {
 pub struct Path {
     /// The deceleration g.
     pub restoring: Restoring,
-    /// From where to where.
     pub leg: Leg,
     /// The sizes that errors are measured against.
     pub sizes: Sizes,
     /// γ ≥ 0: a constant acceleration outward.
     pub pull: f64,
-    /// Resistance.
     pub drag: Drag,
     /// Where the motion may end without an event.
     pub rest: Option<Rest>,
@@ -272,7 +269,6 @@ enum Crossing {
 pub struct Work {
     /// Accepted steps.
     pub steps: u64,
-    /// Rejected steps.
     pub rejected: u64,
     /// Evaluations of the deceleration.
     pub force_evaluations: u64,
@@ -301,32 +297,18 @@ pub enum IntegrationError {
     #[error(
         "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use another method"
     )]
-    StepUnderflow {
-        /// The time reached.
-        time: f64,
-        /// The step.
-        step: f64,
-    },
+    StepUnderflow { time: f64, step: f64 },
     /// More steps than any impact needs.
     #[error(
         "no landing within {steps} steps; loosen the tolerance, lower the damping, or use method = \"auto\", which takes the closed form where there is one"
     )]
-    TooManySteps {
-        /// The limit.
-        steps: u64,
-    },
+    TooManySteps { steps: u64 },
     /// A motion damped far beyond critical, which creeps.
     #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
-    Creeping {
-        /// The limit.
-        steps: u64,
-    },
+    Creeping { steps: u64 },
     /// A state that is no number.
     #[error("the state became infinite or not a number at dimensionless time {time:e}")]
-    NotFinite {
-        /// The time reached.
-        time: f64,
-    },
+    NotFinite { time: f64 },
 }
 
 /// Evenly spaced sampling of a motion, filled while it is integrated. Times are absolute, distances those of the leg.

@@ -42,9 +42,7 @@ pub const LOADING: [(&str, &str); 5] = [
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("reference table {table}: {problem}")]
 pub struct ReferenceError {
-    /// Its name.
     pub table: &'static str,
-    /// What is wrong with it.
     pub problem: String,
 }
 

@@ -16,13 +16,9 @@ pub trait Lane:
 {
     /// `value` in every lane.
     fn all(self, value: f64) -> Self;
-    /// |x|.
     fn abs(self) -> Self;
-    /// √x.
     fn sqrt(self) -> Self;
-    /// The larger.
     fn max(self, other: Self) -> Self;
-    /// The smaller.
     fn min(self, other: Self) -> Self;
     /// `then` where self < other, else `otherwise` (also where one is not a number).
     fn if_less(self, other: Self, then: Self, otherwise: Self) -> Self;
@@ -78,7 +74,6 @@ pub struct Wide<S: Simd, const K: usize> {
 }
 
 impl<S: Simd, const K: usize> Wide<S, K> {
-    /// From memory.
     #[inline(always)]
     pub fn load(simd: S, row: &[S::f64s]) -> Self {
         let mut registers = [simd.splat_f64s(0.0); K];
@@ -86,7 +81,6 @@ impl<S: Simd, const K: usize> Wide<S, K> {
         Self { simd, registers }
     }
 
-    /// To memory.
     #[inline(always)]
     pub fn store(self, row: &mut [S::f64s]) {
         row[..K].copy_from_slice(&self.registers);

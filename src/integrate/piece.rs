@@ -73,46 +73,11 @@ pub(super) trait Variables: Field<f64> {
     }
 }
 
-/// 2 γ of a constant pull beside the force of a piece. If `ACTS` is false there is no pull, and the number is not used.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Pull<const ACTS: bool>(f64);
-
-impl<const ACTS: bool> Pull<ACTS> {
-    #[inline(always)]
-    pub(super) fn new(acceleration: f64) -> Self {
-        Self(2.0 * acceleration)
-    }
-    /// γ.
-    #[inline(always)]
-    pub(super) fn acceleration(self) -> f64 {
-        if ACTS { 0.5 * self.0 } else { 0.0 }
-    }
-    /// The pull of the field factor × g.
-    #[inline(always)]
-    pub(super) fn scaled(self, factor: f64) -> Self {
-        if ACTS { Self(self.0 * factor) } else { self }
-    }
-    /// 2 γ y − `force`, where y = √d.
-    #[inline(always)]
-    pub(super) fn less(self, y: f64, force: f64) -> f64 {
-        if ACTS { self.0 * y - force } else { -force }
-    }
-    /// `slope` + 2 γ, where y = √d.
-    #[inline(always)]
-    pub(super) fn onto(self, slope: f64) -> f64 {
-        if ACTS { slope + self.0 } else { slope }
-    }
-}
-
-/// No pull.
-pub(super) const NO_PULL: Pull<false> = Pull(0.0);
-
 /// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
 pub(super) type Quad<T = f64> = [T; 4];
 
 /// A motion with drag in its own variables; of one sphere, or of several in lock step.
 pub(super) trait Motion<T: Lane>: Copy {
-    /// The rates at (y, u).
     fn rates(&self, y: T, u: T) -> Quad<T>;
 }
 

@@ -31,7 +31,7 @@ use super::nystrom::{self, EVALUATIONS};
 use super::piece::power::Power;
 use super::piece::smooth::{OfDistance, OfRoot};
 use super::piece::straight::Straight;
-use super::piece::{Field, NO_PULL, Pull, Variables};
+use super::piece::{Field, Variables};
 use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
 use crate::math::functions::pow;
 use crate::math::smooth::Variable;
@@ -63,11 +63,10 @@ impl Rk8 {
         }
     }
 
-    /// Integrates a leg without drag under this pull; `None` if the leg is left to the stepper with drag.
+    /// Integrates a leg without drag, with or without a pull; `None` if the leg is left to the stepper with drag.
     #[inline(always)]
     fn conservative<const PULLED: bool>(
         &mut self,
-        pull: Pull<PULLED>,
         path: &Path,
         state: &mut State,
         samples: Option<&mut Sampler>,
@@ -79,9 +78,13 @@ impl Rk8 {
             }};
         }
         match path.restoring {
-            Restoring::Straight { at_start, slope } => traverse!(Straight::new(at_start, slope, pull)),
-            Restoring::Power { coefficient: k, exponent: 1.5 } => traverse!(Power::<true, PULLED>::new(k, 1.5, pull)),
-            Restoring::Power { coefficient: k, exponent } => traverse!(Power::<false, PULLED>::new(k, exponent, pull)),
+            Restoring::Straight { at_start, slope } => traverse!(Straight::<PULLED>::new(at_start, slope, path.pull)),
+            Restoring::Power { coefficient: k, exponent: 1.5 } => {
+                traverse!(Power::<true, PULLED>::new(k, 1.5, path.pull))
+            }
+            Restoring::Power { coefficient: k, exponent } => {
+                traverse!(Power::<false, PULLED>::new(k, exponent, path.pull))
+            }
             Restoring::Smooth { .. } if PULLED => None,
             Restoring::Smooth { force, start, factor } => Some(match force.variable() {
                 Variable::Indentation => {
@@ -223,9 +226,9 @@ impl Integrator for Rk8 {
     ) -> Result<Landing, IntegrationError> {
         if path.drag == Drag::NONE && matches!(path.leg, Leg::Outward(_) | Leg::Back(0.0)) {
             let landed = if path.pull == 0.0 {
-                self.conservative(NO_PULL, path, state, samples.as_deref_mut())
+                self.conservative::<false>(path, state, samples.as_deref_mut())
             } else {
-                self.conservative(Pull::<true>::new(path.pull), path, state, samples.as_deref_mut())
+                self.conservative::<true>(path, state, samples.as_deref_mut())
             };
             if let Some(landed) = landed {
                 return landed;

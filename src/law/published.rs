@@ -133,12 +133,6 @@ impl Loading {
     }
 }
 
-impl fmt::Debug for Loading {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Loading").field("curve", &self.curve).finish_non_exhaustive()
-    }
-}
-
 /// A peak, or a whole impact, that the law has no answer for.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
@@ -174,7 +168,7 @@ pub struct Published {
 
 impl fmt::Debug for Published {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.loading.fmt(f)
+        f.debug_struct("Published").field("curve", &self.loading.curve).finish_non_exhaustive()
     }
 }
 

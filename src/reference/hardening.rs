@@ -25,7 +25,6 @@ pub struct Materials {
 }
 
 impl Materials {
-    /// The sphere's material.
     pub fn sphere(&self) -> Material {
         Material { youngs_modulus: self.sphere_modulus, poissons_ratio: self.sphere_poissons_ratio }
     }

@@ -9,13 +9,10 @@ pub struct ImpactRow {
     pub case: String,
     /// e.
     pub restitution: f64,
-    /// \[s\]
     #[serde(rename = "contact_time_s")]
     pub contact_time: f64,
-    /// \[N\]
     #[serde(rename = "peak_force_N")]
     pub peak_force: f64,
-    /// \[m\]
     #[serde(rename = "residual_indentation_m")]
     pub residual_indentation: f64,
     /// Radiated as elastic waves, of the kinetic energy.
@@ -25,21 +22,16 @@ pub struct ImpactRow {
 /// A sample in time.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Sample {
-    /// "D1".
     pub case: String,
-    /// \[s\]
     #[serde(rename = "time_s")]
     pub time: f64,
-    /// \[N\]
     #[serde(rename = "force_N")]
     pub force: f64,
     /// Approach of the centre of mass \[m\].
     #[serde(rename = "indentation_m")]
     pub indentation: f64,
-    /// \[m\]
     #[serde(rename = "sphere_indentation_m")]
     pub sphere_indentation: f64,
-    /// \[m\]
     #[serde(rename = "half_space_indentation_m")]
     pub half_space_indentation: f64,
 }

@@ -23,7 +23,6 @@ pub struct Device {
 }
 
 impl Device {
-    /// Material of the tip.
     pub fn tip(&self) -> Material {
         Material { youngs_modulus: self.tip_modulus, poissons_ratio: self.tip_poissons_ratio }
     }
@@ -37,13 +36,11 @@ impl Device {
 /// A test block: its name, and its HL by a device.
 pub type Block = (&'static str, fn(&Device) -> f64);
 
-/// The blocks.
 pub const BLOCKS: [Block; 2] = [("hard block", |device| device.hard_block), ("soft block", |device| device.soft_block)];
 
 /// Ends of the range of a steel.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Steel {
-    /// Its name.
     pub steel: String,
     #[serde(rename = "low_HLD")]
     low_hardness: f64,

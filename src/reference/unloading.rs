@@ -60,9 +60,7 @@ pub struct Unloaded {
 /// An increment in contact on the way back, behind the peak.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct UnloadingPoint {
-    /// The run.
     pub run: String,
-    /// Number of the unloading in it.
     pub cycle: u32,
     /// x.
     pub x: f64,
@@ -75,9 +73,7 @@ pub struct UnloadingPoint {
 /// A point of the surface after unloading.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct DentPoint {
-    /// The run.
     pub run: String,
-    /// Number of the unloading in it.
     pub cycle: u32,
     /// r/R.
     #[serde(rename = "r_over_R")]

@@ -22,7 +22,6 @@ fn landing_on(event: Crossing, at: Node) -> (Landing, Node) {
 /// impact, and a creep is much slower: with a looser tolerance the steps may stop before the creep has ended.
 const LOOSEST_CREEP: f64 = 1e-5;
 
-/// The tolerance of a leg.
 fn tolerance(library: &Library, path: &Path) -> f64 {
     if path.rest.is_some() { library.tolerance.min(LOOSEST_CREEP) } else { library.tolerance }
 }

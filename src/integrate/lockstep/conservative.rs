@@ -6,7 +6,6 @@ use pulp::{Arch, Simd};
 use super::{AllLanes, At, Ended, Kernel, LANES, Lanes, Row, Started, of_lane, put};
 use crate::integrate::landing::{AT_END, Node, Target};
 use crate::integrate::lanes::Lane;
-use crate::integrate::piece::NO_PULL;
 use crate::integrate::piece::mixed::Mixed;
 use crate::integrate::piece::power::Power;
 use crate::integrate::piece::straight::Straight;
@@ -59,10 +58,10 @@ impl Lanes for Conservative {
         let rows = &mut *self.rows;
         let (field, (leg, node, h)) = match path.restoring {
             Restoring::Straight { at_start: a, slope: b } => {
-                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::new(a, b, NO_PULL), path, state))
+                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::<false>::new(a, b, 0.0), path, state))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
-                let hertz = Power::<true, false>::new(coefficient, 1.5, NO_PULL);
+                let hertz = Power::<true, false>::new(coefficient, 1.5, 0.0);
                 ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, state))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,

@@ -1,6 +1,6 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`.
 
-use super::{Dragged, Field, Motion, Pull, Quad, Variables};
+use super::{Dragged, Field, Motion, Quad, Variables};
 use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 use crate::math::functions::{pow, powi};
@@ -11,12 +11,13 @@ use crate::math::power::power_turn;
 pub(in crate::integrate) struct Power<const HERTZ: bool, const PULLED: bool> {
     pub(in crate::integrate) c: f64,
     m: f64,
-    pull: Pull<PULLED>,
+    /// γ; not used if there is none.
+    pull: f64,
 }
 
 impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(k: f64, n: f64, pull: Pull<PULLED>) -> Self {
+    pub(in crate::integrate) fn new(k: f64, n: f64, pull: f64) -> Self {
         Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
     }
 
@@ -31,22 +32,25 @@ impl<const HERTZ: bool, const PULLED: bool> Field<f64> for Power<HERTZ, PULLED> 
     const IS_TIME: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
-        Self { c: self.c * factor, pull: self.pull.scaled(factor), ..self }
+        Self { c: self.c * factor, pull: self.pull * factor, ..self }
     }
     #[inline(always)]
     fn g(self, y: f64) -> f64 {
         let square = y * y;
         let power = if HERTZ { square * square } else { pow(y.abs(), self.m) };
-        self.pull.less(y, self.c * power)
+        let force = self.c * power;
+        if PULLED { 2.0 * self.pull * y - force } else { -force }
     }
     #[inline(always)]
     fn derivatives(self, y: f64) -> (f64, f64) {
-        if HERTZ {
+        let (slope, second) = if HERTZ {
             let second = self.c * (y * y) * -12.0;
-            return (self.pull.onto(second * y * (1.0 / 3.0)), second);
-        }
-        let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
-        (self.pull.onto(second * y / (self.m - 1.0)), second)
+            (second * y * (1.0 / 3.0), second)
+        } else {
+            let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
+            (second * y / (self.m - 1.0), second)
+        };
+        (if PULLED { slope + 2.0 * self.pull } else { slope }, second)
     }
 }
 
@@ -62,14 +66,14 @@ impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
         }
         let q = self.m() + 1.0;
         let of_force = self.c / q * pow(y.abs(), q);
-        if PULLED { of_force - self.pull.acceleration() * y * y } else { of_force }
+        if PULLED { of_force - self.pull * y * y } else { of_force }
     }
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         if PULLED {
             // potential = k d^(n+1)/(n+1) − γ d
             let (n, k) = (0.5 * (self.m() - 1.0), 0.5 * self.c);
-            power_turn(k, n, potential.max(0.0), self.pull.acceleration()).sqrt()
+            power_turn(k, n, potential.max(0.0), self.pull).sqrt()
         } else {
             let q = self.m() + 1.0;
             pow(q * potential / self.c, 1.0 / q)
@@ -78,7 +82,8 @@ impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
     /// Where the pull is stronger than the force, the first step follows from the pull.
     #[inline(always)]
     fn stiffness(self, y: f64) -> f64 {
-        4.0 * self.pull.acceleration() - self.derivatives(y).0
+        let slope = self.derivatives(y).0;
+        if PULLED { 4.0 * self.pull - slope } else { -slope }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A straight piece: g = a + b d.
 
-use super::{Dragged, Field, Motion, Pull, Quad, Variables};
+use super::{Dragged, Field, Motion, Quad, Variables};
 use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 
@@ -13,8 +13,8 @@ pub(in crate::integrate) struct Straight<const PULLED: bool> {
 
 impl<const PULLED: bool> Straight<PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: Pull<PULLED>) -> Self {
-        Self { a: at_start - pull.acceleration(), b: slope }
+    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: f64) -> Self {
+        Self { a: at_start - pull, b: slope }
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::{Add, Div, Mul, Neg};
 use crate::math::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
 
 /// What a formula needs of its argument.
+#[allow(clippy::return_self_not_must_use)]
 pub trait Number:
     Copy
     + Add<Output = Self>
@@ -15,22 +16,11 @@ pub trait Number:
     + Mul<f64, Output = Self>
 {
     /// x^p, x > 0.
-    #[must_use]
     fn powf(self, exponent: f64) -> Self;
-    /// e^x.
-    #[must_use]
     fn exp(self) -> Self;
-    /// ln x.
-    #[must_use]
     fn ln(self) -> Self;
-    /// sin x.
-    #[must_use]
     fn sin(self) -> Self;
-    /// cos x.
-    #[must_use]
     fn cos(self) -> Self;
-    /// arcsin x.
-    #[must_use]
     fn asin(self) -> Self;
 }
 
@@ -58,11 +48,8 @@ impl Number for f64 {
 /// A value with its first two derivatives: arithmetic on it differentiates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
-    /// f.
     pub value: f64,
-    /// f'.
     pub slope: f64,
-    /// f''.
     pub curvature: f64,
 }
 
