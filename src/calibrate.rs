@@ -32,10 +32,12 @@ use crate::progress::Counter;
 use crate::scenario::calibrate::{Source, Wanted};
 use crate::scenario::{Scenario, read_text};
 use crate::scene::Scene;
+use crate::units::four_digits;
+use crate::units::rounded::percent;
 use data::Data;
 pub use error::{CalibrateError, NoAnswer};
 pub use fit::Fit;
-use fit::{covariance, in_order, shifts};
+use fit::{in_order, shifts};
 use identify::{Identifiability, LAW, identify};
 use problem::Problem;
 use profile::{Ends, Marginal, Sheet};
@@ -89,8 +91,6 @@ pub struct Calibration<'a> {
     pub fit: Fit<'a>,
     /// The result for each key.
     pub keys: Vec<Found>,
-    /// Covariance of the keys, as shares of their ranges.
-    pub covariance: Option<Vec<Vec<f64>>>,
     /// The prediction for every value.
     pub predicted: Vec<f64>,
     /// Residual of every value: measured minus predicted, over the standard deviation.
@@ -118,15 +118,10 @@ pub struct Calibration<'a> {
     pub sheet: Option<Sheet>,
     /// The fit of every law that was asked for, the best first.
     pub laws: Vec<(String, Result<Fit<'a>, NoAnswer>)>,
-    /// Why the law does not fit; `None` if it may.
-    pub contradiction: Option<String>,
 }
 
 impl Measurements {
     /// Reads the request of a scenario and its measurements.
-    ///
-    /// # Errors
-    /// [`CalibrateError`].
     pub fn of(scenario: &Scenario) -> Result<Self, CalibrateError> {
         let wanted = scenario.wanted()?;
         let (data, sha256) = match &wanted.source {
@@ -197,74 +192,67 @@ impl Measurements {
         if value.what == CURVE { self.largest } else { value.value }
     }
 
+    fn no_answer(&self, reason: NoAnswer) -> CalibrateError {
+        CalibrateError::NoAnswer { name: self.data.name.clone(), reason }
+    }
+
     /// The best keys under a law.
-    ///
-    /// # Errors
-    /// [`CalibrateError`].
-    pub fn fit(&self, law: &LawChoice) -> Result<Fit<'_>, CalibrateError> {
+    fn fit(&self, law: &LawChoice) -> Result<Fit<'_>, CalibrateError> {
         let (deviations, is_estimated) = self.deviations()?;
         let scene = Scene { law: law.clone(), ..self.wanted.scene.clone() };
         let problem = Problem::new(&scene, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        let reason = |reason| CalibrateError::NoAnswer { name: self.data.name.clone(), reason };
-        Fit::of(problem, is_estimated).map_err(reason)
+        Fit::of(problem, is_estimated).map_err(|reason| self.no_answer(reason))
     }
 
     /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
-    ///
-    /// # Errors
-    /// [`CalibrateError`].
     pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, CalibrateError> {
         progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
-            laws.push((
-                law.name(),
-                match self.fit(law) {
-                    Err(CalibrateError::NoAnswer { reason, .. }) => Err(reason),
-                    fit => Ok(fit?),
-                },
-            ));
+            let fit = match self.fit(law) {
+                Err(CalibrateError::NoAnswer { reason, .. }) => Err(reason),
+                fit => Ok(fit?),
+            };
+            laws.push((law.name(), fit));
             progress.step();
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
         laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
         let fit = self.fit(&self.wanted.scene.law)?;
         progress.step();
-        let place = fit.minima[0].clone();
-        let reason = |reason| CalibrateError::NoAnswer { name: self.data.name.clone(), reason };
-        let predicted = fit.problem.predict(&place.shares).map_err(reason)?;
-        let residuals = fit.problem.residuals(&place.shares).map_err(reason)?;
-        let columns = fit.problem.jacobian(&place.shares).map_err(reason)?;
-        let covariance = covariance(&fit.problem, &columns);
-        let identifiability = identify(&fit.problem, &place);
+        let (problem, best) = (&fit.problem, fit.best());
+        let no_answer = |reason| self.no_answer(reason);
+        let predicted = problem.predict(&best.shares).map_err(no_answer)?;
+        let residuals = problem.residuals(&best.shares).map_err(no_answer)?;
+        let columns = problem.jacobian(&best.shares).map_err(no_answer)?;
+        let identifiability = identify(problem, best);
         let refusal = if fit.has_no_noise {
             Some("no standard deviation was given, and as many values as keys leave no scatter to estimate it from: give calibrate.noise, or measure more".to_owned())
         } else {
             identifiability.as_ref().and_then(|told| told.refusal.clone())
         };
-        let profile = fit.profile(covariance.as_deref());
-        let (sheet, mut posteriors) = match fit.problem.free.len() {
-            _ if fit.has_no_noise => (None, Vec::new()),
-            1 => (None, vec![profile.posterior()]),
+        let (sheet, posteriors) = match problem.free {
+            free if fit.has_no_noise => (None, vec![None; free.len()]),
+            [_] => (None, vec![Some(fit.posterior())]),
             _ => {
-                let (sheet, first) = profile.sheet(0);
-                (Some(sheet), vec![first, profile.sheet(1).1])
+                let (sheet, first) = fit.sheet(0);
+                (Some(sheet), vec![Some(first), Some(fit.sheet(1).1)])
             }
         };
         let mut keys = Vec::new();
-        for (i, free) in fit.problem.free.iter().enumerate() {
-            let slope = free.slope(place.shares[i]);
-            let told = || covariance.as_ref().filter(|_| refusal.is_none());
-            let value = |ends: Ends| ends.map(|end| end.map(|share| free.at(share)));
-            let common =
-                |covariance: &Vec<Vec<f64>>| slope * self.of_common_error(&fit.problem, covariance, &columns, i);
+        let told = fit.covariance.as_ref().filter(|_| refusal.is_none());
+        for ((i, free), posterior) in problem.free.iter().enumerate().zip(posteriors) {
+            let slope = free.slope(best.shares[i]);
+            let common = told.filter(|_| self.wanted.model_error > 0.0);
+            let intervals = || fit.intervals(i).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
             keys.push(Found {
                 free: *free,
-                estimate: free.at(place.shares[i]),
-                sd: told().map(|covariance| slope * covariance[i][i].sqrt()),
-                sd_of_common_error: told().filter(|_| self.wanted.model_error > 0.0).map(common),
-                intervals: refusal.is_none().then(|| profile.intervals(i).map(value)),
-                posterior: (!posteriors.is_empty()).then(|| posteriors.remove(0)),
+                estimate: free.at(best.shares[i]),
+                sd: told.map(|covariance| slope * covariance[i][i].sqrt()),
+                sd_of_common_error: common
+                    .map(|covariance| slope * self.of_common_error(problem, &covariance[i], &columns)),
+                intervals: refusal.is_none().then(intervals),
+                posterior,
             });
             progress.step();
         }
@@ -273,37 +261,31 @@ impl Measurements {
         let freedom = (residuals.len() - outliers).saturating_sub(keys.len());
         let chi_square =
             residuals.iter().filter(|residual| !outlies(residual)).map(|residual| residual * residual).sum();
-        let p = if fit.freedom.is_some() || fit.has_no_noise { None } else { chance(chi_square, freedom) };
-        let p_of_runs = chance_of_runs(&in_order(&fit.problem, &residuals));
-        let shifts = covariance.as_ref().map(|covariance| shifts(&fit.problem, covariance, &columns, &residuals));
-        let mut found = Calibration {
+        Ok(Calibration {
+            p: if fit.freedom.is_some() || fit.has_no_noise { None } else { chance(chi_square, freedom) },
+            p_of_runs: chance_of_runs(&in_order(problem, &residuals)),
+            shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &columns, &residuals)),
+            misfit: misfit(&self.data, &predicted),
             fit,
             keys,
-            covariance,
-            misfit: misfit(&self.data, &predicted),
             predicted,
             residuals,
-            shifts,
             chi_square,
             freedom,
             outliers,
-            p,
-            p_of_runs,
             identifiability,
             refusal,
             sheet,
             laws,
-            contradiction: None,
-        };
-        found.contradiction = found.contradicts();
-        Ok(found)
+        })
     }
 
     /// Standard deviation of the share of a key, if the law has the same error for all values of a quantity.
-    fn of_common_error(&self, problem: &Problem, covariance: &[Vec<f64>], columns: &[Vec<f64>], key: usize) -> f64 {
+    /// `covariance` has the covariances of this key.
+    fn of_common_error(&self, problem: &Problem, covariance: &[f64], columns: &[Vec<f64>]) -> f64 {
         let (mut own, mut common) = (0.0, [0.0; MEASURED.len()]);
         for (i, at) in problem.counted.iter().enumerate() {
-            let gain: f64 = covariance[key].iter().zip(columns).map(|(part, column)| part * column[i]).sum();
+            let gain: f64 = covariance.iter().zip(columns).map(|(part, column)| part * column[i]).sum();
             let (value, whole) = (&problem.data.values[*at], problem.deviations[*at]);
             let error = self.wanted.model_error * self.size(value) / whole;
             own += gain * gain * (1.0 - error * error).max(0.0);
@@ -313,9 +295,18 @@ impl Measurements {
     }
 }
 
+impl Found {
+    /// Values of the key, and the density of the posterior there over the highest density.
+    pub fn relative_posterior(&self) -> Vec<(f64, f64)> {
+        let Some(Marginal { shares, density }) = &self.posterior else { return Vec::new() };
+        let highest = density.iter().copied().fold(0.0, f64::max);
+        shares.iter().zip(density).map(|(share, density)| (self.free.at(*share), density / highest)).collect()
+    }
+}
+
 impl Calibration<'_> {
     /// Why the law does not fit; `None` if it may.
-    fn contradicts(&self) -> Option<String> {
+    pub fn contradiction(&self) -> Option<String> {
         let values = self.residuals.len();
         let law = self.fit.problem.scene.law.name();
         #[allow(clippy::cast_precision_loss)] // counts of measurements
@@ -328,38 +319,35 @@ impl Calibration<'_> {
             let key = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
             return Some(format!(
                 "no value of {key} in its range gives what was measured under the law {law}; the nearest is off by {}",
-                crate::units::rounded::percent(unreached)
+                percent(unreached)
             ));
         }
-        let (p, what) = match self.p {
-            Some(p) => (
-                Some(p),
-                format!(
-                    "chi-square is {} on {} degrees of freedom",
-                    crate::units::four_digits(self.chi_square),
-                    self.freedom
-                ),
-            ),
+        let (p, what) = if let Some(p) = self.p {
+            let chi_square = four_digits(self.chi_square);
+            (p, format!("chi-square is {chi_square} on {} degrees of freedom", self.freedom))
+        } else {
             // a law that is off by less than the usual error of laws is not contradicted
-            None => (
-                self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW),
-                format!(
-                    "it is off by {}, and the residuals keep their signs for too long",
-                    crate::units::rounded::percent(self.misfit)
-                ),
-            ),
+            let p = self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW)?;
+            let off = percent(self.misfit);
+            (p, format!("it is off by {off}, and the residuals keep their signs for too long"))
         };
-        let p = p.filter(|p| *p < REJECTED)?;
-        Some(format!(
-            "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --law all",
-            crate::units::four_digits(p)
-        ))
+        (p < REJECTED).then(|| {
+            format!(
+                "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --law all",
+                four_digits(p)
+            )
+        })
     }
 
     /// Correlation of the two keys.
     pub fn correlation(&self) -> Option<f64> {
-        let covariance = self.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
+        let covariance = self.fit.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
         Some(covariance[0][1] / (covariance[0][0] * covariance[1][1]).sqrt())
+    }
+
+    /// The smallest AIC of all laws; NaN without one.
+    pub fn least_aic(&self) -> f64 {
+        self.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
     }
 }
 

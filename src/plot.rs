@@ -23,6 +23,7 @@ mod of_key;
 mod pictures;
 mod posterior;
 pub mod repeat;
+mod sheet;
 pub mod stack;
 mod style;
 pub mod sweep;

@@ -5,7 +5,6 @@ use nalgebra::DMatrix;
 use super::error::NoAnswer;
 use super::minimum::{Grid, Place, minima};
 use super::problem::{Problem, TAILS};
-use super::profile::{Ends, Profile};
 
 /// The best values of the keys under one law.
 #[derive(Debug, Clone)]
@@ -14,7 +13,10 @@ pub struct Fit<'a> {
     pub problem: Problem<'a>,
     /// The minima of all basins, the lowest first.
     pub minima: Vec<Place>,
-    grid: Grid,
+    /// The grid on which the basins were found.
+    pub(super) grid: Grid,
+    /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
+    pub covariance: Option<Vec<Vec<f64>>>,
     /// Degrees of freedom of the estimated noise; `None` if the noise is known.
     pub freedom: Option<f64>,
     /// Whether the noise would have to be estimated, but there are only as many values as keys.
@@ -70,31 +72,18 @@ impl<'a> Fit<'a> {
         let aic = problem.full(best.sum) + 2.0 * parameters;
         let has_no_noise = is_estimated && values <= keys;
         let freedom = (is_estimated && !has_no_noise).then_some(freedom);
-        Ok(Self { problem, minima: found, grid, freedom, has_no_noise, aic })
+        let covariance = problem.jacobian(&best.shares).ok().and_then(|columns| covariance(&problem, &columns));
+        Ok(Self { problem, minima: found, grid, covariance, freedom, has_no_noise, aic })
     }
 
-    /// The best values of the keys, SI.
-    pub fn values(&self) -> Vec<f64> {
-        self.problem.values(&self.minima[0].shares)
-    }
-
-    /// The intervals of a key at both levels, SI.
-    pub fn interval(&self, key: usize) -> [Ends; 2] {
-        let covariance =
-            self.problem.jacobian(&self.minima[0].shares).ok().and_then(|columns| covariance(&self.problem, &columns));
-        self.profile(covariance.as_deref())
-            .intervals(key)
-            .map(|ends| ends.map(|end| end.map(|share| self.problem.free[key].at(share))))
-    }
-
-    /// The profile of the sum around its minimum; `covariance` is that of the shares.
-    pub(super) fn profile<'s>(&'s self, covariance: Option<&'s [Vec<f64>]>) -> Profile<'s, 'a> {
-        Profile { problem: &self.problem, grid: &self.grid, minima: &self.minima, covariance, freedom: self.freedom }
+    /// The lowest minimum.
+    pub fn best(&self) -> &Place {
+        &self.minima[0]
     }
 }
 
 /// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
-pub(super) fn covariance(problem: &Problem, columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+fn covariance(problem: &Problem, columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     // with long tails the same residuals hold less information
     let factor = if problem.is_robust { (TAILS + 1.0) / (TAILS + 3.0) } else { 1.0 };
     let product = |i: usize, j: usize| factor * columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum::<f64>();

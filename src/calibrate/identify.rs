@@ -150,8 +150,7 @@ fn helpful(problem: &Problem, place: &Place, direction: &[f64]) -> Vec<(&'static
         let rows = 0..problem.data.rows.len();
         let values = rows.map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
         let data = Data { values, ..problem.data.clone() };
-        let ones = vec![1.0; data.values.len()];
-        let problem = Problem::new(&problem.scene, problem.free, &data, ones, false).thinned(ENOUGH);
+        let problem = problem.predicting(&data).thinned(ENOUGH);
         let predicted = problem.predict(&place.shares).ok()?;
         let columns = by_logarithms(&problem, place)?;
         let (mut moved, mut size) = (0.0, 0.0);

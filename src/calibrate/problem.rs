@@ -49,18 +49,14 @@ impl<'a> Problem<'a> {
             let range = &mut ranges[value.row];
             *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
         }
-        let rows = 0..data.rows.len();
-        let problem = Self {
-            scene: scene.clone(),
-            free,
-            data,
-            deviations,
-            is_robust,
-            pieces: Vec::new(),
-            counted: Vec::new(),
-            ranges,
-        };
-        problem.of_rows(rows)
+        let (scene, pieces, counted) = (scene.clone(), Vec::new(), Vec::new());
+        Self { scene, free, data, deviations, is_robust, pieces, counted, ranges }.of_rows(0..data.rows.len())
+    }
+
+    /// The same keys and the same law with other data, only to predict: every standard deviation is 1.
+    #[must_use]
+    pub fn predicting<'b>(&'b self, data: &'b Data) -> Problem<'b> {
+        Problem::new(&self.scene, self.free, data, vec![1.0; data.values.len()], false)
     }
 
     /// The same problem with at most `most` impacts, at even steps through the data. A curve keeps all points.

@@ -1,26 +1,11 @@
 //! Intervals by the profile likelihood, and the posterior on a grid.
 
 use super::error::NoAnswer;
-use super::minimum::{Grid, Place, polished};
-use super::problem::Problem;
+use super::fit::Fit;
+use super::minimum::{Place, polished};
 use super::statistics::{LEVELS, reach};
 use crate::math::functions::{exp, ln_1p};
 use crate::math::root::bracketed;
-
-/// The sum around its minimum.
-#[derive(Debug)]
-pub struct Profile<'a, 'p> {
-    /// The problem that is fitted, with the known or the estimated noise.
-    pub problem: &'a Problem<'p>,
-    /// The grid on which the basins were found.
-    pub grid: &'a Grid,
-    /// The minima of all basins, the lowest first.
-    pub minima: &'a [Place],
-    /// Covariance of the shares; `None` if a key has no effect.
-    pub covariance: Option<&'a [Vec<f64>]>,
-    /// Degrees of freedom of the estimated noise; `None` if the noise is known.
-    pub freedom: Option<f64>,
-}
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];
@@ -37,13 +22,9 @@ pub struct Marginal {
 /// The posterior of two keys: each share of the first key, with shares of the second key and the density there.
 pub type Sheet = Vec<(f64, Vec<(f64, f64)>)>;
 
-impl Profile<'_, '_> {
-    fn best(&self) -> &Place {
-        &self.minima[0]
-    }
-
+impl Fit<'_> {
     fn sd(&self, key: usize) -> f64 {
-        self.covariance.map_or(1.0, |covariance| covariance[key][key].sqrt()).min(1.0)
+        self.covariance.as_ref().map_or(1.0, |covariance| covariance[key][key].sqrt()).min(1.0)
     }
 
     /// The place with the lowest sum that has this share of this key.
@@ -54,25 +35,25 @@ impl Profile<'_, '_> {
             return Place { shares: vec![share], sum: self.problem.sum(&[share]) };
         }
         let other = 1 - key;
-        if let Some(covariance) = self.covariance {
+        if let Some(covariance) = &self.covariance {
             let slope = covariance[0][1] / covariance[key][key];
             start[other] = (best[other] + slope * (share - best[key])).clamp(0.0, 1.0);
         }
         start[key] = share;
-        let from_grid = self.grid.best_beside(key, share).map(|mut shares| {
-            shares[key] = share;
-            shares
-        });
-        let is_lower = |shares: &Vec<f64>| self.problem.sum(shares) < self.problem.sum(&start);
-        let start = from_grid.filter(is_lower).unwrap_or(start);
-        polished(self.problem, &start, Some(key))
+        if let Some(mut from_grid) = self.grid.best_beside(key, share) {
+            from_grid[key] = share;
+            if self.problem.sum(&from_grid) < self.problem.sum(&start) {
+                start = from_grid;
+            }
+        }
+        polished(&self.problem, &start, Some(key))
     }
 
     fn excess(&self, key: usize, share: f64) -> f64 {
         (self.lowest(key, share).sum - self.best().sum).max(0.0)
     }
 
-    /// The interval of a key at both levels.
+    /// The intervals of the share of a key at both levels.
     pub fn intervals(&self, key: usize) -> [Ends; 2] {
         LEVELS.map(|level| self.ends(key, reach(level, self.freedom)))
     }
@@ -168,11 +149,9 @@ impl Profile<'_, '_> {
 
     fn across(&self, key: usize, other: usize, share: f64, count: u32) -> Vec<(f64, f64)> {
         let crest = self.lowest(key, share);
-        let slopes = self
-            .problem
-            .jacobian(&crest.shares)
-            .map(|columns| columns[other].iter().map(|slope| slope * slope).sum::<f64>());
-        let sd = slopes.map_or(1.0, |square| 1.0 / square.sqrt()).min(1.0);
+        let columns = self.problem.jacobian(&crest.shares);
+        let square = columns.map(|columns| columns[other].iter().map(|slope| slope * slope).sum::<f64>());
+        let sd = square.map_or(1.0, |square| 1.0 / square.sqrt()).min(1.0);
         let (low, high) = ((crest.shares[other] - WIDE * sd).max(0.0), (crest.shares[other] + WIDE * sd).min(1.0));
         let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(count);
         let density = |at: f64| {

@@ -2,6 +2,7 @@
 
 use crate::math::functions::{exp, ln};
 use crate::scene::Key;
+use crate::units::human;
 
 /// A key to find.
 #[derive(Debug, Clone, Copy)]
@@ -34,5 +35,10 @@ impl Free {
     /// How fast the value rises with the share.
     pub fn slope(&self, share: f64) -> f64 {
         if self.is_logarithmic { self.at(share) * ln(self.to / self.from) } else { self.to - self.from }
+    }
+
+    /// A value of the key, or its standard deviation, with so many digits in a fitting unit.
+    pub fn say(&self, value: f64, digits: usize) -> String {
+        human(format!("{value:.*e}", digits - 1).parse().unwrap_or(value), self.key.quantity.dimension)
     }
 }

@@ -16,6 +16,18 @@ pub enum Scale {
     Log,
 }
 
+impl Scale {
+    /// A value on the scale on which equal steps have equal lengths.
+    pub(super) fn of(self, value: f64) -> f64 {
+        if self == Self::Log { ln(value) } else { value }
+    }
+
+    /// The inverse of [`Self::of`].
+    pub(super) fn back(self, scaled: f64) -> f64 {
+        if self == Self::Log { exp(scaled) } else { scaled }
+    }
+}
+
 /// The description of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
@@ -56,14 +68,12 @@ impl Axis {
     }
 
     /// The axis with range and prefix fitted to these values.
-    pub(super) fn fitted(&self, values: impl Iterator<Item = f64>) -> FittedAxis {
+    pub(super) fn fitted(&self, values: impl IntoIterator<Item = f64>) -> FittedAxis {
         let is_log = self.scale == Scale::Log;
         let drawable = |v: &f64| v.abs() < LARGEST && (!is_log || *v > 1.0 / LARGEST);
         let is_range = |(low, high): &(f64, f64)| drawable(low) && drawable(high) && !is_one_value(*low, *high);
         let (low, high) = self.range.filter(is_range).unwrap_or_else(|| {
-            let (low, high) = values
-                .filter(drawable)
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            let (low, high) = extremes(values.into_iter().filter(drawable));
             padded(low, high, is_log)
         });
         let prefix = if self.is_engineering {
@@ -84,6 +94,11 @@ impl Axis {
             factor: prefix.factor,
         }
     }
+}
+
+/// The smallest and the largest value.
+pub(super) fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
 /// Whether a range is empty or too short to differ from one value.
@@ -116,6 +131,7 @@ pub(super) struct Tick {
 }
 
 /// An axis with a fixed range.
+#[derive(Clone)]
 pub(super) struct FittedAxis {
     pub title: String,
     scale: Scale,
@@ -132,18 +148,13 @@ impl FittedAxis {
 
     /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
     pub(super) fn value_at(&self, share: f64) -> f64 {
-        self.factor
-            * match self.scale {
-                Scale::Linear => self.low + share * (self.high - self.low),
-                Scale::Log => exp(ln(self.low) + share * (ln(self.high) - ln(self.low))),
-            }
+        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
+        self.factor * self.scale.back(low + share * (high - low))
     }
 
     fn share(&self, value: f64) -> f64 {
-        match self.scale {
-            Scale::Linear => (value - self.low) / (self.high - self.low),
-            Scale::Log => (ln(value) - ln(self.low)) / (ln(self.high) - ln(self.low)),
-        }
+        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
+        (self.scale.of(value) - low) / (high - low)
     }
 
     /// Ticks from low to high, with about `wanted` labels.

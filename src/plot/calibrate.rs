@@ -1,16 +1,16 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and a comparison of laws.
 
+use super::axis::extremes;
 use super::of_key::{axis_of, title_of};
 use super::style::{BLACK, LAW};
 use super::{Axis, Canvas, Guide, Lines, PlotError, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
-use crate::calibrate::problem::Problem;
 use crate::calibrate::quantity::MEASURED;
 use crate::calibrate::statistics::{LEVELS, reach};
 use crate::calibrate::{Calibration, Fit, Found};
 use crate::plan::free::Free;
 use crate::scene::Key;
-use crate::units::human;
+use crate::units::four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.
 const MOST_POINTS: usize = 2000;
@@ -20,9 +20,6 @@ const PLACES: u32 = 120;
 const WIDE: f64 = 5.0;
 
 /// The pictures with their names.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn pictures(of: &Calibration) -> Result<Vec<(String, Canvas)>, PlotError> {
     let mut pictures = Vec::new();
     let has_lines = of.residuals.len() > of.keys.len();
@@ -43,9 +40,9 @@ pub fn pictures(of: &Calibration) -> Result<Vec<(String, Canvas)>, PlotError> {
     Ok(pictures)
 }
 
-fn is_wide(values: impl Iterator<Item = f64> + Clone) -> bool {
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    low > 0.0 && values.fold(0.0, f64::max) > WIDE * low
+fn is_wide(values: impl Iterator<Item = f64>) -> bool {
+    let (low, high) = extremes(values);
+    low > 0.0 && high > WIDE * low
 }
 
 /// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
@@ -73,9 +70,10 @@ impl Over {
         }
     }
 
-    fn axis(&self, what: usize, values: impl Iterator<Item = f64> + Clone) -> Axis {
+    /// The axis for these points of a quantity.
+    fn axis(&self, what: usize, points: &[(f64, f64)]) -> Axis {
         match self {
-            Self::Key(key) => axis_of(key, is_wide(values)),
+            Self::Key(key) => axis_of(key, is_wide(points.iter().map(|point| point.0))),
             Self::Indentation => Axis::engineering("Indentation", "m"),
             Self::Prediction => of_quantity(what, "predicted"),
         }
@@ -106,64 +104,65 @@ fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
         [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]
     });
     let bars = if shown.len() > 200 { Vec::new() } else { bars.collect() };
-    let (line, band) = match over {
-        Over::Key(key) => along(of, key, what, &points),
-        Over::Indentation => {
-            let line = shown.iter().map(|value| (at(value), of.predicted[*value])).collect();
-            (line, Vec::new())
-        }
+    let line = match over {
         Over::Prediction => {
-            let ends = points.iter().map(|point| point.0);
-            let ends = [ends.clone().fold(f64::INFINITY, f64::min), ends.fold(0.0, f64::max)];
-            (ends.map(|end| (end, end)).to_vec(), Vec::new())
+            let (low, high) = extremes(points.iter().map(|point| point.0));
+            vec![(low, low), (high, high)]
         }
+        _ => line(of, &over, &of.fit, what, &points),
     };
     let mut series = Vec::new();
-    if !band.is_empty() {
-        series.push(Series::band("95 % of the law", band).styled(5));
+    if let Over::Key(key) = over {
+        series.extend(band(of, key, what, &points).map(|band| Series::band("95 % of the law", band).styled(5)));
     }
     series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(LAW));
     series.push(Series::bare("", bars).styled(0));
-    series.push(Series::points("measured, with its sd", points.clone()).styled(0));
-    let notes = of.keys.iter().flat_map(|found| {
-        let two_digits = |sd: f64| say(format!("{sd:.1e}").parse().unwrap_or(sd), &found.free);
-        let sd = found.sd.map_or_else(String::new, |sd| format!(", sd {}", two_digits(sd)));
-        [title_of(found.free.key.path), say(found.estimate, &found.free) + &sd]
+    let axes = [over.axis(what, &points), of_quantity(what, "")];
+    series.push(Series::points("measured, with its sd", points).styled(0));
+    let notes = of.keys.iter().flat_map(|Found { free, estimate, sd, .. }| {
+        let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
+        [title_of(free.key.path), free.say(*estimate, 4) + &sd]
     });
-    let x = over.axis(what, points.iter().map(|point| point.0));
     let title = format!("{} and the law with the best keys", title_of(MEASURED[what].name));
-    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: notes.collect() }.draw()
+    Lines::new(title, axes, series).with_notes(notes).draw()
 }
 
 /// Points of a line.
 type Points = Vec<(f64, f64)>;
 
-/// The fitted line over a key, and the outline of its 95 % band, which is linear in the keys.
-fn along(of: &Calibration, key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Points, Points) {
-    let problem = &of.fit.problem;
+/// What a law with its best keys predicts of a quantity.
+fn line(of: &Calibration, over: &Over, fit: &Fit, what: usize, points: &[(f64, f64)]) -> Points {
+    let shares = &fit.best().shares;
+    if let Over::Key(key) = over {
+        let (data, at) = line_data(key, what, points);
+        let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
+        return at.into_iter().zip(predicted).collect();
+    }
+    let predicted = fit.problem.predict(shares).unwrap_or_default();
+    shown(of, what).into_iter().filter_map(|value| Some((over.at(of, value), *predicted.get(value)?))).collect()
+}
+
+/// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
+fn band(of: &Calibration, key: &'static Key, what: usize, points: &[(f64, f64)]) -> Option<Points> {
     let (data, at) = line_data(key, what, points);
-    let ones = vec![1.0; data.values.len()];
-    let line = Problem::new(&problem.scene, problem.free, &data, ones, false);
-    let shares = &of.fit.minima[0].shares;
-    let Ok(predicted) = line.predict(shares) else { return Default::default() };
-    let points: Vec<(f64, f64)> = at.iter().copied().zip(predicted.iter().copied()).collect();
-    let (Some(covariance), Ok(columns)) = (&of.covariance, line.jacobian(shares)) else { return (points, Vec::new()) };
+    let (line, shares) = (of.fit.problem.predicting(&data), &of.fit.best().shares);
+    let (covariance, columns) = (of.fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
+    let predicted = line.predict(shares).ok()?;
     let reach = reach(LEVELS[1], of.fit.freedom);
     let half = |i: usize| {
         let sum = |key: usize| covariance[key].iter().zip(&columns).map(|(part, column)| part * column[i]).sum::<f64>();
         reach * (0..columns.len()).map(|key| columns[key][i] * sum(key)).sum::<f64>().max(0.0).sqrt()
     };
     let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
-    let upper: Vec<(f64, f64)> = edge(1.0).collect();
-    let band = edge(-1.0).chain(upper.into_iter().rev()).collect();
-    (points, band)
+    let upper: Points = edge(1.0).collect();
+    Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
 }
 
 /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
 fn line_data(key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Data, Vec<f64>) {
-    let ends = || points.iter().map(|point| point.0);
-    let (from, to) = (ends().fold(f64::INFINITY, f64::min), ends().fold(0.0, f64::max));
-    let range = Free { key, from, to, is_logarithmic: is_wide(ends()) };
+    let values = || points.iter().map(|point| point.0);
+    let (from, to) = extremes(values());
+    let range = Free { key, from, to, is_logarithmic: is_wide(values()) };
     let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
     let rows = at.iter().map(|value| Row { line: 0, keys: vec![*value], indentation: None }).collect();
     let values = (0..at.len()).map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
@@ -179,37 +178,26 @@ fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
         over => Some(over),
     };
     #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let at = |value: &usize| over.as_ref().map_or(*value as f64 + 1.0, |over| over.at(of, *value));
-    let series: Vec<Series> = measured
-        .iter()
-        .map(|what| {
-            let points = shown(of, *what).iter().map(|value| (at(value), of.residuals[*value])).collect();
-            Series::points(title_of(MEASURED[*what].name), points)
-        })
-        .collect();
-    let xs = series.iter().flat_map(|one| &one.points).map(|point| point.0);
-    let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |over| over.axis(measured[0], xs));
+    let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(of, value));
+    let points = |what: usize| shown(of, what).into_iter().map(|value| (at(value), of.residuals[value])).collect();
+    let series: Vec<Series> =
+        measured.iter().map(|what| Series::points(title_of(MEASURED[*what].name), points(*what))).collect();
+    let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
+    let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = reach(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
     let guides = guides.map(|(at, label)| Guide::Horizontal { at, label: label.to_owned() }).to_vec();
     let largest = of.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
-    let notes = of.p_of_runs.map(|p| format!("runs of signs: p = {}", crate::units::four_digits(p)));
-    let p = of.p.map(|p| format!("chi-square: p = {}", crate::units::four_digits(p)));
-    Lines { title: "Residuals".to_owned(), x, y, series, guides, notes: p.into_iter().chain(notes).collect() }.draw()
+    let notes = [("chi-square", of.p), ("runs of signs", of.p_of_runs)];
+    let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
+    Lines::new("Residuals", [x, y], series).with_guides(guides).with_notes(notes).draw()
 }
 
 /// The posterior of one key.
 fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
-    let marginal = found.posterior.clone().unwrap_or_default();
-    let highest = marginal.density.iter().copied().fold(0.0, f64::max);
-    let points: Vec<(f64, f64)> = marginal
-        .shares
-        .iter()
-        .zip(&marginal.density)
-        .map(|(share, density)| (found.free.at(*share), density / highest))
-        .collect();
+    let points = found.relative_posterior();
     let is_wide = is_wide(points.iter().map(|point| point.0)) && found.free.is_logarithmic;
     let vertical =
         |at: f64, label: &str, color: usize| Guide::Vertical { at, label: label.to_owned(), series: Some(color) };
@@ -217,44 +205,28 @@ fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
     for (ends, (name, color)) in found.intervals.iter().flatten().zip([("68 %", 1), ("95 %", 3)]) {
         guides.extend(ends.iter().flatten().map(|end| vertical(*end, &format!("{name} interval"), color)));
     }
-    let median = format!("median {}", say(found.free.at(marginal.quantile(0.5)), &found.free));
-    let notes = if is_refused { vec!["no interval: see the summary".to_owned()] } else { vec![median] };
-    let series = vec![Series::bare("posterior", points)];
+    let median = found.posterior.as_ref().map_or(f64::NAN, |marginal| found.free.at(marginal.quantile(0.5)));
+    let median = format!("median {}", found.free.say(median, 4));
+    let notes = if is_refused { "no interval: see the summary".to_owned() } else { median };
     let title = format!("{}: what the measurements say", title_of(found.free.key.path));
     let y = Axis::linear("Posterior density, highest = 1", "").between(0.0, 1.05);
-    Lines { title, x: axis_of(found.free.key, is_wide), y, series, guides, notes }.draw()
+    let axes = [axis_of(found.free.key, is_wide), y];
+    Lines::new(title, axes, vec![Series::bare("posterior", points)]).with_guides(guides).with_notes([notes]).draw()
 }
 
 /// The predictions of every law with its best keys, with the measurements of the first quantity.
 fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let what = data.values[0].what;
-    let shown = shown(of, what);
-    let points: Vec<(f64, f64)> = shown.iter().map(|value| (over.at(of, *value), data.values[*value].value)).collect();
-    let fits: Vec<(&String, &Fit)> =
-        of.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?))).collect();
-    let least = fits.first().map_or(0.0, |(_, fit)| fit.aic);
-    let line = |fit: &Fit| -> Vec<(f64, f64)> {
-        let shares = &fit.minima[0].shares;
-        if let Over::Key(key) = over {
-            let (data, at) = line_data(key, what, &points);
-            let line = Problem::new(&fit.problem.scene, fit.problem.free, &data, vec![1.0; at.len()], false);
-            return line
-                .predict(shares)
-                .map_or_else(|_| Vec::new(), |predicted| at.into_iter().zip(predicted).collect());
-        }
-        let predicted = fit.problem.predict(shares).unwrap_or_default();
-        shown.iter().filter_map(|value| Some((over.at(of, *value), *predicted.get(*value)?))).collect()
-    };
-    let lines = fits.iter().map(|(name, fit)| Series::line(format!("{name}  +{:.1}", fit.aic - least), line(fit)));
+    let points: Points =
+        shown(of, what).into_iter().map(|value| (over.at(of, value), data.values[value].value)).collect();
+    let fits = of.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
+    let least = of.least_aic();
+    let lines = fits.map(|(name, fit)| {
+        Series::line(format!("{name}  +{:.1}", fit.aic - least), line(of, &over, fit, what, &points))
+    });
     let mut series: Vec<Series> = lines.collect();
-    series.push(Series::points("measured", points.clone()).styled(BLACK));
-    let x = over.axis(what, points.iter().map(|point| point.0));
-    let title = "Laws with their best keys, and how far their AIC is above the least".to_owned();
-    Lines { title, x, y: of_quantity(what, ""), series, guides: Vec::new(), notes: Vec::new() }.draw()
-}
-
-/// A value with four digits, in a fitting unit.
-fn say(value: f64, of: &Free) -> String {
-    human(format!("{value:.3e}").parse().unwrap_or(value), of.key.quantity.dimension)
+    let axes = [over.axis(what, &points), of_quantity(what, "")];
+    series.push(Series::points("measured", points).styled(BLACK));
+    Lines::new("Laws with their best keys, and how far their AIC is above the least", axes, series).draw()
 }

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 
 use plotters::style::{FontDesc, FontFamily, FontStyle, RGBColor, register_font};
 
-use super::PlotError;
 use super::style::Stroke;
+use super::{PlotError, SIZE};
 use crate::math::functions::hypot;
 
 /// A place on the picture \[px\], measured from its upper left corner.
@@ -69,20 +69,12 @@ struct Text {
 }
 
 /// A white canvas and the shapes on it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Canvas {
-    size: (u32, u32),
     shapes: Vec<Shape>,
 }
 
 impl Canvas {
-    /// An empty white canvas.
-    pub(super) fn try_new(size: (u32, u32)) -> Result<Self, PlotError> {
-        static IS_REGISTERED: LazyLock<bool> =
-            LazyLock::new(|| register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular()).is_ok());
-        if *IS_REGISTERED { Ok(Self { size, shapes: Vec::new() }) } else { Err(PlotError::Font) }
-    }
-
     /// A line through points with the dashes of `stroke` and with round joints.
     pub(super) fn polyline(&mut self, points: &[Point], stroke: Stroke) {
         self.shapes.extend(dashes(&thinned(points), stroke.dash).into_iter().map(|piece| Shape::Line(piece, stroke)));
@@ -111,7 +103,7 @@ impl Canvas {
         color: RGBColor,
         anchor: Anchor,
     ) -> Result<(), PlotError> {
-        let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
+        let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
         let size = fitting(text, size, width - 2.0 * EDGE)?;
         let length = text_width(text, size)?;
         let left = within(at.0 - anchor.share() * length, length, width);
@@ -123,7 +115,7 @@ impl Canvas {
 
     /// Text that reads upwards and is centred on `at`.
     pub(super) fn text_upward(&mut self, text: &str, at: Point, size: f64, color: RGBColor) -> Result<(), PlotError> {
-        let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
+        let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
         let size = fitting(text, size, height - 2.0 * EDGE)?;
         let length = text_width(text, size)?;
         let top = within(at.1 - 0.5 * length, length, height);
@@ -182,6 +174,11 @@ pub(super) fn wrapped(text: &str, size: f64, room: f64) -> Result<Vec<String>, P
 
 /// Width of a text \[px\].
 pub(super) fn text_width(text: &str, size: f64) -> Result<f64, PlotError> {
+    static IS_REGISTERED: LazyLock<bool> =
+        LazyLock::new(|| register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular()).is_ok());
+    if !*IS_REGISTERED {
+        return Err(PlotError::Font);
+    }
     let font = FontDesc::new(FontFamily::SansSerif, SCALE * size, FontStyle::Normal);
     let (width, _) = font.box_size(text).map_err(failed)?;
     Ok(f64::from(width) / SCALE)

@@ -18,9 +18,6 @@ fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
 }
 
 /// The picture: force against indentation for every law and for the finite elements.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
     let point = &comparison.bodies.yield_point;
     let (length, force) = (point.indentation, point.force);
@@ -40,12 +37,12 @@ pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
     // the axis begins a little before the shallowest dent
     let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
     let last = comparison.peak.indentation * length;
-    let x = Axis::engineering("Indentation", "m")
-        .between((first - 0.1 * (last - first)).max(0.0), last + 0.05 * (last - first));
+    let room = last - first;
+    let x = Axis::engineering("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room);
     let y = Axis::engineering("Force", "N").between(0.0, 1.05 * comparison.peak.force * force);
     let origin = match comparison.origin {
         Origin::Plm => "peak: from the PLM",
         Origin::Given => "peak: as given",
     };
-    Lines { title, x, y, series, guides: Vec::new(), notes: vec![origin.to_owned()] }.draw()
+    Lines::new(title, [x, y], series).with_notes([origin]).draw()
 }

@@ -1,18 +1,21 @@
 //! Force against the approach, and against the indentations of sphere and half-space, during loading and unloading: the
 //! loops of Xie et al. (2024), Figs. 8 and 12.
 
+use super::PlotError;
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::frame::Frame;
-use super::key::{self, Entry};
-use super::style::{DASHED, DOTTED, GREY, INK, Mark, SOLID, Stroke, series};
-use super::{PlotError, SIZE};
+use super::key::Entry;
+use super::sheet::single;
+use super::style::{DASHED, DOTTED, GREY, INK, Mark, Marker, SOLID, Stroke, solid};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::units::rounded::{number, quantity};
 
-/// Radius of markers, and of the small markers at knots \[px\].
+/// Radius of markers \[px\].
 const MARK: f64 = 9.0;
-const KNOT: f64 = 4.0;
+const PEAK: Marker = Marker { shape: Mark::Square, radius: MARK, color: INK };
+const DENT: Marker = Marker { shape: Mark::Inverted, ..PEAK };
+const YIELD: Marker = Marker { shape: Mark::Diamond, ..PEAK };
+const KNOT: Marker = Marker { shape: Mark::Circle, radius: 4.0, ..PEAK };
 
 /// One of the three loops.
 struct Loop {
@@ -33,6 +36,17 @@ const LOOPS: [Loop; 3] = [
     Loop { name: "Half-space δₕ", indentation: |row| row.half_space_indentation, width: 3.0, marks: [0.65, 0.45] },
 ];
 
+impl Loop {
+    /// Its style if it is the loop of this number.
+    fn style(&self, index: usize) -> (Stroke, Marker) {
+        solid(index, self.width, MARK)
+    }
+
+    fn place(&self, row: &TraceRow) -> (f64, f64) {
+        ((self.indentation)(row), row.force)
+    }
+}
+
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 ///
 /// # Errors
@@ -45,52 +59,44 @@ pub fn force_indentation(impact: &Impact) -> Result<Canvas, PlotError> {
         return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
     };
     let (loading, unloading) = (&trace[..=turn], &trace[turn..]);
-    let entries = entries(impact);
-    let mut canvas = Canvas::try_new(SIZE)?;
-    let frame = Frame {
-        bounds: key::bounds(&entries)?,
-        x: Axis::engineering("Indentation", "m")
-            .between(0.0, 1.06 * impact.peak_indentation)
-            .fitted(std::iter::empty()),
-        y: Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact)).fitted(std::iter::empty()),
-    };
-    frame.draw_axes(&mut canvas)?;
-    frame.draw_title(&mut canvas, &title(impact))?;
-
-    let guide = Stroke { color: GREY, width: 2.0, dash: DOTTED };
-    let peak = (impact.peak_indentation, impact.peak_force);
-    frame.curve(&mut canvas, [(0.0, peak.1), peak, (peak.0, 0.0)].into_iter(), guide);
-    frame.draw_outline(&mut canvas);
-    for (one, (stroke, _)) in LOOPS.iter().zip((0..).map(series)) {
-        for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
-            let curve = part.iter().map(|row| ((one.indentation)(row), row.force));
-            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke });
-        }
-    }
-    if is_damped(impact) {
-        for part in [loading, unloading] {
-            let curve = part.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
-            frame.curve(&mut canvas, curve, ELASTIC);
-        }
-    }
-    for (one, (stroke, mark)) in LOOPS.iter().zip((0..).map(series)) {
-        for (part, share) in [loading, unloading].into_iter().zip(one.marks) {
-            if let Some(row) = near_force(part, share * impact.peak_force) {
-                frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color);
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation).fitted([]);
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact)).fitted([]);
+    single(&title(impact), [x, y], &entries(impact), |frame, canvas| {
+        let guide = Stroke { color: GREY, width: 2.0, dash: DOTTED };
+        let peak = (impact.peak_indentation, impact.peak_force);
+        frame.curve(canvas, [(0.0, peak.1), peak, (peak.0, 0.0)], guide);
+        frame.draw_outline(canvas);
+        for (i, one) in LOOPS.iter().enumerate() {
+            for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
+                frame.curve(canvas, part.iter().map(|row| one.place(row)), Stroke { dash, ..one.style(i).0 });
             }
         }
-    }
-    for row in trace.iter().filter(|row| matches!(row.event, Some(Event::Yield | Event::Knot))) {
-        let is_yield = row.event == Some(Event::Yield);
-        let (mark, radius) = if is_yield { (Mark::Diamond, MARK) } else { (Mark::Circle, KNOT) };
-        frame.mark(&mut canvas, (row.indentation, row.force), mark, radius, INK);
-    }
-    frame.mark(&mut canvas, peak, Mark::Square, MARK, INK);
-    if impact.has_dent() {
-        frame.mark(&mut canvas, (impact.residual_indentation, 0.0), Mark::Inverted, MARK, INK);
-    }
-    key::draw(&mut canvas, &entries, &frame)?;
-    Ok(canvas)
+        if is_damped(impact) {
+            for part in [loading, unloading] {
+                let curve = part.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
+                frame.curve(canvas, curve, ELASTIC);
+            }
+        }
+        for (i, one) in LOOPS.iter().enumerate() {
+            for (part, share) in [loading, unloading].into_iter().zip(one.marks) {
+                if let Some(row) = near_force(part, share * impact.peak_force) {
+                    frame.mark(canvas, one.place(row), one.style(i).1);
+                }
+            }
+        }
+        for row in trace {
+            let marker = match row.event {
+                Some(Event::Yield) => YIELD,
+                Some(Event::Knot) => KNOT,
+                _ => continue,
+            };
+            frame.mark(canvas, (row.indentation, row.force), marker);
+        }
+        frame.mark(canvas, peak, PEAK);
+        if impact.has_dent() {
+            frame.mark(canvas, (impact.residual_indentation, 0.0), DENT);
+        }
+    })
 }
 
 /// The row of a branch whose force is nearest to `force`.
@@ -100,37 +106,26 @@ fn near_force(rows: &[TraceRow], force: f64) -> Option<&TraceRow> {
 
 fn entries(impact: &Impact) -> Vec<Entry> {
     let length = |value| quantity(value, "m");
-    let mut entries: Vec<Entry> = LOOPS
-        .iter()
-        .enumerate()
-        .map(|(i, one)| {
-            let (stroke, mark) = series(i);
-            let stroke = Stroke { dash: SOLID, width: one.width, ..stroke };
-            Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(one.name, stroke) }
-        })
-        .collect();
-    let branch = |dash| Stroke { color: GREY, width: 3.0, dash };
-    if impact.has_dent() {
-        entries.push(Entry::line("loading", branch(SOLID)));
-        entries.push(Entry::line("unloading", branch(DASHED)));
-    } else {
-        entries.push(Entry::line("loading and unloading", branch(SOLID)));
-    }
+    let entry = |(i, one): (usize, &Loop)| {
+        let (stroke, marker) = one.style(i);
+        Entry::line(one.name, stroke).marked(marker)
+    };
+    let mut entries: Vec<Entry> = LOOPS.iter().enumerate().map(entry).collect();
+    let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
+    entries.extend(Entry::branches(branches));
     if is_damped(impact) {
-        entries.push(Entry::line("force of the law", ELASTIC).and("without damping, against δ".to_owned()));
+        entries.push(Entry::line("force of the law", ELASTIC).and("without damping, against δ"));
     }
     let at_peak = format!("δₘ = {}", length(impact.peak_indentation));
-    entries.push(Entry::mark(peak_name(impact), Mark::Square, MARK, INK).and(force_at_peak(impact)).and(at_peak));
+    entries.push(Entry::mark(peak_name(impact), PEAK).and(force_at_peak(impact)).and(at_peak));
     if impact.has_dent() {
         let residual = format!("δᵣ = {}", length(impact.residual_indentation));
-        entries.push(Entry::mark("Residual indentation", Mark::Inverted, MARK, INK).and(residual));
+        entries.push(Entry::mark("Residual indentation", DENT).and(residual));
     }
-    let has = |event| impact.trace.iter().any(|row| row.event == Some(event));
-    if has(Event::Yield) {
-        entries.push(Entry::mark("First yield", Mark::Diamond, MARK, INK));
-    }
-    if has(Event::Knot) {
-        entries.push(Entry::mark("Knot of the law", Mark::Circle, KNOT, INK));
+    for (event, name, marker) in [(Event::Yield, "First yield", YIELD), (Event::Knot, "Knot of the law", KNOT)] {
+        if impact.trace.iter().any(|row| row.event == Some(event)) {
+            entries.push(Entry::mark(name, marker));
+        }
     }
     entries
 }

@@ -1,12 +1,9 @@
 //! A box with two axes: draws grid, ticks and titles, and curves that are clipped to the box.
 
-use plotters::style::RGBColor;
-
-use super::PlotError;
-use super::SIZE;
 use super::axis::FittedAxis;
 use super::canvas::{Anchor, Canvas, Point, text_width, wrapped};
-use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, SOLID, Stroke, TITLE_SIZE};
+use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, Marker, PAPER, SOLID, Stroke, TITLE_SIZE};
+use super::{PlotError, SIZE};
 
 /// Distance between labels of the horizontal and of the vertical axis \[px\].
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
@@ -118,7 +115,7 @@ impl Frame {
     }
 
     /// Draws a curve through values. Parts outside the box are cut off.
-    pub(super) fn curve(&self, canvas: &mut Canvas, values: impl Iterator<Item = (f64, f64)>, stroke: Stroke) {
+    pub(super) fn curve(&self, canvas: &mut Canvas, values: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) {
         let mut piece: Vec<Point> = Vec::new();
         let mut before: Option<Point> = None;
         for (x, y) in values {
@@ -141,17 +138,17 @@ impl Frame {
     }
 
     /// Draws a marker with a white rim, if it is inside the box.
-    pub(super) fn mark(&self, canvas: &mut Canvas, (x, y): (f64, f64), mark: Mark, radius: f64, color: RGBColor) {
+    pub(super) fn mark(&self, canvas: &mut Canvas, (x, y): (f64, f64), marker: Marker) {
         let at = self.place(x, y);
         let Bounds { left, top, right, bottom } = self.bounds;
         // half a pixel is allowed for rounding
         if !(left - 0.5..=right + 0.5).contains(&at.0) || !(top - 0.5..=bottom + 0.5).contains(&at.1) {
             return;
         }
-        if !matches!(mark, Mark::Cross | Mark::Plus) {
-            mark.draw(canvas, at, radius + 2.0, PAPER);
+        if !matches!(marker.shape, Mark::Cross | Mark::Plus) {
+            Marker { radius: marker.radius + 2.0, color: PAPER, ..marker }.draw(canvas, at);
         }
-        mark.draw(canvas, at, radius, color);
+        marker.draw(canvas, at);
     }
 
     /// The part of a straight line inside the box (Liang and Barsky 1984).

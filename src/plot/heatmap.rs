@@ -10,8 +10,6 @@ use super::key::{BOTTOM, LEFT, TOP};
 use super::style::GRID;
 use super::{PlotError, SIZE};
 
-use crate::math::functions::{exp, ln};
-
 /// Width of the colour bar \[px\].
 const BAR: f64 = 44.0;
 /// Width kept free for the colour bar and its labels \[px\].
@@ -53,12 +51,12 @@ impl Heatmap {
             )));
         }
         let (x_edges, y_edges) = (edges(&self.x, &self.x_values), edges(&self.y, &self.y_values));
-        let mut canvas = Canvas::try_new(SIZE)?;
+        let mut canvas = Canvas::default();
         let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
         let bounds = Bounds { left: LEFT, top: TOP, right: width - ROOM, bottom: height - BOTTOM };
         let full = |axis: &Axis, edges: &[f64]| {
             let (first, last) = (edges[0], edges[edges.len() - 1]);
-            axis.clone().between(first.min(last), first.max(last)).fitted(std::iter::empty())
+            axis.clone().between(first.min(last), first.max(last)).fitted([])
         };
         let frame = Frame { bounds, x: full(&self.x, &x_edges), y: full(&self.y, &y_edges) };
         let color = self.color.fitted(self.values.iter().copied());
@@ -80,11 +78,8 @@ impl Heatmap {
 
 fn draw_bar(canvas: &mut Canvas, color: FittedAxis, bounds: Bounds) -> Result<(), PlotError> {
     let right = f64::from(SIZE.0) - 30.0;
-    let bar = Frame {
-        bounds: Bounds { left: right - BAR, right, ..bounds },
-        x: Axis::linear("", "").fitted(std::iter::empty()),
-        y: color,
-    };
+    let bar =
+        Frame { bounds: Bounds { left: right - BAR, right, ..bounds }, x: Axis::linear("", "").fitted([]), y: color };
     bar.draw_y(canvas)?;
     for step in 0..STEPS {
         let (from, to) = (f64::from(step) / f64::from(STEPS), f64::from(step + 1) / f64::from(STEPS));
@@ -104,11 +99,10 @@ fn shade(color: &FittedAxis, value: f64) -> RGBColor {
 
 /// Borders of the cells: half-way between neighbouring values, on the scale of the axis.
 fn edges(axis: &Axis, values: &[f64]) -> Vec<f64> {
-    let is_log = axis.scale == super::Scale::Log;
-    let to = |v: f64| if is_log { ln(v) } else { v };
-    let back = |v: f64| if is_log { exp(v) } else { v };
     let n = values.len();
-    let outer = |at: usize, inward: usize| back(1.5 * to(values[at]) - 0.5 * to(values[inward]));
-    let inner = values.windows(2).map(|pair| back(0.5 * (to(pair[0]) + to(pair[1]))));
-    std::iter::once(outer(0, 1)).chain(inner).chain(std::iter::once(outer(n - 1, n - 2))).collect()
+    let scaled = |at: usize| axis.scale.of(values[at]);
+    let outer = |at: usize, inward: usize| 1.5 * scaled(at) - 0.5 * scaled(inward);
+    let inner = (1..n).map(|at| 0.5 * (scaled(at - 1) + scaled(at)));
+    let all = [outer(0, 1)].into_iter().chain(inner).chain([outer(n - 1, n - 2)]);
+    all.map(|edge| axis.scale.back(edge)).collect()
 }

@@ -1,11 +1,11 @@
 //! A histogram: bars for counts, with lines for mean and quantiles.
 
+use super::PlotError;
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::frame::Frame;
-use super::key::{self, Entry};
-use super::style::{PALETTE, PAPER, Stroke};
-use super::{PlotError, SIZE};
+use super::key::Entry;
+use super::sheet::single;
+use super::style::{PALETTE, PAPER, Stroke, series};
 
 /// Bars over adjoining bins.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,49 +37,40 @@ impl Histogram {
                 self.edges.len()
             )));
         }
-        let entries = self.entries();
+        let entries: Vec<Entry> = (self.lines.iter().zip((0..).map(stroke)))
+            .map(|((_, label), stroke)| Entry::line(label, stroke))
+            .chain(self.notes.iter().map(|note| Entry::text(note)))
+            .collect();
         #[allow(clippy::cast_precision_loss)] // heights of bars
         let heights: Vec<f64> = self.counts.iter().map(|count| *count as f64).collect();
         let highest = heights.iter().fold(1.0_f64, |highest, height| highest.max(*height));
-        let mut canvas = Canvas::try_new(SIZE)?;
         let x = match self.x.range {
             Some(_) => self.x.clone(),
             None => self.x.clone().between(self.edges[0], self.edges[self.counts.len()]),
         };
-        let frame = Frame {
-            bounds: key::bounds(&entries)?,
-            x: x.fitted(self.edges.iter().copied()),
-            y: Axis::linear("Count", "").between(0.0, 1.06 * highest).fitted(std::iter::empty()),
-        };
-        frame.draw_axes(&mut canvas)?;
-        for (edges, height) in self.edges.windows(2).zip(&heights) {
-            let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
-            if high.1 < low.1 {
-                canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5]);
-                // a thin gap between bars, if they are wide enough
-                if high.0 - low.0 > 6.0 {
-                    canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0));
+        let x = x.fitted(self.edges.iter().copied());
+        let y = Axis::linear("Count", "").between(0.0, 1.06 * highest).fitted([]);
+        single(&self.title, [x, y], &entries, |frame, canvas| {
+            for (edges, height) in self.edges.windows(2).zip(&heights) {
+                let (low, high) = (frame.place(edges[0], 0.0), frame.place(edges[1], *height));
+                if high.1 < low.1 {
+                    canvas.rectangle((low.0, high.1), (high.0, low.1), PALETTE[5]);
+                    // a thin gap between bars, if they are wide enough
+                    if high.0 - low.0 > 6.0 {
+                        canvas.polyline(&[(high.0, high.1), (high.0, low.1)], Stroke::solid(PAPER, 1.0));
+                    }
                 }
             }
-        }
-        for (i, (at, _)) in self.lines.iter().enumerate() {
-            let ends = [(*at, 0.0), (*at, frame.y.value_at(1.0))];
-            frame.curve(&mut canvas, ends.into_iter(), stroke(i));
-        }
-        frame.draw_outline(&mut canvas);
-        frame.draw_title(&mut canvas, &self.title)?;
-        key::draw(&mut canvas, &entries, &frame)?;
-        Ok(canvas)
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let lines = self.lines.iter().enumerate().map(|(i, (_, label))| Entry::line(label, stroke(i)));
-        lines.chain(self.notes.iter().map(|note| Entry::text(note))).collect()
+            for (i, (at, _)) in self.lines.iter().enumerate() {
+                frame.curve(canvas, [(*at, 0.0), (*at, frame.y.value_at(1.0))], stroke(i));
+            }
+            frame.draw_outline(canvas);
+        })
     }
 }
 
 /// Strokes of the lines over the sky-blue bars: black, vermillion, reddish purple and green, each with its own dash.
 fn stroke(index: usize) -> Stroke {
     let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][index % 4];
-    Stroke { color, width: 3.5, ..super::style::series(index).0 }
+    Stroke { color, width: 3.5, ..series(index).0 }
 }

@@ -2,12 +2,12 @@
 //! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13. Error bars show
 //! the uncertainty at the ends of steps.
 
+use super::PlotError;
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::frame::Frame;
-use super::key::{self, Entry};
-use super::style::{DASHED, GREY, SOLID, Stroke, series};
-use super::{PlotError, SIZE};
+use super::key::Entry;
+use super::sheet::single;
+use super::style::{DASHED, Marker, SOLID, Stroke, series, solid};
 use crate::indentation::{Tested, TraceRow};
 use crate::law::Branch;
 use crate::units::rounded::quantity;
@@ -29,61 +29,59 @@ struct Loop<'a> {
     width: f64,
 }
 
+impl Loop<'_> {
+    /// Its style if it is the loop of this number.
+    fn style(&self, index: usize) -> (Stroke, Marker) {
+        solid(index, self.width, MARK)
+    }
+
+    fn place(&self, row: &TraceRow) -> (f64, f64) {
+        ((self.indentation)(row), row.force)
+    }
+}
+
 /// The picture of force against indentation.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
     let loops = loops(tested);
-    let entries = entries(&loops, tested);
     let rows = || loops.iter().flat_map(|one| one.rows);
     let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
     let deepest = spans(tested).map(|([_, high], ..)| high).fold(deepest, f64::max);
     let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
     let room = if spans(tested).next().is_some() { 1.16 } else { 1.08 };
-    let mut canvas = Canvas::try_new(SIZE)?;
-    let frame = Frame {
-        bounds: key::bounds(&entries)?,
-        x: Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted(std::iter::empty()),
-        y: Axis::engineering("Force", "N").between(0.0, room * strongest).fitted(std::iter::empty()),
-    };
-    frame.draw_axes(&mut canvas)?;
-    frame.draw_title(&mut canvas, &title(tested))?;
-    frame.draw_outline(&mut canvas);
-    for (one, (stroke, _)) in loops.iter().zip((0..).map(series)) {
-        for branch in one.rows.chunk_by(|a, b| is_loading(a) == is_loading(b)) {
-            let mut rows: Vec<&TraceRow> = branch.iter().collect();
-            let is_loading = rows.first().is_some_and(|row| is_loading(row));
-            if !is_loading {
-                // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes
-                // stay open
-                rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted([]);
+    let y = Axis::engineering("Force", "N").between(0.0, room * strongest).fitted([]);
+    single(&title(tested), [x, y], &entries(&loops, tested), |frame, canvas| {
+        frame.draw_outline(canvas);
+        for (i, one) in loops.iter().enumerate() {
+            for branch in one.rows.chunk_by(|a, b| is_loading(a) == is_loading(b)) {
+                let mut rows: Vec<&TraceRow> = branch.iter().collect();
+                let is_loading = rows.first().is_some_and(|row| is_loading(row));
+                if !is_loading {
+                    // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the
+                    // dashes stay open
+                    rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
+                }
+                let dash = if is_loading { SOLID } else { DASHED };
+                frame.curve(canvas, rows.into_iter().map(|row| one.place(row)), Stroke { dash, ..one.style(i).0 });
             }
-            let dash = if is_loading { SOLID } else { DASHED };
-            let curve = rows.into_iter().map(|row| ((one.indentation)(row), row.force));
-            frame.curve(&mut canvas, curve, Stroke { dash, width: one.width, ..stroke });
         }
-    }
-    for (i, one) in loops.iter().enumerate() {
-        let (stroke, mark) = series(i);
-        for row in marked(one.rows, i, loops.len()) {
-            frame.mark(&mut canvas, ((one.indentation)(row), row.force), mark, MARK, stroke.color);
+        for (i, one) in loops.iter().enumerate() {
+            for row in marked(one.rows, i, loops.len()) {
+                frame.mark(canvas, one.place(row), one.style(i).1);
+            }
         }
-    }
-    for ([low, high], force, i) in spans(tested) {
-        let color = series(i).0.color;
-        let stroke = Stroke::solid(color, 3.0);
-        // one above the other, because all loops may end at the same load
-        #[allow(clippy::cast_precision_loss)] // a handful
-        let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
-        let (low, high) = (above(frame.place(low, force)), above(frame.place(high, force)));
-        canvas.polyline(&[low, high], stroke);
-        for (x, y) in [low, high] {
-            canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke);
+        for ([low, high], force, i) in spans(tested) {
+            let stroke = Stroke::solid(series(i).0.color, 3.0);
+            // one above the other, because all loops may end at the same load
+            #[allow(clippy::cast_precision_loss)] // a handful
+            let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
+            let (low, high) = (above(frame.place(low, force)), above(frame.place(high, force)));
+            canvas.polyline(&[low, high], stroke);
+            for (x, y) in [low, high] {
+                canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke);
+            }
         }
-    }
-    key::draw(&mut canvas, &entries, &frame)?;
-    Ok(canvas)
+    })
 }
 
 fn is_loading(row: &TraceRow) -> bool {
@@ -100,16 +98,13 @@ fn loops(tested: &[Tested]) -> Vec<Loop<'_>> {
         ];
         return shares.map(|(name, indentation, width)| Loop { name: name.into(), rows, indentation, width }).into();
     }
-    let whole = |one: &'_ Tested| one.specimen.name.clone().unwrap_or_default();
-    tested
-        .iter()
-        .map(|one| Loop {
-            name: whole(one),
-            rows: &one.indentation.trace,
-            indentation: |row| row.indentation,
-            width: 4.0,
-        })
-        .collect()
+    let mut loops = Vec::new();
+    for one in tested {
+        let name = one.specimen.name.clone().unwrap_or_default();
+        let indentation: Quantity = |row| row.indentation;
+        loops.push(Loop { name, rows: &one.indentation.trace, indentation, width: 4.0 });
+    }
+    loops
 }
 
 /// The rows of a loop at which its marker is drawn: where the force passes a share of its maximum. The share differs
@@ -133,20 +128,14 @@ fn spans(tested: &[Tested]) -> impl Iterator<Item = ([f64; 2], f64, usize)> {
 }
 
 fn entries(loops: &[Loop], tested: &[Tested]) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = loops
-        .iter()
-        .enumerate()
-        .map(|(i, one)| {
-            let (stroke, mark) = series(i);
-            let stroke = Stroke { dash: SOLID, width: one.width, ..stroke };
-            Entry { mark: Some((mark, MARK, stroke.color)), ..Entry::line(&one.name, stroke) }
-        })
-        .collect();
-    let branch = |dash| Stroke { color: GREY, width: 3.0, dash };
-    entries.push(Entry::line("loading", branch(SOLID)));
-    if loops.iter().flat_map(|one| one.rows).any(|row| !is_loading(row)) {
-        entries.push(Entry::line("unloading and reloading", branch(DASHED)));
-    }
+    let entry = |(i, one): (usize, &Loop)| {
+        let (stroke, marker) = one.style(i);
+        Entry::line(&one.name, stroke).marked(marker)
+    };
+    let mut entries: Vec<Entry> = loops.iter().enumerate().map(entry).collect();
+    let unloads = loops.iter().flat_map(|one| one.rows).any(|row| !is_loading(row));
+    let branches = ["loading", "unloading and reloading"];
+    entries.extend(Entry::branches(&branches[..if unloads { 2 } else { 1 }]));
     if let [one] = tested
         && let Some(step) = one.indentation.steps.last()
     {
@@ -159,7 +148,7 @@ fn entries(loops: &[Loop], tested: &[Tested]) -> Vec<Entry> {
         );
     }
     if spans(tested).next().is_some() {
-        entries.push(Entry::text("Bars: uncertain inputs").and("at the ends of steps".to_owned()));
+        entries.push(Entry::text("Bars: uncertain inputs").and("at the ends of steps"));
     }
     entries
 }

@@ -1,10 +1,8 @@
 //! The key of a picture: a column to the right of the axes, so that it never covers data.
 
-use plotters::style::RGBColor;
-
 use super::canvas::{Anchor, Canvas, text_width, wrapped};
 use super::frame::{Bounds, Frame};
-use super::style::{GREY, INK, LABEL_SIZE, Mark, Stroke};
+use super::style::{DASHED, GREY, INK, LABEL_SIZE, Marker, SOLID, Stroke};
 use super::{PlotError, SIZE};
 
 /// Width of the sample of a line or marker \[px\].
@@ -23,25 +21,36 @@ pub(super) const BOTTOM: f64 = 125.0;
 /// One entry: a sample of a line or marker, and texts. The first text is black and the others are grey.
 pub(super) struct Entry {
     pub line: Option<Stroke>,
-    pub mark: Option<(Mark, f64, RGBColor)>,
+    pub mark: Option<Marker>,
     pub text: Vec<String>,
 }
 
 impl Entry {
     pub(super) fn line(text: &str, stroke: Stroke) -> Self {
-        Self { line: Some(stroke), mark: None, text: vec![text.into()] }
+        Self { line: Some(stroke), ..Self::text(text) }
     }
 
-    pub(super) fn mark(text: &str, mark: Mark, radius: f64, color: RGBColor) -> Self {
-        Self { line: None, mark: Some((mark, radius, color)), text: vec![text.into()] }
+    pub(super) fn mark(text: &str, marker: Marker) -> Self {
+        Self::text(text).marked(marker)
     }
 
     pub(super) fn text(text: &str) -> Self {
         Self { line: None, mark: None, text: vec![text.into()] }
     }
 
-    pub(super) fn and(mut self, text: String) -> Self {
-        self.text.push(text);
+    /// The entries of the branches of a loop.
+    pub(super) fn branches(names: &[&str]) -> impl Iterator<Item = Self> {
+        let strokes = [SOLID, DASHED].map(|dash| Stroke { color: GREY, width: 3.0, dash });
+        names.iter().zip(strokes).map(|(name, stroke)| Self::line(name, stroke))
+    }
+
+    /// The same entry with a marker on its line.
+    pub(super) fn marked(self, marker: Marker) -> Self {
+        Self { mark: Some(marker), ..self }
+    }
+
+    pub(super) fn and(mut self, text: impl Into<String>) -> Self {
+        self.text.push(text.into());
         self
     }
 
@@ -137,8 +146,8 @@ pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Res
         if let Some(stroke) = entry.and_then(|entry| entry.line) {
             canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke);
         }
-        if let Some((mark, radius, color)) = entry.and_then(|entry| entry.mark) {
-            mark.draw(canvas, (left + 0.5 * SAMPLE, y), radius, color);
+        if let Some(marker) = entry.and_then(|entry| entry.mark) {
+            marker.draw(canvas, (left + 0.5 * SAMPLE, y));
         }
         for (line, is_ink) in lines {
             let color = if *is_ink { INK } else { GREY };

@@ -1,12 +1,14 @@
 //! Named curves on two axes, linear or logarithmic, such as restitution against speed.
 
+use plotters::style::RGBColor;
+
+use super::PlotError;
 use super::axis::{Axis, FittedAxis};
 use super::canvas::Canvas;
 use super::frame::Frame;
-use super::key::{self, Entry};
-use super::style::{GREY, Mark, Stroke, series, tinted};
-use super::{PlotError, SIZE};
-
+use super::key::Entry;
+use super::sheet::single;
+use super::style::{GREY, Mark, Marker, Stroke, series, tinted};
 use crate::math::functions::{hypot, pow};
 
 /// Curves on two axes.
@@ -155,10 +157,24 @@ const PALE: f64 = 0.35;
 const MARK: f64 = 9.0;
 
 impl Lines {
+    /// Curves without guides and notes.
+    pub fn new(title: impl Into<String>, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
+        Self { title: title.into(), x, y, series, guides: Vec::new(), notes: Vec::new() }
+    }
+
+    /// The same picture with these guides.
+    #[must_use]
+    pub fn with_guides(self, guides: Vec<Guide>) -> Self {
+        Self { guides, ..self }
+    }
+
+    /// The same picture with these notes.
+    #[must_use]
+    pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
+        Self { notes: notes.into_iter().map(Into::into).collect(), ..self }
+    }
+
     /// The picture.
-    ///
-    /// # Errors
-    /// [`PlotError`].
     pub fn draw(&self) -> Result<Canvas, PlotError> {
         let values = || self.series.iter().flat_map(|series| series.points.iter().copied());
         let x = self.x.fitted(values().map(|point| point.0));
@@ -168,35 +184,41 @@ impl Lines {
             points.any(|(at_x, at_y)| is_share(x.at(at_x)) && is_share(y.at(at_y)))
         };
         let guides: Vec<&Guide> = self.guides.iter().filter(is_visible).collect();
-        let entries = self.entries(&guides);
-        let mut canvas = Canvas::try_new(SIZE)?;
-        let frame = Frame { bounds: key::bounds(&entries)?, x, y };
-        frame.draw_axes(&mut canvas)?;
-        for (i, band) in self.series.iter().enumerate().filter(|(_, one)| one.look == Look::Band) {
-            let corners: Vec<_> = band.points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
-            canvas.polygon(&corners, tinted(series(band.style.unwrap_or(i)).0.color, PALE));
-        }
-        for guide in guides {
-            frame.curve(&mut canvas, guide.points(&frame.x, &frame.y).into_iter(), guide.stroke());
-        }
-        frame.draw_outline(&mut canvas);
-        for (i, curve) in self.series.iter().enumerate().filter(|(_, one)| one.look != Look::Band) {
-            let (stroke, mark) = series(curve.style.unwrap_or(i));
-            if curve.look != Look::Points {
-                frame.curve(&mut canvas, curve.points.iter().copied(), stroke);
+        let series = || self.series.iter().enumerate();
+        single(&self.title, [x, y], &self.entries(&guides), |frame, canvas| {
+            for (i, band) in series().filter(|(_, one)| one.look == Look::Band) {
+                let corners: Vec<_> = band.points.iter().map(|(x, y)| frame.place(*x, *y)).collect();
+                canvas.polygon(&corners, self.pale(i));
             }
-            let marked = match curve.look {
-                Look::Line => self.sparse_marks(&frame, i),
-                Look::MarkedLine | Look::Points => curve.points.clone(),
-                Look::Bare | Look::Band => Vec::new(),
-            };
-            for point in marked {
-                frame.mark(&mut canvas, point, mark, MARK, stroke.color);
+            for guide in &guides {
+                frame.curve(canvas, guide.points(&frame.x, &frame.y), guide.stroke());
             }
-        }
-        frame.draw_title(&mut canvas, &self.title)?;
-        key::draw(&mut canvas, &entries, &frame)?;
-        Ok(canvas)
+            frame.draw_outline(canvas);
+            for (i, curve) in series().filter(|(_, one)| one.look != Look::Band) {
+                let (stroke, marker) = self.style(i);
+                if curve.look != Look::Points {
+                    frame.curve(canvas, curve.points.iter().copied(), stroke);
+                }
+                let marked = match curve.look {
+                    Look::Line => self.sparse_marks(frame, i),
+                    Look::MarkedLine | Look::Points => curve.points.clone(),
+                    Look::Bare | Look::Band => Vec::new(),
+                };
+                for point in marked {
+                    frame.mark(canvas, point, marker);
+                }
+            }
+        })
+    }
+
+    fn style(&self, index: usize) -> (Stroke, Marker) {
+        let (stroke, shape) = series(self.series[index].style.unwrap_or(index));
+        (stroke, Marker { shape, radius: MARK, color: stroke.color })
+    }
+
+    /// The colour of a band.
+    fn pale(&self, index: usize) -> RGBColor {
+        tinted(self.style(index).0.color, PALE)
     }
 
     /// Points of a series at equal distances along its curve. They are shifted from series to series, so that markers
@@ -221,27 +243,18 @@ impl Lines {
     }
 
     fn entries(&self, guides: &[&Guide]) -> Vec<Entry> {
-        let mut entries: Vec<Entry> = self
-            .series
-            .iter()
-            .enumerate()
-            .filter(|(_, curve)| !curve.name.is_empty())
-            .map(|(i, curve)| {
-                let (stroke, mark): (Stroke, Mark) = series(curve.style.unwrap_or(i));
-                if curve.look == Look::Band {
-                    return Entry::mark(&curve.name, Mark::Square, 2.0 * MARK, tinted(stroke.color, PALE));
-                }
-                let entry = if curve.look == Look::Points {
-                    Entry::mark(&curve.name, mark, MARK, stroke.color)
-                } else {
-                    Entry::line(&curve.name, stroke)
-                };
-                if curve.look == Look::Bare {
-                    return entry;
-                }
-                Entry { mark: Some((mark, MARK, stroke.color)), ..entry }
-            })
-            .collect();
+        let entry = |(i, curve): (usize, &Series)| {
+            let (stroke, marker) = self.style(i);
+            let entry = Entry::text(&curve.name);
+            match curve.look {
+                Look::Line | Look::MarkedLine => Entry { line: Some(stroke), mark: Some(marker), ..entry },
+                Look::Points => entry.marked(marker),
+                Look::Bare => Entry { line: Some(stroke), ..entry },
+                Look::Band => entry.marked(Marker { shape: Mark::Square, radius: 2.0 * MARK, color: self.pale(i) }),
+            }
+        };
+        let named = self.series.iter().enumerate().filter(|(_, curve)| !curve.name.is_empty());
+        let mut entries: Vec<Entry> = named.map(entry).collect();
         for (i, guide) in guides.iter().enumerate() {
             let same = |other: &&Guide| other.label() == guide.label();
             if guide.label().is_empty() || guides[..i].iter().any(same) {

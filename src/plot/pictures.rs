@@ -28,9 +28,6 @@ impl Pictures {
     }
 
     /// The file of a picture; `None` if no pictures are wanted.
-    ///
-    /// # Errors
-    /// [`PlotError`].
     pub fn file(self, name: &str, canvas: &Canvas) -> Result<Option<OutputFile>, PlotError> {
         let bytes = match self {
             Self::Png => canvas.to_png()?,
@@ -41,9 +38,6 @@ impl Pictures {
     }
 
     /// The files of pictures. If no pictures are wanted, `drawn` is not called.
-    ///
-    /// # Errors
-    /// [`PlotError`].
     pub fn files<N: AsRef<str>>(
         self,
         drawn: impl FnOnce() -> Result<Vec<(N, Canvas)>, PlotError>,

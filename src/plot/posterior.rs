@@ -1,13 +1,13 @@
 //! The posterior of two keys: a map with contours, and the posteriors of the single keys above and beside it.
 
-use super::axis::Axis;
+use super::PlotError;
+use super::axis::{Axis, extremes};
 use super::canvas::Canvas;
 use super::frame::{Bounds, Frame};
 use super::key::{self, Entry};
 use super::of_key::axis_of;
-use super::style::{DASHED, Mark, PALETTE, SOLID, Stroke, tinted};
-use super::{PlotError, SIZE};
-use crate::calibrate::profile::{Marginal, Sheet};
+use super::style::{DASHED, Mark, Marker, PALETTE, SOLID, Stroke, tinted};
+use crate::calibrate::profile::Sheet;
 use crate::calibrate::statistics::LEVELS;
 use crate::calibrate::{Calibration, Found};
 
@@ -25,65 +25,43 @@ const STEPS: u32 = 5;
 type Line = (f64, Vec<(f64, f64)>);
 
 /// The picture.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     let [first, second] = &of.keys[..] else { return Err(PlotError::Data("a map needs two keys".to_owned())) };
     let lines: Vec<Line> = sheet
         .iter()
         .map(|(x, line)| (first.free.at(*x), line.iter().map(|(y, density)| (second.free.at(*y), *density)).collect()))
         .collect();
-    let highest = lines.iter().flat_map(|(_, line)| line).map(|(_, density)| *density).fold(0.0, f64::max);
-    let is_seen = |line: &&Line| line.1.iter().any(|(_, density)| *density > VISIBLE * highest);
-    let xs: Vec<f64> = lines.iter().filter(is_seen).map(|(x, _)| *x).collect();
-    let seen = lines.iter().flat_map(|(_, line)| line).filter(|(_, density)| *density > VISIBLE * highest);
-    let ys: Vec<f64> = seen.map(|(y, _)| *y).collect();
-    let axis = |found: &Found, values: &[f64]| {
-        let (low, high) = (
-            values.iter().copied().fold(f64::INFINITY, f64::min),
-            values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-        );
-        axis_of(found.free.key, found.free.is_logarithmic && high > 5.0 * low).between(low, high)
+    let all_places = || lines.iter().flat_map(|(_, line)| line);
+    let highest = all_places().map(|(_, density)| *density).fold(0.0, f64::max);
+    let is_seen = |(_, density): &&(f64, f64)| *density > VISIBLE * highest;
+    let axis = |found: &Found, (low, high): (f64, f64)| {
+        let is_logarithmic = found.free.is_logarithmic && high > 5.0 * low;
+        axis_of(found.free.key, is_logarithmic).between(low, high).fitted([])
     };
-    let (x_axis, y_axis) = (axis(first, &xs), axis(second, &ys));
-    let levels = levels(sheet);
-    let contours =
-        [Stroke { color: PALETTE[1], width: 3.0, dash: SOLID }, Stroke { color: PALETTE[1], width: 3.0, dash: DASHED }];
-    let mut entries: Vec<Entry> = ["68 % lies inside", "95 % lies inside"]
-        .iter()
-        .zip(contours)
-        .map(|(name, stroke)| Entry::line(name, stroke))
-        .collect();
-    entries.push(Entry::mark("best", Mark::Cross, 9.0, PALETTE[6]));
-    let correlation = of.correlation().filter(|_| of.refusal.is_none());
-    entries.extend(correlation.map(|correlation| Entry::text(&format!("correlation {correlation:.2}"))));
-    entries.extend(
-        of.refusal.iter().map(|_| Entry::text("no interval: the data do not tell").and("the keys apart".to_owned())),
-    );
+    let seen_lines = lines.iter().filter(|(_, line)| line.iter().any(|place| is_seen(&place)));
+    let x = axis(first, extremes(seen_lines.map(|(x, _)| *x)));
+    let y = axis(second, extremes(all_places().filter(is_seen).map(|(y, _)| *y)));
+    let contours = [SOLID, DASHED].map(|dash| Stroke { color: PALETTE[1], width: 3.0, dash });
+    let best = Marker { shape: Mark::Cross, radius: 9.0, color: PALETTE[6] };
+    let names = ["68 % lies inside", "95 % lies inside"];
+    let mut entries: Vec<Entry> = names.iter().zip(contours).map(|(name, stroke)| Entry::line(name, stroke)).collect();
+    entries.push(Entry::mark("best", best));
+    if of.refusal.is_some() {
+        entries.push(Entry::text("no interval: the data do not tell").and("the keys apart"));
+    } else {
+        entries.extend(of.correlation().map(|correlation| Entry::text(&format!("correlation {correlation:.2}"))));
+    }
     let all = key::bounds(&entries)?;
-    let empty = std::iter::empty;
-    let main = Frame {
-        bounds: Bounds { top: all.top + MARGIN + GAP, right: all.right - MARGIN - GAP, ..all },
-        x: x_axis.fitted(empty()),
-        y: y_axis.fitted(empty()),
-    };
-    let density = Axis::linear("", "").between(0.0, 1.05);
-    let above = Frame {
-        bounds: Bounds { bottom: all.top + MARGIN, top: all.top, ..main.bounds },
-        x: x_axis.fitted(empty()),
-        y: density.fitted(empty()),
-    };
-    let right = Frame {
-        bounds: Bounds { left: all.right - MARGIN, right: all.right, ..main.bounds },
-        x: density.fitted(empty()),
-        y: y_axis.fitted(empty()),
-    };
-    let mut canvas = Canvas::try_new(SIZE)?;
+    let density = Axis::linear("", "").between(0.0, 1.05).fitted([]);
+    let bounds = Bounds { top: all.top + MARGIN + GAP, right: all.right - MARGIN - GAP, ..all };
+    let above = Bounds { bottom: all.top + MARGIN, top: all.top, ..bounds };
+    let right = Bounds { left: all.right - MARGIN, right: all.right, ..bounds };
+    let above = Frame { bounds: above, x: x.clone(), y: density.clone() };
+    let right = Frame { bounds: right, x: density, y: y.clone() };
+    let main = Frame { bounds, x, y };
+    let mut canvas = Canvas::default();
     main.draw_axes(&mut canvas)?;
-    let inside = |(x, y): (f64, f64)| {
-        (x.clamp(main.bounds.left, main.bounds.right), y.clamp(main.bounds.top, main.bounds.bottom))
-    };
+    let inside = |(x, y): (f64, f64)| (x.clamp(bounds.left, bounds.right), y.clamp(bounds.top, bounds.bottom));
     let x_edges = edges(lines.iter().map(|(x, _)| *x));
     for (line, (_, places)) in x_edges.windows(2).zip(&lines) {
         for pair in places.windows(2) {
@@ -100,27 +78,17 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
             }
         }
     }
-    for (level, stroke) in levels.into_iter().zip(contours) {
+    for (level, stroke) in levels(sheet).into_iter().zip(contours) {
         for contour in contour(&lines, level) {
-            main.curve(&mut canvas, contour.into_iter(), stroke);
+            main.curve(&mut canvas, contour, stroke);
         }
     }
-    main.mark(&mut canvas, (first.estimate, second.estimate), Mark::Cross, 9.0, PALETTE[6]);
+    main.mark(&mut canvas, (first.estimate, second.estimate), best);
     main.draw_outline(&mut canvas);
-    let curve = Stroke::solid(PALETTE[0], 3.0);
-    let heights = |marginal: &Marginal, found: &Found| {
-        let highest = marginal.density.iter().copied().fold(0.0, f64::max);
-        let points = marginal
-            .shares
-            .iter()
-            .zip(&marginal.density)
-            .map(|(share, density)| (found.free.at(*share), density / highest));
-        points.collect::<Vec<_>>()
-    };
     for (frame, found, is_turned) in [(&above, first, false), (&right, second, true)] {
-        let points = heights(found.posterior.as_ref().unwrap_or(&Marginal::default()), found);
-        let points = points.into_iter().map(|(x, y)| if is_turned { (y, x) } else { (x, y) });
-        frame.curve(&mut canvas, points, curve);
+        let points = found.relative_posterior().into_iter();
+        let points = points.map(|(x, y)| if is_turned { (y, x) } else { (x, y) });
+        frame.curve(&mut canvas, points, Stroke::solid(PALETTE[0], 3.0));
         frame.draw_outline(&mut canvas);
     }
     above.draw_title(&mut canvas, "What the measurements say of both keys")?;
@@ -131,9 +99,8 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
 /// Borders between the values: half-way between neighbours. The outer borders are the outer values.
 fn edges(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let values: Vec<f64> = values.collect();
-    let n = values.len();
     let inner = values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-    [values[0]].into_iter().chain(inner).chain([values[n - 1]]).collect()
+    values.first().copied().into_iter().chain(inner).chain(values.last().copied()).collect()
 }
 
 /// The densities above which the posterior has the probabilities of [`LEVELS`].
@@ -143,11 +110,8 @@ fn levels(sheet: &Sheet) -> [f64; 2] {
     for (i, (_, line)) in sheet.iter().enumerate() {
         let y_edges = edges(line.iter().map(|(y, _)| *y));
         let width = x_edges[i + 1] - x_edges[i];
-        cells.extend(
-            line.iter()
-                .enumerate()
-                .map(|(j, (_, density))| (*density, density * width * (y_edges[j + 1] - y_edges[j]))),
-        );
+        let heights = y_edges.windows(2).map(|edge| edge[1] - edge[0]);
+        cells.extend(line.iter().zip(heights).map(|((_, density), height)| (*density, density * width * height)));
     }
     cells.sort_by(|a, b| b.0.total_cmp(&a.0));
     let all: f64 = cells.iter().map(|(_, mass)| mass).sum();

@@ -1,18 +1,19 @@
 //! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
 //! number of the impact.
 
+use super::PlotError;
 use super::axis::Axis;
 use super::canvas::Canvas;
 use super::frame::Frame;
-use super::key::{self, Entry};
+use super::key::Entry;
 use super::lines::{Look, Series};
+use super::sheet::single;
 use super::stack::{Panel, Stack};
 use super::style::{DASHED, GREY, PALETTE, SOLID, Stroke};
-use super::{PlotError, SIZE};
 use crate::impact::{Event, Impact};
 use crate::math::functions::pow;
 use crate::repeat::flight::Flight;
-use crate::repeat::{Place, Repeat, Sequence};
+use crate::repeat::{Hit, Place, Repeat, Sequence};
 use crate::units::rounded::{number, quantity};
 
 /// Largest number of points of one flight.
@@ -22,9 +23,6 @@ const MOST_POINTS: usize = 200_000;
 
 /// The height of the lowest point of the sphere, and the depth of the dents, against time. `None` for shots, which have
 /// no times.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Canvas, PlotError>> {
     let last = sequence.hits.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
@@ -77,37 +75,26 @@ fn title(repeat: &Repeat, sequence: &Sequence) -> String {
 }
 
 /// Impact speed, e, and the depth of the dent against the number of the impact.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
     #[allow(clippy::cast_precision_loss)] // at most a million
-    let numbered = |value: fn(&crate::repeat::Hit) -> f64| -> Vec<(f64, f64)> {
-        sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit))).collect()
+    let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
+        let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
+        let series = vec![Series::marked_line(name, points.collect()).styled(style)];
+        Panel { y: y.between(0.0, highest), share: 1.0, series }
     };
     #[allow(clippy::cast_precision_loss)]
     let last = sequence.hits.len() as f64;
     let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
-    let marked = |name: &str, points, style| Series::marked_line(name, points).styled(style);
     let largest = sequence.hits.iter().map(|hit| hit.restitution).fold(0.0, f64::max);
+    let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
-        Panel {
-            y: Axis::engineering("Speed", "m/s").between(0.0, 1.15 * fastest),
-            share: 1.0,
-            series: vec![marked("Impact speed v", numbered(|hit| hit.speed), 4)],
-        },
-        Panel {
-            y: Axis::linear("Restitution", "").between(0.0, if largest > 0.8 { 1.1 } else { 1.2 * largest }),
-            share: 1.0,
-            series: vec![marked("Restitution e", numbered(|hit| hit.restitution), 0)],
-        },
+        panel(Axis::engineering("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
+        panel(Axis::linear("Restitution", ""), top, "Restitution e", 0, |hit| hit.restitution),
     ];
-    if sequence.deepest_dent() > 0.0 {
-        panels.push(Panel {
-            y: Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent()),
-            share: 1.0,
-            series: vec![marked("Dent δᵣ", numbered(|hit| hit.residual_indentation), 1)],
-        });
+    let deepest = sequence.deepest_dent();
+    if deepest > 0.0 {
+        let y = Axis::engineering("Dent depth", "m");
+        panels.push(panel(y, 1.15 * deepest, "Dent δᵣ", 1, |hit| hit.residual_indentation));
     }
     let x = if last > 200.0 {
         Axis::log("Impact", "").between(0.9, 1.1 * last)
@@ -133,47 +120,33 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> 
     }
     let groups = groups(traced);
     let named: Vec<(usize, usize)> = spread(groups.len(), NAMED).into_iter().map(|i| groups[i]).collect();
-    let entries: Vec<Entry> = named
-        .iter()
-        .enumerate()
-        .map(|(i, (first, last))| {
-            let impact = &traced[*first];
-            let name = if first == last {
-                format!("Impact {}", first + 1)
-            } else {
-                format!("Impacts {} to {}", first + 1, last + 1)
-            };
-            Entry::line(&name, Stroke::solid(PALETTE[i], width(i, named.len()))).and(format!(
-                "{}, e = {}",
-                quantity(impact.speed, "m/s"),
-                number(impact.restitution)
-            ))
-        })
-        .chain([
-            Entry::line("loading", Stroke { color: GREY, width: 3.0, dash: SOLID }),
-            Entry::line("unloading", Stroke { color: GREY, width: 3.0, dash: DASHED }),
-        ])
-        .collect();
+    let stroke = |i: usize| Stroke::solid(PALETTE[i], width(i, named.len()));
+    let entry = |(i, (first, last)): (usize, &(usize, usize))| {
+        let impact = &traced[*first];
+        let name = if first == last {
+            format!("Impact {}", first + 1)
+        } else {
+            format!("Impacts {} to {}", first + 1, last + 1)
+        };
+        let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), number(impact.restitution));
+        Entry::line(&name, stroke(i)).and(about)
+    };
+    let branches = Entry::branches(&["loading", "unloading"]);
+    let entries: Vec<Entry> = named.iter().enumerate().map(entry).chain(branches).collect();
     let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
-    let mut canvas = Canvas::try_new(SIZE)?;
-    let frame = Frame {
-        bounds: key::bounds(&entries)?,
-        x: Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted(std::iter::empty()),
-        y: Axis::engineering("Force", "N").between(0.0, 1.08 * strongest).fitted(std::iter::empty()),
-    };
-    frame.draw_axes(&mut canvas)?;
-    frame.draw_title(&mut canvas, &title(repeat, sequence))?;
-    frame.draw_outline(&mut canvas);
-    for index in spread(traced.len(), DRAWN) {
-        draw(&frame, &mut canvas, &traced[index], Stroke::solid(GREY, 1.5));
-    }
-    // loops lie on each other where they follow the same branch, so each is narrower than the one before
-    for (i, (first, _)) in named.iter().enumerate() {
-        draw(&frame, &mut canvas, &traced[*first], Stroke::solid(PALETTE[i], width(i, named.len())));
-    }
-    key::draw(&mut canvas, &entries, &frame)?;
-    Ok(canvas)
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted([]);
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest).fitted([]);
+    single(&title(repeat, sequence), [x, y], &entries, |frame, canvas| {
+        frame.draw_outline(canvas);
+        for index in spread(traced.len(), DRAWN) {
+            draw(frame, canvas, &traced[index], Stroke::solid(GREY, 1.5));
+        }
+        // loops lie on each other where they follow the same branch, so each is narrower than the one before
+        for (i, (first, _)) in named.iter().enumerate() {
+            draw(frame, canvas, &traced[*first], stroke(i));
+        }
+    })
 }
 
 /// Groups of consecutive impacts that are identical, so that their loops coincide: the first and the last of each

@@ -1,15 +1,15 @@
 //! Boxes one above the other with a common horizontal axis: several quantities against time or against a number.
 
+use super::PlotError;
 use super::axis::Axis;
 use super::canvas::Canvas;
-use super::frame::{Bounds, Frame};
-use super::key::{self, Entry};
+use super::key::Entry;
 use super::lines::{Look, Series};
-use super::style::{SOLID, Stroke, series};
-use super::{PlotError, SIZE};
+use super::sheet::stacked;
+use super::style::{Marker, solid};
 
-/// Distance between the boxes \[px\].
-const GAP: f64 = 28.0;
+/// Width of the curves \[px\].
+const WIDTH: f64 = 3.0;
 /// Radius of markers \[px\]. Points that are close together have smaller markers or none.
 const MARK: f64 = 7.0;
 
@@ -37,76 +37,52 @@ pub struct Panel {
     pub series: Vec<Series>,
 }
 
+impl Panel {
+    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.series.iter().flat_map(|one| one.points.iter().copied())
+    }
+}
+
 impl Stack {
     /// The picture.
-    ///
-    /// # Errors
-    /// [`PlotError`].
     pub fn draw(&self) -> Result<Canvas, PlotError> {
-        let entries = self.entries();
-        let all = key::bounds(&entries)?;
-        let mut canvas = Canvas::try_new(SIZE)?;
-        #[allow(clippy::cast_precision_loss)] // a handful
-        let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
-        let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
-        let mut top = all.top;
+        let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
+        let fitted = |panel: &Panel| (panel.y.fitted(panel.points().map(|(_, y)| y)), panel.share);
+        let panels = self.panels.iter().map(fitted).collect();
         let mut index = 0;
-        for (i, panel) in self.panels.iter().enumerate() {
-            let bottom = top + room * panel.share / shares;
-            let values = || panel.series.iter().flat_map(|series| series.points.iter().copied());
-            let frame = Frame {
-                bounds: Bounds { top, bottom, ..all },
-                x: self.x.fitted(
-                    self.panels
-                        .iter()
-                        .flat_map(|panel| &panel.series)
-                        .flat_map(|one| one.points.iter().map(|point| point.0)),
-                ),
-                y: panel.y.fitted(values().map(|point| point.1)),
-            };
-            frame.draw_x(&mut canvas, i + 1 == self.panels.len())?;
-            frame.draw_y(&mut canvas)?;
-            for one in &panel.series {
-                let (stroke, mark) = series(one.style.unwrap_or(index));
+        stacked(&self.title, &x, panels, &self.entries(), |i, frame, canvas| {
+            for one in &self.panels[i].series {
+                let (stroke, marker) = solid(one.style.unwrap_or(index), WIDTH, MARK);
                 index += 1;
                 if one.look != Look::Points {
-                    frame.curve(&mut canvas, one.points.iter().copied(), Stroke { dash: SOLID, ..stroke });
+                    frame.curve(canvas, one.points.iter().copied(), stroke);
                 }
-                let mut radius = radius(one.points.len(), all.right - all.left);
+                let mut radius = radius(one.points.len(), frame.bounds.right - frame.bounds.left);
                 if one.look == Look::Points {
                     // without a line, the points must stay visible
                     radius = radius.max(2.0);
                 }
                 if one.look != Look::Line && radius > 0.0 {
                     for point in &one.points {
-                        frame.mark(&mut canvas, *point, mark, radius, stroke.color);
+                        frame.mark(canvas, *point, Marker { radius, ..marker });
                     }
                 }
             }
-            frame.draw_outline(&mut canvas);
-            if i == 0 {
-                frame.draw_title(&mut canvas, &self.title)?;
-                key::draw(&mut canvas, &entries, &frame)?;
-            }
-            top = bottom + GAP;
-        }
-        Ok(canvas)
+            frame.draw_outline(canvas);
+        })
     }
 
     fn entries(&self) -> Vec<Entry> {
         let all = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
-        let mut entries: Vec<Entry> = all
-            .filter(|(_, one)| !one.name.is_empty())
-            .map(|(i, one)| {
-                let (stroke, mark) = series(one.style.unwrap_or(i));
-                let mark = Some((mark, MARK, stroke.color)).filter(|_| one.look != Look::Line);
-                let entry = Entry::line(&one.name, Stroke { dash: SOLID, ..stroke });
-                let line = entry.line.filter(|_| one.look != Look::Points);
-                Entry { line, mark, ..entry }
-            })
-            .collect();
-        entries.extend(self.notes.iter().map(|note| Entry::text(note)));
-        entries
+        let named = all.filter(|(_, one)| !one.name.is_empty()).map(|(i, one)| {
+            let (stroke, marker) = solid(one.style.unwrap_or(i), WIDTH, MARK);
+            Entry {
+                line: Some(stroke).filter(|_| one.look != Look::Points),
+                mark: Some(marker).filter(|_| one.look != Look::Line),
+                ..Entry::text(&one.name)
+            }
+        });
+        named.chain(self.notes.iter().map(|note| Entry::text(note))).collect()
     }
 }
 

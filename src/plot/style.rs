@@ -78,6 +78,15 @@ pub(super) const BLACK: usize = 13;
 /// Index of the style of a fitted law: a solid line in the second colour.
 pub(super) const LAW: usize = 15;
 
+/// How a point is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Marker {
+    pub shape: Mark,
+    /// \[px\].
+    pub radius: f64,
+    pub color: RGBColor,
+}
+
 /// Colour, dash and marker of a series. There are 7 colours and 5 dashes, so their combination repeats only after 35
 /// series. The markers move by one after each round of colours.
 pub(super) fn series(index: usize) -> (Stroke, Mark) {
@@ -85,4 +94,10 @@ pub(super) fn series(index: usize) -> (Stroke, Mark) {
     let dash = DASHES[index % DASHES.len()];
     let mark = MARKS[(index + index / PALETTE.len()) % MARKS.len()];
     (Stroke { color, width: 3.0, dash }, mark)
+}
+
+/// A series as a solid line of this width \[px\], with markers of this radius \[px\].
+pub(super) fn solid(index: usize, width: f64, radius: f64) -> (Stroke, Marker) {
+    let (Stroke { color, .. }, shape) = series(index);
+    (Stroke::solid(color, width), Marker { shape, radius, color })
 }

@@ -33,26 +33,17 @@ const BARS: usize = 60;
 pub const PICTURES: [&str; 3] = ["restitution", "restitution_map", "restitution_histogram"];
 
 /// The pictures of a plan with their names.
-///
-/// # Errors
-/// [`PlotError`].
 pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Canvas)>, PlotError> {
     let Cases::Grid(axes) = &plan.cases else {
         return Ok(histogram(tally)?.map(|drawn| (PICTURES[2], drawn)).into_iter().collect());
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
-    match axes.as_slice() {
-        [first, ..] if is_drawable(first) => pictures.push((PICTURES[0], curves(plan, axes)?)),
-        _ => {}
+    if is_drawable(&axes[0]) {
+        pictures.push((PICTURES[0], curves(plan, axes)?));
     }
-    match axes.as_slice() {
-        [first, second, ..]
-            if is_drawable(first) && is_drawable(second) && first.len() >= LONG && second.len() >= LONG =>
-        {
-            pictures.push((PICTURES[1], map(plan, axes)?));
-        }
-        _ => {}
+    if axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG) {
+        pictures.push((PICTURES[1], map(plan, axes)?));
     }
     Ok(pictures)
 }

@@ -12,11 +12,11 @@ use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::quantity::MEASURED;
 use crate::calibrate::{Calibration, Fit, Found, Measurements, NoAnswer};
-use crate::plan::free::Free;
 use crate::provenance::Provenance;
 use crate::scene::results::Fields;
 use crate::units::aligned::aligned;
-use crate::units::{four_digits, human};
+use crate::units::four_digits;
+use crate::units::rounded::percent;
 
 /// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";
@@ -34,7 +34,7 @@ fn key(found: &Found, number: usize, of: &Calibration) -> Value {
         let sizes = shifts.iter().map(|shift| shift[number]).enumerate();
         let (i, shift) = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
         let value = &of.fit.problem.data.values[i];
-        let slope = found.free.slope(of.fit.minima[0].shares[number]);
+        let slope = found.free.slope(of.fit.best().shares[number]);
         let line = of.fit.problem.data.rows[value.row].line;
         Some(json!({ "line": line, "quantity": MEASURED[value.what].name, "without_it": slope * shift }))
     });
@@ -84,7 +84,7 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
     let problem = &of.fit.problem;
     let keys: Vec<Value> = of.keys.iter().enumerate().map(|(i, found)| key(found, i, of)).collect();
     let basin =
-        |place: &Place| json!({ "values": problem.values(&place.shares), "excess": place.sum - of.fit.minima[0].sum });
+        |place: &Place| json!({ "values": problem.values(&place.shares), "excess": place.sum - of.fit.best().sum });
     let identified = of.identifiability.as_ref().map(|told| {
         json!({
             "singular_values": told.singular_values,
@@ -94,19 +94,22 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
         })
     });
     let law = |(name, fit): &(String, Result<Fit, NoAnswer>)| match fit {
-        Ok(fit) => json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - least_aic(of), "values": fit.values() }),
+        Ok(fit) => {
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.problem.values(&fit.best().shares) })
+        }
         Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
     };
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let per_degree = (of.freedom > 0).then_some(of.chi_square / of.freedom as f64);
     let likelihood = if problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
+    let contradiction = of.contradiction();
     let data_file = measured.sha256.is_some().then(|| file_name(&measured.data.name));
     let results = Fields(vec![
         ("keys", keys.into()),
         ("refusal", of.refusal.clone().into()),
         ("correlation", of.correlation().filter(|_| of.refusal.is_none()).into()),
-        ("fits", of.contradiction.is_none().into()),
-        ("contradiction", of.contradiction.clone().into()),
+        ("fits", contradiction.is_none().into()),
+        ("contradiction", contradiction.into()),
         ("values", of.residuals.len().into()),
         ("degrees_of_freedom", of.freedom.into()),
         ("chi_square", of.chi_square.into()),
@@ -136,11 +139,6 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
     super::summary::of(results, &Inputs(inputs.collect()), provenance)
 }
 
-/// The smallest AIC of all laws.
-fn least_aic(of: &Calibration) -> f64 {
-    of.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
-}
-
 /// The name of a file without its folders, which differ from machine to machine.
 fn file_name(path: &str) -> String {
     std::path::Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
@@ -158,7 +156,7 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
     writer.write_record(header)?;
     for (i, value) in data.values.iter().enumerate() {
         let row = &data.rows[value.row];
-        let slope = |key: usize| of.keys[key].free.slope(of.fit.minima[0].shares[key]);
+        let slope = |key: usize| of.keys[key].free.slope(of.fit.best().shares[key]);
         let shift =
             |key: usize| of.shifts.as_ref().map_or_else(String::new, |all| (all[i][key] * slope(key)).to_string());
         let numbers = [value.value, of.fit.problem.deviations[i], of.predicted[i], of.residuals[i]];
@@ -202,8 +200,14 @@ pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &(String, Result<Fit, NoAnswer>)| match fit {
         Ok(fit) => {
-            let values = fit.values().into_iter().zip(&of.keys).map(|(value, found)| say(value, &found.free));
-            let numbers = [fit.aic, fit.aic - least_aic(of)].map(|number| format!("{number:.2}"));
+            let values = of
+                .fit
+                .problem
+                .values(&fit.best().shares)
+                .into_iter()
+                .zip(&of.keys)
+                .map(|(value, found)| found.free.say(value, 4));
+            let numbers = [fit.aic, fit.aic - of.least_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
         Err(reason) => vec![law.clone(), reason.to_string()],
@@ -218,8 +222,8 @@ pub fn table(of: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for found in &of.keys {
-        let say = |value: f64| say(value, &found.free);
-        let sd = found.sd.map_or_else(String::new, |sd| format!("   sd {}", short(sd, &found.free)));
+        let say = |value: f64| found.free.say(value, 4);
+        let sd = found.sd.map_or_else(String::new, |sd| format!("   sd {}", found.free.say(sd, 2)));
         row(found.free.key.path, say(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
             let end = |end: Option<f64>, what: &str| end.map_or_else(|| format!("{what} {UNBOUNDED}"), say);
@@ -228,7 +232,7 @@ pub fn table(of: &Calibration) -> String {
     }
     if let Some(told) = of.identifiability.as_ref().filter(|_| of.refusal.is_some() && of.keys.len() > 1) {
         let known = combination(of, &told.exponents);
-        row("best known", format!("{known}, to {}", crate::units::rounded::percent(told.deviation)));
+        row("best known", format!("{known}, to {}", percent(told.deviation)));
     }
     let measured = of.fit.problem.data.measured().into_iter().map(|what| MEASURED[what].name).collect::<Vec<_>>();
     row(
@@ -241,8 +245,7 @@ pub fn table(of: &Calibration) -> String {
         ),
     );
     let (noise, share) = noise(of);
-    let share =
-        share.map_or_else(String::new, |share| format!(", {} of a value", crate::units::rounded::percent(share)));
+    let share = share.map_or_else(String::new, |share| format!(", {} of a value", percent(share)));
     row("noise", format!("{noise}{share}"));
     if let Some(p) = of.p {
         let outliers = if of.outliers > 0 { format!(", without {} outliers", of.outliers) } else { String::new() };
@@ -258,8 +261,8 @@ pub fn table(of: &Calibration) -> String {
     if of.fit.minima.len() > 1 && of.refusal.is_none() {
         let second = &of.fit.minima[1];
         let values = of.fit.problem.values(&second.shares);
-        let values = of.keys.iter().zip(values).map(|(found, value)| say(value, &found.free));
-        let excess = four_digits(second.sum - of.fit.minima[0].sum);
+        let values = of.keys.iter().zip(values).map(|(found, value)| found.free.say(value, 4));
+        let excess = four_digits(second.sum - of.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }
     let mut text = aligned(&rows, |_| true);
@@ -267,14 +270,4 @@ pub fn table(of: &Calibration) -> String {
         let _ = write!(text, "\n{}", aligned(&ranked(of), |column| column == 0));
     }
     text
-}
-
-/// A value to four digits, in a suitable unit.
-fn say(value: f64, of: &Free) -> String {
-    human(format!("{value:.3e}").parse().unwrap_or(value), of.key.quantity.dimension)
-}
-
-/// A standard deviation to two digits, in a suitable unit.
-fn short(sd: f64, of: &Free) -> String {
-    human(format!("{sd:.1e}").parse().unwrap_or(sd), of.key.quantity.dimension)
 }

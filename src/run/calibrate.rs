@@ -17,7 +17,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
     let found = measured.calibrate(&Counter::default())?;
     Ok(Outcome {
-        contradiction: found.contradiction.clone(),
+        contradiction: found.contradiction(),
         ..Outcome::checked(warnings(&measured, &found), report::table(&found))
     })
 }
@@ -37,7 +37,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         warnings: warnings(&measured, &found),
         text: report::table(&found),
         files,
-        contradiction: found.contradiction.clone(),
+        contradiction: found.contradiction(),
     })
 }
 
@@ -47,7 +47,7 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
     };
-    let runs = found.p_of_runs.filter(|p| *p < 0.01 && found.contradiction.is_none()).map(|p| {
+    let runs = found.p_of_runs.filter(|p| *p < 0.01 && found.contradiction().is_none()).map(|p| {
         let p = crate::units::four_digits(p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });

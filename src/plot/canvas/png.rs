@@ -6,8 +6,8 @@ use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGB
 
 use super::{Canvas, Point, SCALE, Shape, Text, failed, whole, whole_length};
 use crate::math::functions::hypot;
-use crate::plot::PlotError;
 use crate::plot::style::{PAPER, Stroke};
+use crate::plot::{PlotError, SIZE};
 
 /// Drawn pixels per pixel of the picture, in each direction.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -19,44 +19,42 @@ fn device(point: Point) -> (i32, i32) {
 
 impl Canvas {
     /// The picture as PNG.
-    ///
-    /// # Errors
-    /// [`PlotError`] from drawing or encoding.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
-        let size = (self.size.0 * OVERSAMPLING, self.size.1 * OVERSAMPLING);
+        let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
         let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
         let mut backend = BitMapBackend::with_buffer(&mut buffer, size);
         self.shapes.iter().try_for_each(|shape| draw(&mut backend, shape))?;
         drop(backend);
-        self.encoded(&buffer)
+        encoded(&buffer)
     }
+}
 
-    fn encoded(&self, buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
-        let (width, height) = (self.size.0 as usize, self.size.1 as usize);
-        let n = OVERSAMPLING as usize;
-        let mut pixels = Vec::with_capacity(3 * width * height);
-        for y in 0..height {
-            for x in 0..width {
-                for channel in 0..3 {
-                    let mut sum = 0;
-                    for row in 0..n {
-                        for column in 0..n {
-                            sum += usize::from(buffer[3 * ((n * y + row) * n * width + n * x + column) + channel]);
-                        }
+/// The PNG of a buffer that has [`OVERSAMPLING`] times as many pixels in each direction.
+fn encoded(buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
+    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
+    let n = OVERSAMPLING as usize;
+    let mut pixels = Vec::with_capacity(3 * width * height);
+    for y in 0..height {
+        for x in 0..width {
+            for channel in 0..3 {
+                let mut sum = 0;
+                for row in 0..n {
+                    for column in 0..n {
+                        sum += usize::from(buffer[3 * ((n * y + row) * n * width + n * x + column) + channel]);
                     }
-                    pixels.push(u8::try_from((sum + n * n / 2) / (n * n)).unwrap_or(u8::MAX));
                 }
+                pixels.push(u8::try_from((sum + n * n / 2) / (n * n)).unwrap_or(u8::MAX));
             }
         }
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, self.size.0, self.size.1);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&pixels)?;
-        writer.finish()?;
-        Ok(file)
     }
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, SIZE.0, SIZE.1);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&pixels)?;
+    writer.finish()?;
+    Ok(file)
 }
 
 fn draw(backend: &mut BitMapBackend, shape: &Shape) -> Result<(), PlotError> {

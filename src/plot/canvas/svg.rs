@@ -28,11 +28,8 @@ fn device(point: Point) -> (i32, i32) {
 
 impl Canvas {
     /// The picture as SVG.
-    ///
-    /// # Errors
-    /// [`PlotError`] from drawing.
     pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
-        let (width, height) = self.size;
+        let (width, height) = crate::plot::SIZE;
         let size = (width * UNITS, height * UNITS);
         let mut svg = String::new();
         let mut backend = SVGBackend::with_string(&mut svg, size);

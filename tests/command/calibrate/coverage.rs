@@ -51,7 +51,10 @@ fn covered(sets: u64, is_estimated: bool) -> [f64; 2] {
             exact.iter().map(|e| SD * e).collect()
         };
         let fit = Fit::of(Problem::new(&scene, &free, &data, deviations, false), is_estimated).unwrap();
-        fit.interval(0).map(|[low, high]| low.unwrap() <= TRUTH && TRUTH <= high.unwrap())
+        fit.intervals(0).map(|ends| {
+            let [low, high] = ends.map(|end| free[0].at(end.unwrap()));
+            low <= TRUTH && TRUTH <= high
+        })
     });
     let hits: Vec<[bool; 2]> = hits.collect();
     #[allow(clippy::cast_precision_loss)] // a few thousand
