@@ -35,6 +35,11 @@ pub struct Sphere {
 }
 
 impl Sphere {
+    /// A sphere whose own yield strength is not known.
+    pub fn elastic(radius: f64, material: Material, density: f64) -> Self {
+        Self { radius, material, density, yield_strength: None }
+    }
+
     /// Mass (4/3) π R³ ρ \[kg\].
     pub fn mass(&self) -> f64 {
         4.0 / 3.0 * std::f64::consts::PI * self.radius * self.radius * self.radius * self.density

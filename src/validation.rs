@@ -27,11 +27,8 @@ pub use check::{Check, Known, Tolerance, Verdict};
 pub use error::{EXPONENTS, ValidationError};
 pub use pictures::pictures;
 
-/// A function that makes the checks of one kind.
-pub type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
-
-/// All kinds of checks, in the order of the table.
-pub const SOURCES: [Source; 10] = [
+/// The functions that make the checks of each kind, in the order of the table.
+const SOURCES: [fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>; 10] = [
     loading::checks,
     unloading::checks,
     dents::checks,
@@ -45,9 +42,6 @@ pub const SOURCES: [Source; 10] = [
 ];
 
 /// All checks of a law with these coefficients. `progress` counts the kinds of checks.
-///
-/// # Errors
-/// [`ValidationError`].
 pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Check>, ValidationError> {
     let mut all = Vec::new();
     progress.expect(SOURCES.len() as u64);

@@ -20,7 +20,8 @@ pub struct Materials {
     /// σ_Y \[Pa\].
     #[serde(rename = "yield_strength_Pa")]
     pub yield_strength: f64,
-    /// In words, such as "power 0.1".
+    /// In words, such as "power 0.1"; empty in a table without hardening.
+    #[serde(default)]
     pub flow: String,
 }
 

@@ -88,10 +88,27 @@ impl Check {
         }
     }
 
+    /// The same check with the difference of both numbers as its deviation, because both are shares of another number.
+    #[must_use]
+    pub fn of_difference(self) -> Self {
+        let deviation = self.expected.zip(self.got).map_or(f64::NAN, |(expected, got)| got - expected);
+        Self { deviation, ..self }
+    }
+
     /// A check of a mean, or of a root mean square, of deviations.
     pub fn mean(quantity: &str, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
         let quantity = quantity.to_owned();
         Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
+    }
+
+    /// A check of the mean or the root mean square of the deviations of these checks, which are of one quantity.
+    /// `things` says what they are checks of.
+    pub fn overall(checks: &[Self], name: &str, things: &str, tolerance: Tolerance) -> Option<Self> {
+        let Self { quantity, reference, .. } = checks.first()?;
+        let deviations: Vec<f64> = checks.iter().map(|check| check.deviation).collect();
+        let deviation = if name == "mean" { mean(&deviations) } else { rms(&deviations) };
+        let case = format!("{} {things}", checks.len());
+        Some(Self::mean(&format!("{quantity}, {name}"), case, reference, deviation, tolerance))
     }
 
     /// Whether the deviation is within the tolerance, or at least within the known deviation.

@@ -22,7 +22,7 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError>
     let resolved = cases.iter().flat_map(|case| &case.cycles).filter(|cycle| cycle.is_resolved());
     Ok(resolved
         .map(|cycle| {
-            let [whole, inner] = cycle.residual_radii;
+            let (whole, inner) = (cycle.row.residual_radius, cycle.row.inner_residual_radius);
             // if the dent is not a circle, the fitted radius depends on the range of the fit
             let tolerance = Tolerance {
                 limit: TABLE_2 + MARGIN + (inner / whole - 1.0).abs(),

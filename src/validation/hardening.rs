@@ -1,20 +1,14 @@
-//! Checks of a half-space that hardens: the law, loaded with the same work as the finite elements, and the program
-//! against exact impacts.
+//! Checks of a half-space that hardens: the law, loaded with the same work as the finite elements.
 
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Tolerance, rms};
-use crate::impact::{Contact, Solver};
+use super::check::{Check, Tolerance};
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
-use crate::material::Sphere;
-use crate::reference::hardening::{ExactImpact, Materials, impacts, unloadings};
+use crate::reference::hardening::{Materials, unloadings};
 use crate::reference::unloading::Unloaded;
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
-const EXACT_REFERENCE: &str = "30-digit energy balance and quadrature, oracle_hardening.csv";
-const EXACT: Tolerance = Tolerance { limit: 1e-12, source: "rounding; two digits are lost in shallow dents" };
-const INTEGRATED: Tolerance = Tolerance { limit: 1e-8, source: "100 x the default tolerance 1e-10" };
 
 /// The only quantity whose deviation is a difference, because a shallow dent would have a large relative deviation.
 const DENT: &str = "residual indentation, deviation over peak indentation";
@@ -105,7 +99,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             states.push((row, at_energy(&law, yield_radius_ratio, row.spent)));
         }
     }
-    let mut checks = Vec::new();
+    let mut checks: Vec<Check> = Vec::new();
     for Quantity { name, of_reference, of_law, of_one, of_rms } in QUANTITIES {
         let is_difference = name == DENT;
         let name = format!("hardening: {name}");
@@ -113,52 +107,13 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             let case = format!("{}, x = {}", row.material, row.x);
             let numbers = [of_reference(row), of_law(state)];
             let check = Check::numbers(&name, case, REFERENCE, "", numbers, of_one);
-            if is_difference { Check { deviation: numbers[1] - numbers[0], ..check } } else { check }
+            if is_difference { check.of_difference() } else { check }
         };
         let first = checks.len();
         checks.extend(states.iter().map(of_row));
-        let deviations: Vec<f64> = checks[first..].iter().map(|check: &Check| check.deviation).collect();
-        let over = format!("{} unloadings", deviations.len());
-        checks.push(Check::mean(&format!("{name}, rms"), over, REFERENCE, rms(&deviations), of_rms));
+        let overall = Check::overall(&checks[first..], "rms", "unloadings", of_rms);
+        checks.extend(overall);
     }
-    checks.extend(of_program()?);
+    checks.extend(super::oracle::of_hardening()?);
     Ok(checks)
-}
-
-/// Checks of closed form and integration against the exact impacts, which have the built-in law.
-fn of_program() -> Result<Vec<Check>, ValidationError> {
-    let mut checks = Vec::new();
-    let rows = impacts()?;
-    for (name, tolerance, is_exact) in [("closed form", EXACT, true), ("integrated by rk8", INTEGRATED, false)] {
-        let name = format!("program: impact on a half-space that hardens, {name}");
-        for (materials, row) in &rows {
-            let contact = contact(materials, row)?;
-            let speed = row.impact_speed_m_per_s;
-            let got =
-                if is_exact { contact.closed_form(speed)? } else { contact.impact(speed, &Solver::default(), None)? };
-            for (quantity, unit, expected, got) in [
-                ("restitution", "", row.restitution, got.restitution),
-                ("contact time", "s", row.contact_time_s, got.contact_time),
-                ("peak force", "N", row.peak_force, got.peak_force),
-                ("peak indentation", "m", row.peak_indentation_m, got.peak_indentation),
-                ("elastic approach", "m", row.elastic_approach_m, got.elastic_approach),
-                ("contact radius", "m", row.peak_contact_radius_m, got.peak_contact_radius),
-                ("unloading exponent", "", row.unloading_exponent, got.unloading_exponent),
-            ] {
-                let case = format!("{}: {quantity}", row.case);
-                checks.push(Check::numbers(&name, case, EXACT_REFERENCE, unit, [expected, got], tolerance));
-            }
-        }
-    }
-    Ok(checks)
-}
-
-fn contact(materials: &Materials, row: &ExactImpact) -> Result<Contact, ValidationError> {
-    let sphere = Sphere {
-        radius: row.radius_m,
-        material: materials.sphere(),
-        density: row.sphere_density_kg_per_m3,
-        yield_strength: None,
-    };
-    Ok(Contact::try_new(sphere, materials.half_space(), &materials.law(row.exponent()))?)
 }

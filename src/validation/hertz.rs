@@ -13,6 +13,7 @@ use crate::math::functions::{pow, powi};
 const RIGID: Material = Material { youngs_modulus: f64::INFINITY, poissons_ratio: 0.3 };
 const CHUNG_OOI: &str = "Hertz impact with the inputs of Chung & Ooi 2011, test 2";
 const LAMMPS: &str = "LAMMPS pair granular, hertz/material, wall";
+const EXACT: Tolerance = Tolerance { limit: 1e-9, source: "10 x the solver's tolerance" };
 const PRINTED: &str = "half a unit of the last digit";
 /// Contact time of Hertz's impact in units of peak indentation over speed: (4/5) B(2/5, 1/2).
 const HERTZ_TIME: f64 = 2.943_275_184_324_704_7;
@@ -25,9 +26,17 @@ struct HertzImpact {
     density: f64,
     speed: f64,
     reference: &'static str,
-    /// Published values: quantity, unit, value, and half a unit of its last digit.
-    values: &'static [(&'static str, &'static str, f64, f64)],
+    /// Published values, each with half a unit of its last digit.
+    values: &'static [(Quantity, f64, f64)],
 }
+
+/// Name, unit, and value in an impact.
+type Quantity = (&'static str, &'static str, fn(&Impact) -> f64);
+
+const INDENTATION: Quantity = ("largest indentation", "m", |impact| impact.peak_indentation);
+const FORCE: Quantity = ("largest force", "N", |impact| impact.peak_force);
+const TIME: Quantity = ("contact time", "s", |impact| impact.contact_time);
+const RESTITUTION: Quantity = ("restitution", "", |impact| impact.restitution);
 
 const IMPACTS: [HertzImpact; 4] = [
     HertzImpact {
@@ -38,11 +47,7 @@ const IMPACTS: [HertzImpact; 4] = [
         density: 2699.0,
         speed: 0.2,
         reference: CHUNG_OOI,
-        values: &[
-            ("largest indentation", "m", 49.72e-6, 0.005e-6),
-            ("largest force", "N", 11_370.0, 0.5),
-            ("contact time", "s", 731.7e-6, 0.05e-6),
-        ],
+        values: &[(INDENTATION, 49.72e-6, 0.005e-6), (FORCE, 11_370.0, 0.5), (TIME, 731.7e-6, 0.05e-6)],
     },
     HertzImpact {
         name: "magnesium alloy on a rigid plane, 0.2 m/s",
@@ -52,11 +57,7 @@ const IMPACTS: [HertzImpact; 4] = [
         density: 1800.0,
         speed: 0.2,
         reference: CHUNG_OOI,
-        values: &[
-            ("largest indentation", "m", 52.12e-6, 0.005e-6),
-            ("largest force", "N", 7233.0, 0.5),
-            ("contact time", "s", 767.1e-6, 0.05e-6),
-        ],
+        values: &[(INDENTATION, 52.12e-6, 0.005e-6), (FORCE, 7233.0, 0.5), (TIME, 767.1e-6, 0.05e-6)],
     },
     HertzImpact {
         name: "100 GPa, wall of the same material, 3.9 m/s",
@@ -66,7 +67,7 @@ const IMPACTS: [HertzImpact; 4] = [
         density: 7000.0,
         speed: 3.9,
         reference: LAMMPS,
-        values: &[("largest indentation", "m", 22.6806e-6, 0.000_05e-6)],
+        values: &[(INDENTATION, 22.6806e-6, 0.000_05e-6)],
     },
     HertzImpact {
         name: "100 GPa, rigid wall, 3.9 m/s",
@@ -76,52 +77,46 @@ const IMPACTS: [HertzImpact; 4] = [
         density: 7000.0,
         speed: 3.9,
         reference: LAMMPS,
-        values: &[("largest indentation", "m", 17.19e-6, 0.005e-6)],
+        values: &[(INDENTATION, 17.19e-6, 0.005e-6)],
     },
 ];
 
-fn value(impact: &Impact, quantity: &str) -> f64 {
-    match quantity {
-        "largest indentation" => impact.peak_indentation,
-        "largest force" => impact.peak_force,
-        "contact time" => impact.contact_time,
-        _ => f64::NAN,
-    }
-}
-
 pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
-    let mut published = Vec::new();
-    let mut exact = Vec::new();
+    let mut checks = Vec::new();
     for case in &IMPACTS {
-        let sphere = Sphere { radius: case.radius, material: case.sphere, density: case.density, yield_strength: None };
+        let sphere = Sphere::elastic(case.radius, case.sphere, case.density);
         let half_space = HalfSpace { material: case.half_space, yield_strength: None, density: None };
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let solver = Solver { method: Method::Rk8, ..Solver::default() };
         let impact = contact.impact(case.speed, &solver, None)?;
-        for &(quantity, unit, expected, half_a_digit) in case.values {
-            let tolerance = Tolerance { limit: half_a_digit / expected, source: PRINTED };
-            let numbers = [expected, value(&impact, quantity)];
-            let name = format!("Hertz impact, published: {quantity}");
-            published.push(Check::numbers(&name, case.name.to_owned(), case.reference, unit, numbers, tolerance));
+        let mut check = |kind: &str, (quantity, unit, of): Quantity, reference, expected: f64, tolerance| {
+            let name = format!("Hertz impact, {kind}: {quantity}");
+            let numbers = [expected, of(&impact)];
+            checks.push(Check::numbers(&name, case.name.to_owned(), reference, unit, numbers, tolerance));
+        };
+        for &(quantity, value, half_a_digit) in case.values {
+            check(
+                "published",
+                quantity,
+                case.reference,
+                value,
+                Tolerance { limit: half_a_digit / value, source: PRINTED },
+            );
         }
         let plane_strain = |material: Material| material.youngs_modulus / (1.0 - powi(material.poissons_ratio, 2));
         let e_star = 1.0 / (1.0 / plane_strain(case.sphere) + 1.0 / plane_strain(case.half_space));
         let stiffness = 4.0 / 3.0 * e_star * case.radius.sqrt();
         let mass = 4.0 / 3.0 * std::f64::consts::PI * powi(case.radius, 3) * case.density;
         let depth = pow(1.25 * mass * powi(case.speed, 2) / stiffness, 0.4);
-        for (quantity, unit, expected, got) in [
-            ("largest indentation", "m", depth, impact.peak_indentation),
-            ("largest force", "N", stiffness * pow(depth, 1.5), impact.peak_force),
-            ("contact time", "s", HERTZ_TIME * depth / case.speed, impact.contact_time),
-            ("restitution", "", 1.0, impact.restitution),
+        for (quantity, value) in [
+            (INDENTATION, depth),
+            (FORCE, stiffness * pow(depth, 1.5)),
+            (TIME, HERTZ_TIME * depth / case.speed),
+            (RESTITUTION, 1.0),
         ] {
-            let tolerance = Tolerance { limit: 1e-9, source: "10 x the solver's tolerance" };
-            let name = format!("Hertz impact, exact: {quantity}");
-            let reference = "closed form of Hertz's impact";
-            exact.push(Check::numbers(&name, case.name.to_owned(), reference, unit, [expected, got], tolerance));
+            check("exact", quantity, "closed form of Hertz's impact", value, EXACT);
         }
     }
-    published.extend(exact);
-    published.sort_by(|a, b| a.quantity.cmp(&b.quantity));
-    Ok(published)
+    checks.sort_by(|a, b| a.quantity.cmp(&b.quantity));
+    Ok(checks)
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Tolerance, rms};
+use super::check::{Check, Tolerance};
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -32,12 +32,7 @@ pub(super) fn restitution(
     strength: f64,
     coefficients: &Arc<PlmCoefficients>,
 ) -> Result<f64, ValidationError> {
-    let sphere = Sphere {
-        radius: TIP,
-        material: device.tip(),
-        density: device.mass / (4.0 / 3.0 * PI * TIP * TIP * TIP),
-        yield_strength: None,
-    };
+    let sphere = Sphere::elastic(TIP, device.tip(), device.mass / (4.0 / 3.0 * PI * TIP * TIP * TIP));
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
@@ -63,7 +58,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     let coefficients = Arc::new(coefficients.clone());
     let devices = measured::devices()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
-    let mut checks = Vec::new();
+    let mut checks: Vec<Check> = Vec::new();
     for (block, of_device) in measured::BLOCKS {
         let strength = strength_for(first, of_device(first) / 1000.0, &coefficients)?;
         for device in others {
@@ -75,8 +70,6 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             checks.push(Check::numbers("measured: rebound of Leeb devices", case, REFERENCE, "", numbers, tolerance));
         }
     }
-    let deviations: Vec<f64> = checks.iter().map(|check: &Check| check.deviation).collect();
-    let over = format!("{} predictions", deviations.len());
-    checks.push(Check::mean("measured: rebound of Leeb devices, rms", over, REFERENCE, rms(&deviations), OF_RMS));
+    checks.extend(Check::overall(&checks, "rms", "predictions", OF_RMS));
     Ok(checks)
 }

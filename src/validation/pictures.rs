@@ -18,35 +18,11 @@ use super::experiments::Experiment;
 use crate::law::{Peak, PlmCoefficients};
 use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
-use crate::plot::{Axis, Guide, Lines, Pictures, PlotError, Series};
+use crate::plot::{Axis, Lines, Pictures, PlotError};
 use crate::progress::Counter;
 
-/// A picture before it is drawn.
-struct Picture {
-    /// The name of the file without its ending.
-    name: String,
-    lines: Lines,
-}
-
-impl Picture {
-    fn new(name: String, title: String, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
-        Self { name, lines: Lines { title, x, y, series, guides: Vec::new(), notes: Vec::new() } }
-    }
-
-    fn with_guides(mut self, guides: Vec<Guide>) -> Self {
-        self.lines.guides = guides;
-        self
-    }
-
-    fn with_notes<T: Into<String>>(mut self, notes: impl IntoIterator<Item = T>) -> Self {
-        self.lines.notes = notes.into_iter().map(Into::into).collect();
-        self
-    }
-
-    fn file(&self, format: Pictures) -> Result<Option<OutputFile>, PlotError> {
-        format.file(&self.name, &self.lines.draw()?)
-    }
-}
+/// A picture before it is drawn, with the name of its file without the ending.
+type Picture = (String, Lines);
 
 /// Add this to the index of a style to get a style of the same colour with other dashes and another marker.
 const SISTER: usize = 7;
@@ -76,9 +52,6 @@ fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -
 }
 
 /// All pictures; those of the user's measurements come last. `progress` counts the pictures.
-///
-/// # Errors
-/// [`ValidationError`].
 pub fn pictures(
     coefficients: &PlmCoefficients,
     measured: &[Experiment],
@@ -101,7 +74,7 @@ pub fn pictures(
     pictures.push(measured::picture(coefficients)?);
     pictures.extend(measured.iter().map(experiments::picture));
     progress.expect(pictures.len() as u64);
-    let drawn: Result<Vec<Option<OutputFile>>, PlotError> =
-        pictures.par_iter().map(|picture| picture.file(format).inspect(|_| progress.step())).collect();
+    let file = |(name, lines): &Picture| format.file(name, &lines.draw()?).inspect(|_| progress.step());
+    let drawn: Result<Vec<Option<OutputFile>>, PlotError> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
 }

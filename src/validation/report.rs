@@ -9,9 +9,6 @@ use crate::math::power::max_or_nan;
 use crate::units::aligned::aligned;
 
 /// The text of `validation.csv`, with a row for every check. Deviations and tolerances are shares, not per cent.
-///
-/// # Errors
-/// An error of the CSV writer.
 pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([

@@ -2,7 +2,7 @@
 //! of the reference.
 
 use super::cases::cases;
-use super::check::{Check, Known, Tolerance, mean, rms};
+use super::check::{Check, Known, Tolerance};
 use super::{EXPONENTS, ValidationError};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::reference::STATIC;
@@ -42,13 +42,12 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     for case in &cases {
         let law = case.law(coefficients, UnloadingExponent::Paper);
         for cycle in &case.cycles {
-            let x = cycle.peak.indentation;
-            let numbers = [cycle.residual / x, law.loaded_to(x).residual() / x];
+            let x = cycle.row.x;
+            let numbers = [cycle.residual() / x, law.loaded_to(x).residual() / x];
             let quantity = "load cycle: residual indentation, deviation over peak indentation";
-            let check = Check::numbers(quantity, cycle.name(), STATIC, "delta_m", numbers, DENT);
+            let check = Check::numbers(quantity, cycle.name(), STATIC, "delta_m", numbers, DENT).of_difference();
             let first = case.loading.points.first().map_or(1.0, |point| point.indentation);
-            let known = (x < first).then_some(UNFITTED);
-            checks.push(Check { deviation: numbers[1] - numbers[0], known, ..check });
+            checks.push(Check { known: (x < first).then_some(UNFITTED), ..check });
         }
     }
     for (exponent, name) in EXPONENTS {
@@ -58,15 +57,14 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
         for case in &cases {
             let law = case.law(coefficients, exponent);
             for cycle in &case.cycles {
-                let Some(expected) = cycle.restitution else { continue };
-                let numbers = [expected, restitution(&law, cycle.peak.indentation)];
+                let Some(expected) = cycle.row.restitution else { continue };
+                let numbers = [expected, restitution(&law, cycle.row.x)];
                 checks.push(Check::numbers(&quantity, cycle.name(), STATIC, "", numbers, of_one));
             }
         }
-        let deviations: Vec<f64> = checks[first..].iter().map(|check| check.deviation).collect();
-        let over = || format!("{} cycles", deviations.len());
-        checks.push(Check::mean(&format!("{quantity}, mean"), over(), STATIC, mean(&deviations), of_mean));
-        checks.push(Check::mean(&format!("{quantity}, rms"), over(), STATIC, rms(&deviations), of_rms));
+        let overall = |name, tolerance| Check::overall(&checks[first..], name, "cycles", tolerance);
+        let overall = [overall("mean", of_mean), overall("rms", of_rms)];
+        checks.extend(overall.into_iter().flatten());
     }
     Ok(checks)
 }

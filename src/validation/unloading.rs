@@ -19,13 +19,13 @@ pub(super) fn branch(
 ) -> Unloading {
     let law = case.law(coefficients, exponent);
     let exponent = law.unloading(cycle.peak).exponent;
-    let elastic_approach = cycle.peak.indentation - cycle.residual;
+    let elastic_approach = cycle.row.x - cycle.residual();
     Unloading::power(Peak { elastic_approach, ..cycle.peak }, exponent)
 }
 
 /// The point with the largest deviation of the force: x, and the expected and the computed force over the peak force.
 pub(super) fn farthest(cycle: &Cycle, branch: &Unloading) -> Option<(f64, [f64; 2])> {
-    let of_peak = |force: f64| force / cycle.peak.force;
+    let of_peak = |force: f64| force / cycle.row.f;
     let pairs = cycle.points.iter().map(|[x, f, _]| (*x, [of_peak(*f), of_peak(branch.force(*x))]));
     pairs.max_by(|(_, a), (_, b)| (a[1] - a[0]).abs().total_cmp(&(b[1] - b[0]).abs()))
 }
@@ -35,8 +35,8 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     let mut checks = Vec::new();
     let cycles = || cases.iter().flat_map(|case| case.cycles.iter().map(move |cycle| (case, cycle)));
     for (_, cycle) in cycles() {
-        let numbers = [cycle.residual, cycle.peak.residual()];
-        let tolerance = if cycle.peak.indentation < 6.0 { SHALLOW } else { DEEP };
+        let numbers = [cycle.residual(), cycle.peak.residual()];
+        let tolerance = if cycle.row.x < 6.0 { SHALLOW } else { DEEP };
         let quantity = "unloading: residual indentation from the reference's peak (Eq. 23)";
         checks.push(Check::numbers(quantity, cycle.name(), STATIC, "delta_Y", numbers, tolerance));
     }
@@ -45,8 +45,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
         for (case, cycle) in cycles() {
             if let Some((x, numbers)) = farthest(cycle, &branch(case, cycle, coefficients, exponent)) {
                 let at = format!("{}, at x = {}", cycle.name(), crate::units::rounded::number(x));
-                let check = Check::numbers(&quantity, at, STATIC, "F_m", numbers, FORCE);
-                checks.push(Check { deviation: numbers[1] - numbers[0], ..check });
+                checks.push(Check::numbers(&quantity, at, STATIC, "F_m", numbers, FORCE).of_difference());
             }
         }
     }

@@ -6,7 +6,8 @@ use super::super::cases::{Case, Cycle};
 use super::shares::thinned;
 use super::{Picture, SISTER, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, Unloading, UnloadingExponent};
-use crate::plot::Series;
+use crate::plot::{Lines, Series};
+use crate::units::capital;
 
 /// Number of unloadings in the picture of loading and unloading by the law alone.
 const COMBINED: usize = 3;
@@ -30,8 +31,8 @@ fn joined(curves: impl Iterator<Item = Vec<(f64, f64)>>) -> Vec<(f64, f64)> {
 /// Points of the finite elements: x or x_h, and f over `unit`.
 fn points(case: &Case, cycles: &[&Cycle], of_half_space: bool, unit: f64) -> Vec<(f64, f64)> {
     let kappa = case.sphere_compliance();
-    let deepest = cycles.last().map_or(0.0, |cycle| cycle.peak.indentation);
-    let peak = |cycle: &Cycle| [cycle.peak.indentation, cycle.peak.force, kappa * cycle.peak.elastic_approach];
+    let deepest = cycles.last().map_or(0.0, |cycle| cycle.row.x);
+    let peak = |cycle: &Cycle| [cycle.row.x, cycle.row.f, kappa * cycle.peak.elastic_approach];
     let unloading = cycles.iter().flat_map(|cycle| cycle.points.iter().copied().chain([peak(cycle)]));
     let place = |[x, f, sphere]: [f64; 3]| (if of_half_space { x - sphere } else { x }, f / unit);
     thinned(case, deepest).chain(unloading).map(place).collect()
@@ -57,15 +58,9 @@ fn from_their_peaks(case: &Case, name: &str, cycles: &[&Cycle], coefficients: &P
         let curves = cycles.iter().map(|cycle| curve(case, &law.unloading(cycle.peak), of_half_space, unit));
         series.push(Series::bare(format!("{share}, unloading law"), joined(curves)).styled(i));
     }
-    Some(
-        Picture::new(
-            format!("cycles-{}-{name}", slug(case.name)),
-            format!("{}: {name} indentations, exponent 3/2", case.name.replace('c', "C")),
-            axes,
-            series,
-        )
-        .with_notes(["Law: from the peaks", "of the finite elements"]),
-    )
+    let title = format!("{}: {name} indentations, exponent 3/2", capital(case.name));
+    let lines = Lines::new(title, axes, series).with_notes(["Law: from the peaks", "of the finite elements"]);
+    Some((format!("cycles-{}-{name}", slug(case.name)), lines))
 }
 
 fn combined(case: &Case, cycles: &[&Cycle], coefficients: &PlmCoefficients) -> Option<Picture> {
@@ -92,10 +87,6 @@ fn combined(case: &Case, cycles: &[&Cycle], coefficients: &PlmCoefficients) -> O
             series.push(Series::bare(format!("{share}, law, {name}"), curves).styled(i + SISTER * which));
         }
     }
-    Some(Picture::new(
-        format!("combined-{}", slug(case.name)),
-        format!("{}: loading and unloading by the law alone", case.name.replace('c', "C")),
-        axes,
-        series,
-    ))
+    let title = format!("{}: loading and unloading by the law alone", capital(case.name));
+    Some((format!("combined-{}", slug(case.name)), Lines::new(title, axes, series)))
 }

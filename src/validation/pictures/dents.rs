@@ -4,7 +4,8 @@ use super::super::cases::Case;
 use super::super::dents::residual_radius;
 use super::{Picture, sampled, slug};
 use crate::math::functions::powi;
-use crate::plot::{Axis, Guide, Series};
+use crate::plot::{Axis, Guide, Lines, Series};
+use crate::units::capital;
 use crate::units::rounded::number;
 
 pub(super) fn picture(case: &Case) -> Option<Picture> {
@@ -13,27 +14,19 @@ pub(super) fn picture(case: &Case) -> Option<Picture> {
     // lengths are in units of R, and δ_Y/R = (a_Y/R)²
     let depth = cycle.peak.residual() * powi(case.loading.yield_radius_ratio, 2);
     let points = cycle.dent.iter().map(|[r, z]| (*r, 1e3 * z)).collect();
-    let circle =
-        sampled(0.0, cycle.contact_radius, 100, |r| (r, 1e3 * (radius - (radius * radius - r * r).sqrt() - depth)));
-    let fitted = number(cycle.residual_radii[0]);
-    Some(
-        Picture::new(
-            format!("dent-{}", slug(case.name)),
-            format!(
-                "{}: dent left by {} × the yield indentation",
-                case.name.replace('c', "C"),
-                number(cycle.peak.indentation)
-            ),
-            [Axis::linear("Radius r/R", ""), Axis::linear("Height of the surface, 1000 z/R", "")],
-            vec![
-                Series::points("finite elements", points),
-                Series::bare(format!("circle of Eqs. 23-25, Rᵣₑₛ = {} R", number(radius)), circle).styled(1),
-            ],
-        )
+    let contact_radius = cycle.row.contact_radius;
+    let circle = sampled(0.0, contact_radius, 100, |r| (r, 1e3 * (radius - (radius * radius - r * r).sqrt() - depth)));
+    let title = format!("{}: dent left by {} × the yield indentation", capital(case.name), number(cycle.row.x));
+    let axes = [Axis::linear("Radius r/R", ""), Axis::linear("Height of the surface, 1000 z/R", "")];
+    let series = vec![
+        Series::points("finite elements", points),
+        Series::bare(format!("circle of Eqs. 23-25, Rᵣₑₛ = {} R", number(radius)), circle).styled(1),
+    ];
+    let lines = Lines::new(title, axes, series)
         .with_guides(vec![
-            Guide::Vertical { at: cycle.contact_radius, label: "contact radius at the peak".to_owned(), series: None },
+            Guide::Vertical { at: contact_radius, label: "contact radius at the peak".to_owned(), series: None },
             Guide::Horizontal { at: 0.0, label: "undeformed".to_owned() },
         ])
-        .with_notes([format!("circle fitted to it: {fitted} R")]),
-    )
+        .with_notes([format!("circle fitted to it: {} R", number(cycle.row.residual_radius))]);
+    Some((format!("dent-{}", slug(case.name)), lines))
 }

@@ -2,134 +2,110 @@
 //! force during unloading, and of restitution; and restitution itself.
 
 use super::super::EXPONENTS;
-use super::super::cases::Case;
+use super::super::cases::{Case, Cycle};
 use super::super::check::deviation;
-use super::super::loading::{QUANTITIES, along};
+use super::super::loading::{QUANTITIES, Quantity, along};
 use super::super::restitution::restitution;
 use super::super::unloading::{branch, farthest};
 use super::{Picture, log_sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
-use crate::plot::{Axis, Guide, Series};
+use crate::plot::{Axis, Guide, Lines, Series};
 use crate::units::capital;
 
-fn depth(title: &str) -> Axis {
-    Axis::log(title, "")
+/// A picture over depth, with a line at zero.
+fn picture(name: &str, title: impl Into<String>, y: Axis, series: Vec<Series>) -> Picture {
+    let x = Axis::log("Peak indentation over that at yield", "");
+    let zero = Guide::Horizontal { at: 0.0, label: String::new() };
+    (name.to_owned(), Lines::new(title, [x, y], series).with_guides(vec![zero]))
 }
 
-const PEAK: &str = "Peak indentation over that at yield";
-
-fn horizontal(levels: &[f64], label: &str) -> Vec<Guide> {
-    levels.iter().map(|at| Guide::Horizontal { at: *at, label: label.to_owned() }).collect()
-}
-
-fn zero() -> Guide {
-    Guide::Horizontal { at: 0.0, label: String::new() }
+/// A series of points for every case.
+fn by_case(cases: &[Case], points: impl Fn(&Case, &Cycle) -> Option<(f64, f64)>) -> Vec<Series> {
+    let of_case = |case: &Case| case.cycles.iter().filter_map(|cycle| points(case, cycle)).collect();
+    cases.iter().map(|case| Series::points(case.name, of_case(case))).collect()
 }
 
 pub(super) fn pictures(cases: &[Case], coefficients: &PlmCoefficients) -> Vec<Picture> {
-    let mut pictures = loading(cases, coefficients);
+    let mut pictures: Vec<Picture> = QUANTITIES.iter().map(|quantity| loading(cases, coefficients, quantity)).collect();
     pictures.push(residual(cases));
-    for index in 0..EXPONENTS.len() {
-        pictures.push(force(cases, coefficients, index));
+    for (exponent, slug) in EXPONENTS.into_iter().zip(["paper", "pressure-shape"]) {
+        pictures.push(force(cases, coefficients, exponent, slug));
     }
     pictures.push(restitution_deviation(cases, coefficients));
     pictures.extend(cases.iter().map(|case| restitution_itself(case, coefficients)));
     pictures
 }
 
-fn loading(cases: &[Case], coefficients: &PlmCoefficients) -> Vec<Picture> {
-    let one = |quantity: &super::super::loading::Quantity| {
-        let series = cases.iter().map(|case| {
-            let law = case.law(coefficients, UnloadingExponent::Paper);
-            let points = along(case, &law, quantity);
-            let points = points.iter().map(|(x, [expected, got])| (*x, 100.0 * deviation(*expected, *got)));
-            Series::marked_line(case.name, points.collect())
-        });
-        let y = Axis::linear(&format!("{}: law over finite elements − 1", capital(quantity.name)), "%");
-        Picture::new(
-            format!("error-{}", quantity.name.replace(' ', "-")),
-            format!("Loading: deviation of the {}", quantity.name),
-            [depth("Indentation over that at yield"), y],
-            series.collect(),
-        )
-        .with_guides(vec![zero()])
-    };
-    QUANTITIES.iter().map(one).collect()
+fn loading(cases: &[Case], coefficients: &PlmCoefficients, quantity: &Quantity) -> Picture {
+    let series = cases.iter().map(|case| {
+        let law = case.law(coefficients, UnloadingExponent::Paper);
+        let points = along(case, &law, quantity);
+        let points = points.iter().map(|(x, [expected, got])| (*x, 100.0 * deviation(*expected, *got)));
+        Series::marked_line(case.name, points.collect())
+    });
+    let y = Axis::linear(&format!("{}: law over finite elements − 1", capital(quantity.name)), "%");
+    let name = format!("error-{}", quantity.name.replace(' ', "-"));
+    let title = format!("Loading: deviation of the {}", quantity.name);
+    let (name, lines) = picture(&name, title, y, series.collect());
+    (name, Lines { x: Axis::log("Indentation over that at yield", ""), ..lines })
 }
 
 /// The deviation of the residual indentation, as in Fig. 6.
 fn residual(cases: &[Case]) -> Picture {
-    let series = cases.iter().map(|case| {
-        let cycles = case
-            .cycles
-            .iter()
-            .map(|cycle| (cycle.peak.indentation, 100.0 * deviation(cycle.residual, cycle.peak.residual())));
-        Series::points(case.name, cycles.collect())
-    });
-    let mut guides = horizontal(&[3.0, -3.0], "3 %: the paper, from 3 × yield on");
-    guides.extend(horizontal(&[2.0, -2.0], "2 %: the paper, from 6 × yield on"));
-    guides.push(zero());
-    Picture::new(
-        "error-residual-indentation".to_owned(),
-        "Dent depth from the peak of the finite elements (Eq. 23)".to_owned(),
-        [depth(PEAK), Axis::linear("Deviation of δᵣ", "%").between(-3.6, 3.6)],
-        series.collect(),
-    )
-    .with_guides(guides)
+    let series =
+        by_case(cases, |_, cycle| Some((cycle.row.x, 100.0 * deviation(cycle.residual(), cycle.peak.residual()))));
+    let of_paper = [(3.0, "3 %: the paper, from 3 × yield on"), (2.0, "2 %: the paper, from 6 × yield on")];
+    let title = "Dent depth from the peak of the finite elements (Eq. 23)";
+    let y = Axis::linear("Deviation of δᵣ", "%").between(-3.6, 3.6);
+    let (name, mut lines) = picture("error-residual-indentation", title, y, series);
+    let limits = of_paper.into_iter().flat_map(|(limit, label)| [limit, -limit].map(|at| (at, label)));
+    let limits = limits.map(|(at, label)| Guide::Horizontal { at, label: label.to_owned() });
+    lines.guides.splice(..0, limits);
+    (name, lines)
 }
 
-fn force(cases: &[Case], coefficients: &PlmCoefficients, index: usize) -> Picture {
-    let (exponent, name) = EXPONENTS[index];
-    let series = cases.iter().map(|case| {
-        let cycles = case.cycles.iter().filter_map(|cycle| {
-            let (_, numbers) = farthest(cycle, &branch(case, cycle, coefficients, exponent))?;
-            Some((cycle.peak.indentation, 100.0 * (numbers[1] - numbers[0])))
-        });
-        Series::points(case.name, cycles.collect())
+fn force(
+    cases: &[Case],
+    coefficients: &PlmCoefficients,
+    (exponent, name): (UnloadingExponent, &str),
+    slug: &str,
+) -> Picture {
+    let series = by_case(cases, |case, cycle| {
+        let (_, numbers) = farthest(cycle, &branch(case, cycle, coefficients, exponent))?;
+        Some((cycle.row.x, 100.0 * (numbers[1] - numbers[0])))
     });
-    Picture::new(
-        format!("error-unloading-force-{}", ["paper", "pressure-shape"][index.min(1)]),
-        format!("Unloading force: largest deviation between peak and dent, {name}"),
-        [depth(PEAK), Axis::linear("(Law − finite elements) over peak force", "%").between(-6.0, 6.0)],
-        series.collect(),
-    )
-    .with_guides(vec![zero()])
+    let title = format!("Unloading force: largest deviation between peak and dent, {name}");
+    let y = Axis::linear("(Law − finite elements) over peak force", "%").between(-6.0, 6.0);
+    picture(&format!("error-unloading-force-{slug}"), title, y, series)
 }
 
 fn restitution_deviation(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
-    let series = EXPONENTS.into_iter().map(|(exponent, name)| {
-        let of_case = |case: &Case| -> Vec<(f64, f64)> {
+    let mut series = Vec::new();
+    for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
+        let of_case = |case: &Case| {
             let law = case.law(coefficients, exponent);
-            let cycles = case.cycles.iter().filter_map(|cycle| {
-                let x = cycle.peak.indentation;
-                Some((x, 100.0 * deviation(cycle.restitution?, restitution(&law, x))))
-            });
-            cycles.collect()
+            let off = |cycle: &Cycle| {
+                Some((cycle.row.x, 100.0 * deviation(cycle.row.restitution?, restitution(&law, cycle.row.x))))
+            };
+            case.cycles.iter().filter_map(off).collect::<Vec<_>>()
         };
-        Series::points(format!("law, {name}"), cases.iter().flat_map(of_case).collect())
-    });
-    Picture::new(
-        "error-restitution".to_owned(),
-        "Restitution of load cycles, five pairs of materials".to_owned(),
-        [depth(PEAK), Axis::linear("Law over finite elements − 1", "%").between(-7.0, 4.0)],
-        series.enumerate().map(|(i, series)| series.styled(i + 1)).collect(),
-    )
-    .with_guides(vec![zero()])
+        let points = cases.iter().flat_map(of_case).collect();
+        series.push(Series::points(format!("law, {name}"), points).styled(i + 1));
+    }
+    let y = Axis::linear("Law over finite elements − 1", "%").between(-7.0, 4.0);
+    picture("error-restitution", "Restitution of load cycles, five pairs of materials", y, series)
 }
 
 fn restitution_itself(case: &Case, coefficients: &PlmCoefficients) -> Picture {
-    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.peak.indentation);
-    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.peak.indentation, cycle.restitution?)));
+    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.row.x);
+    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.row.x, cycle.row.restitution?)));
     let mut series = vec![Series::points("finite elements", cycles.collect())];
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
         let curve = log_sampled(1.0, 1.1 * deepest, 300, |x| (x, restitution(&law, x)));
         series.push(Series::bare(format!("law, {name}"), curve).styled(i + 1));
     }
-    Picture::new(
-        format!("restitution-{}", slug(case.name)),
-        format!("Restitution against depth: {}", case.name),
-        [depth(PEAK), Axis::linear("Restitution e", "").between(0.15, 1.02)],
-        series,
-    )
+    let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
+    let title = format!("Restitution against depth: {}", case.name);
+    picture(&format!("restitution-{}", slug(case.name)), title, y, series)
 }

@@ -1,13 +1,13 @@
 //! Pictures of the user's measured restitution against speed.
 
 use super::{Picture, log_sampled};
-use crate::plot::{Axis, Series};
+use crate::plot::axis::extremes;
+use crate::plot::{Axis, Lines, Series};
 use crate::validation::experiments::Experiment;
 
 pub(super) fn picture(experiment: &Experiment) -> Picture {
     let points: Vec<(f64, f64)> = experiment.rows.iter().map(|row| (row.speed, row.restitution)).collect();
-    let slowest = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
-    let fastest = points.iter().map(|point| point.0).fold(0.0, f64::max);
+    let (slowest, fastest) = extremes(points.iter().map(|point| point.0));
     let law = log_sampled(slowest / 1.5, 1.5 * fastest, 300, |speed| (speed, experiment.law_at(speed)));
     // a point of NaN separates the bars
     let bar = |e: f64, sd: f64, speed: f64| [(speed, e - sd), (speed, e + sd), (f64::NAN, f64::NAN)];
@@ -20,5 +20,5 @@ pub(super) fn picture(experiment: &Experiment) -> Picture {
     series.push(Series::bare("law", law).styled(1));
     let axes = [Axis::log("Impact speed", "m/s"), Axis::linear("Restitution e", "").between(0.0, 1.05)];
     let notes = (!experiment.source.is_empty()).then(|| experiment.source.clone());
-    Picture::new(format!("experiment-{}", experiment.name), experiment.name.clone(), axes, series).with_notes(notes)
+    (format!("experiment-{}", experiment.name), Lines::new(&experiment.name, axes, series).with_notes(notes))
 }

@@ -5,7 +5,7 @@ use super::super::ValidationError;
 use super::super::hardening::{at_energy, law};
 use super::{Picture, SISTER, log_sampled};
 use crate::law::PlmCoefficients;
-use crate::plot::{Axis, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::reference::hardening::unloadings;
 
 /// The materials that are drawn, and their names in the picture.
@@ -32,13 +32,9 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
             series.push(Series::bare(format!("{called}: {what}"), curve).styled(i + SISTER * which));
         }
     }
-    Ok(Picture::new(
-        "hardening-restitution".to_owned(),
-        "Restitution on metals that harden".to_owned(),
-        [
-            Axis::log("Peak indentation over that at first yield", ""),
-            Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
-        ],
-        series,
-    ))
+    let axes = [
+        Axis::log("Peak indentation over that at first yield", ""),
+        Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
+    ];
+    Ok(("hardening-restitution".to_owned(), Lines::new("Restitution on metals that harden", axes, series)))
 }

@@ -4,7 +4,7 @@ use super::super::EXPONENTS;
 use super::super::dynamic::Case;
 use super::{Picture, SISTER, slug};
 use crate::impact::TraceRow;
-use crate::plot::{Axis, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::reference::impacts::Sample;
 
 /// An indentation: its name, its value in the reference, and its value in the law.
@@ -20,8 +20,10 @@ pub(super) fn pictures(cases: &[Case]) -> Vec<Picture> {
     cases.iter().flat_map(|case| [force_indentation(case), history(case)]).collect()
 }
 
-fn title(case: &Case) -> String {
-    format!("Impact {} (scenarios/dynamic-fe-{}.toml)", case.name, slug(case.name))
+fn picture(kind: &str, case: &Case, axes: [Axis; 2], series: Vec<Series>) -> Picture {
+    let slug = slug(case.name);
+    let title = format!("Impact {} (scenarios/dynamic-fe-{slug}.toml)", case.name);
+    (format!("impact-{slug}-{kind}"), Lines::new(title, axes, series).with_notes(notes(case)))
 }
 
 /// Restitution by the finite elements and by the law with each exponent.
@@ -45,8 +47,7 @@ fn force_indentation(case: &Case) -> Picture {
         }
     }
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
-    Picture::new(format!("impact-{}-force-indentation", slug(case.name)), title(case), axes, series)
-        .with_notes(notes(case))
+    picture("force-indentation", case, axes, series)
 }
 
 fn history(case: &Case) -> Picture {
@@ -57,5 +58,5 @@ fn history(case: &Case) -> Picture {
         series.push(Series::bare(format!("law, {exponent}"), curve).styled(i + 1));
     }
     let axes = [Axis::engineering("Time", "s"), Axis::engineering("Force", "N")];
-    Picture::new(format!("impact-{}-history", slug(case.name)), title(case), axes, series).with_notes(notes(case))
+    picture("history", case, axes, series)
 }

@@ -7,7 +7,8 @@ use super::super::ValidationError;
 use super::super::measured::restitution;
 use super::{Picture, sampled};
 use crate::law::PlmCoefficients;
-use crate::plot::{Axis, Series};
+use crate::plot::axis::extremes;
+use crate::plot::{Axis, Lines, Series};
 use crate::reference::measured::{Steel, devices, steels};
 
 /// 0.2 % yield strength of a structural steel over its tensile strength.
@@ -16,18 +17,18 @@ const YIELD_RATIO: f64 = 0.65;
 /// The outline of the band between the lowest and the highest hardness of all steels, whose hardness is linear in the
 /// tensile strength.
 fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
-    let strengths = || steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength);
-    let (weakest, strongest) = (strengths().fold(f64::INFINITY, f64::min), strengths().fold(0.0, f64::max));
+    let (weakest, strongest) = extremes(steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength));
     let at = |tensile: f64| {
         let hardnesses = steels.iter().filter_map(move |steel| {
             let [(low, low_hardness), (high, high_hardness)] = steel.ends();
             let share = (tensile - low) / (high - low);
             (0.0..=1.0).contains(&share).then_some(low_hardness + share * (high_hardness - low_hardness))
         });
-        hardnesses.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), one| (low.min(one), high.max(one)))
+        extremes(hardnesses)
     };
-    let along = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).0));
-    along.iter().copied().chain(along.iter().rev().map(|(tensile, _)| (*tensile, at(*tensile).1))).collect()
+    let lower = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).0));
+    let upper = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).1));
+    lower.into_iter().chain(upper.into_iter().rev()).collect()
 }
 
 pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
@@ -38,8 +39,7 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
         Series::points("measured, ends of the ranges of ten steels", ends),
         Series::bare("between them: lowest and highest of the ten", band(&steels)).styled(0),
     ];
-    let all_devices = devices()?;
-    if let Some(device) = all_devices.first() {
+    if let Some(device) = devices()?.first() {
         let lines = [
             (1.0, "law, tensile strength as yield strength"),
             (YIELD_RATIO, "law, 0.2 % yield strength, 0.65 × tensile"),
@@ -53,10 +53,8 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
             series.push(Series::bare(name, points).styled(1 + i));
         }
     }
-    Ok(Picture::new(
-        "measured-leeb-tensile-strength".to_owned(),
-        "Rebound hardness of steels (Leeb, device D)".to_owned(),
-        [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)],
-        series,
-    ))
+    let axes =
+        [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
+    let lines = Lines::new("Rebound hardness of steels (Leeb, device D)", axes, series);
+    Ok(("measured-leeb-tensile-strength".to_owned(), lines))
 }

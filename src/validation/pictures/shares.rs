@@ -7,7 +7,8 @@ use super::super::unloading::branch;
 use super::{Picture, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::functions::pow;
-use crate::plot::{Axis, Series};
+use crate::plot::{Axis, Lines, Series};
+use crate::units::capital;
 use crate::units::rounded::number;
 
 /// Largest number of unloadings in a picture of shapes.
@@ -29,9 +30,9 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     let mut series: Vec<Series> = cycles
         .iter()
         .map(|cycle| {
-            let elastic = cycle.peak.indentation - cycle.residual;
-            let points = cycle.points.iter().map(|[x, f, _]| ((x - cycle.residual) / elastic, f / cycle.peak.force));
-            Series::points(format!("from {} × yield", number(cycle.peak.indentation)), points.collect())
+            let elastic = cycle.row.x - cycle.residual();
+            let points = cycle.points.iter().map(|[x, f, _]| ((x - cycle.residual()) / elastic, f / cycle.row.f));
+            Series::points(format!("from {} × yield", number(cycle.row.x)), points.collect())
         })
         .collect();
     for (exponent, name) in EXPONENTS {
@@ -41,12 +42,9 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         let name = if n == 1.5 { name.to_owned() } else { format!("{name}, deepest: n = {}", number(n)) };
         series.push(Series::bare(name, sampled(0.0, 1.0, 100, |u| (u, pow(u, n)))));
     }
-    Picture::new(
-        format!("unloading-shape-{}", slug(case.name)),
-        format!("Shape of the unloading curve: {}", case.name),
-        [Axis::linear("(δ − δᵣ)/(δₘ − δᵣ)", "").between(0.0, 1.04), Axis::linear("F/Fₘ", "").between(0.0, 1.04)],
-        series,
-    )
+    let title = format!("Shape of the unloading curve: {}", case.name);
+    let axes = ["(δ − δᵣ)/(δₘ − δᵣ)", "F/Fₘ"].map(|title| Axis::linear(title, "").between(0.0, 1.04));
+    (format!("unloading-shape-{}", slug(case.name)), Lines::new(title, axes, series))
 }
 
 pub(super) fn pictures(case: &Case, coefficients: &PlmCoefficients) -> Vec<Picture> {
@@ -85,13 +83,9 @@ fn picture(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients) -> Pictur
         series.push(Series::bare(format!("{name}, unloading law"), curve).styled(i));
     }
     let depth = number(peak.indentation);
-    Picture::new(
-        format!("unloading-{}-from-{:.0}", slug(case.name), peak.indentation),
-        format!("{}: unloading from {depth} × the yield indentation, exponent 3/2", case.name.replace('c', "C")),
-        axes,
-        series,
-    )
-    .with_notes(["Law: from the peak", "of the finite elements"])
+    let title = format!("{}: unloading from {depth} × the yield indentation, exponent 3/2", capital(case.name));
+    let lines = Lines::new(title, axes, series).with_notes(["Law: from the peak", "of the finite elements"]);
+    (format!("unloading-{}-from-{:.0}", slug(case.name), peak.indentation), lines)
 }
 
 /// Points x, f and x_s of the loading curve below the indentation `up_to`, at distances of at least a twentieth of

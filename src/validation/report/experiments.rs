@@ -11,9 +11,6 @@ use crate::validation::experiments::{Experiment, Measured};
 const SUMMARY: [&str; 7] = ["measurements", "points", "bias", "rms", "largest", "within 2 sd", "source"];
 
 /// The text of `experiments.csv`: every measured restitution, and the restitution by the law.
-///
-/// # Errors
-/// An error of the CSV writer.
 pub fn csv(experiments: &[Experiment]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["file", "line", "speed_m_per_s", "restitution", "restitution_sd", "law", "deviation"])?;
