@@ -1,7 +1,8 @@
-//! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots, powers,
-//! and smooth forces given by a formula.
+//! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots,
+//! least squares, powers, and smooth forces given by a formula.
 
 pub mod functions;
+pub(crate) mod least_squares;
 pub mod power;
 pub mod quadrature;
 pub mod root;

@@ -27,8 +27,11 @@ pub use check::{Check, Known, Tolerance, Verdict};
 pub use error::{EXPONENTS, ValidationError};
 pub use pictures::pictures;
 
-/// The functions that make the checks of each kind, in the order of the table.
-const SOURCES: [fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>; 10] = [
+/// A function that makes the checks of one kind.
+type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
+
+/// All kinds of checks, in the order of the table.
+const SOURCES: [Source; 10] = [
     loading::checks,
     unloading::checks,
     dents::checks,

@@ -1,10 +1,11 @@
 //! The minimum of the sum: a grid over the ranges finds all basins, and Levenberg-Marquardt finds the minimum of each.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use levenberg_marquardt::LevenbergMarquardt;
+use nalgebra::DVector;
 
-use super::problem::{Problem, STEP};
+use super::problem::Problem;
 use crate::math::functions::{asin, sin};
+use crate::math::least_squares::least_squares;
 
 /// This number of impacts is enough to find the basins.
 const ENOUGH: usize = 1000;
@@ -105,11 +106,21 @@ fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
 pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place {
     let moving: Vec<usize> = (0..start.len()).filter(|at| Some(*at) != held).collect();
     let first = Place { shares: start.to_vec(), sum: problem.sum(start) };
+    // a share is (1 + sin a)/2, so every angle a gives a value within the range
     let angles = moving.iter().map(|at| asin(2.0 * start[*at].clamp(1e-9, 1.0 - 1e-9) - 1.0));
-    let descent =
-        Descent { problem, shares: start.to_vec(), angles: DVector::from_iterator(moving.len(), angles), moving };
-    let (descent, _) = LevenbergMarquardt::new().with_patience(40).minimize(descent);
-    let mut shares = descent.shares_at(&descent.angles);
+    let shares_at = |angles: &DVector<f64>| {
+        let mut shares = start.to_vec();
+        moving.iter().zip(angles.iter()).for_each(|(at, angle)| shares[*at] = 0.5 + 0.5 * sin(*angle));
+        shares
+    };
+    let roots = |angles: &DVector<f64>| {
+        let residuals = problem.residuals(&shares_at(angles)).ok()?;
+        // the square of each is the part of the residual in the sum
+        Some(residuals.iter().map(|residual| problem.loss(*residual).sqrt().copysign(*residual)).collect())
+    };
+    let angles = DVector::from_iterator(moving.len(), angles);
+    let (angles, _) = least_squares(LevenbergMarquardt::new().with_patience(40), angles, roots);
+    let mut shares = shares_at(&angles);
     // near an end of the range the share changes only with the square of the angle, so the end itself is never reached
     for share in &mut shares {
         if *share < 1e-9 || *share > 1.0 - 1e-9 {
@@ -118,59 +129,4 @@ pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place 
     }
     let sum = problem.sum(&shares);
     if sum <= first.sum { Place { shares, sum } } else { first }
-}
-
-/// The sum as a sum of squares. A share is (1 + sin a)/2, so every angle a gives a value within the range.
-struct Descent<'a, 'p> {
-    problem: &'a Problem<'p>,
-    shares: Vec<f64>,
-    angles: DVector<f64>,
-    moving: Vec<usize>,
-}
-
-impl Descent<'_, '_> {
-    fn shares_at(&self, angles: &DVector<f64>) -> Vec<f64> {
-        let mut shares = self.shares.clone();
-        self.moving.iter().zip(angles.iter()).for_each(|(at, angle)| shares[*at] = 0.5 + 0.5 * sin(*angle));
-        shares
-    }
-
-    fn at(&self, angles: &DVector<f64>) -> Option<DVector<f64>> {
-        let residuals = self.problem.residuals(&self.shares_at(angles)).ok()?;
-        // the square of each is the part of the residual in the sum
-        let root = |residual: &f64| self.problem.loss(*residual).sqrt().copysign(*residual);
-        let roots: Vec<f64> = residuals.iter().map(root).collect();
-        roots.iter().all(|root| root.is_finite()).then(|| DVector::from_vec(roots))
-    }
-}
-
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Descent<'_, '_> {
-    type ParameterStorage = Owned<f64, Dyn>;
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-
-    fn set_params(&mut self, angles: &DVector<f64>) {
-        self.angles.copy_from(angles);
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.angles.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        self.at(&self.angles)
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let column = |i: usize| {
-            let moved = |by: f64| {
-                let mut angles = self.angles.clone();
-                angles[i] += by;
-                self.at(&angles)
-            };
-            Some((moved(STEP)? - moved(-STEP)?) / (2.0 * STEP))
-        };
-        let columns: Option<Vec<DVector<f64>>> = (0..self.angles.len()).map(column).collect();
-        columns.map(|columns| DMatrix::from_columns(&columns))
-    }
 }

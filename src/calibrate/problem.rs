@@ -218,4 +218,4 @@ impl<'a> Problem<'a> {
 }
 
 /// Step of finite differences, as a share of the range of a key.
-pub const STEP: f64 = 1e-6;
+const STEP: f64 = 1e-6;

@@ -1,10 +1,10 @@
 //! The residuals that the fit minimises: deviations of ln F and ln ε, with weights uniform in ln x, and any rise of e
 //! with x.
 
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use nalgebra::DVector;
 
 use super::curve::LoadingCurve;
-use super::parameters::{decode, encode};
+use super::parameters::decode;
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::{exp, ln, tanh};
 
@@ -20,36 +20,25 @@ const RISE_WEIGHT: f64 = 1.0;
 const STAY_WEIGHT: f64 = 1e-5;
 /// Largest change of ln coefficient: a factor of 20.
 const REACH: f64 = 3.0;
-/// Step of central differences in ln coefficient.
-const STEP: f64 = 1e-6;
 
 /// The least-squares problem.
 pub(super) struct Residuals<'a> {
-    curves: &'a [&'a LoadingCurve],
-    form: &'a PlmCoefficients,
-    has_knots: bool,
-    start: DVector<f64>,
-    numbers: DVector<f64>,
+    pub curves: &'a [&'a LoadingCurve],
+    pub form: &'a PlmCoefficients,
+    pub has_knots: bool,
+    /// The numbers of `form`.
+    pub start: DVector<f64>,
 }
 
-impl<'a> Residuals<'a> {
-    pub(super) fn new(curves: &'a [&'a LoadingCurve], form: &'a PlmCoefficients, has_knots: bool) -> Self {
-        let start = encode(form, has_knots);
-        Self { curves, form, has_knots, numbers: start.clone(), start }
-    }
-
-    pub(super) fn table(&self) -> PlmCoefficients {
-        self.table_at(&self.numbers)
-    }
-
+impl Residuals<'_> {
     /// The fit varies numbers without bounds. tanh maps them to coefficients within a factor of 20 of the start, so
     /// that every step gives a law that can be evaluated.
-    fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
+    pub(super) fn table_at(&self, numbers: &DVector<f64>) -> PlmCoefficients {
         let bounded = numbers.zip_map(&self.start, |number, start| start + REACH * tanh((number - start) / REACH));
         decode(&bounded, self.form, self.has_knots)
     }
 
-    fn at(&self, numbers: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn at(&self, numbers: &DVector<f64>) -> Vec<f64> {
         let table = self.table_at(numbers);
         let mut residuals = Vec::new();
         for curve in self.curves {
@@ -61,39 +50,7 @@ impl<'a> Residuals<'a> {
             residuals.extend(rises(&law, curve).map(|rise| RISE_WEIGHT * (rise - ALLOWED_RISE).max(0.0)));
         }
         residuals.extend((numbers - &self.start).iter().map(|change| STAY_WEIGHT * change));
-        DVector::from_vec(residuals)
-    }
-}
-
-impl levenberg_marquardt::LeastSquaresProblem<f64, Dyn, Dyn> for Residuals<'_> {
-    type ParameterStorage = Owned<f64, Dyn>;
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-
-    fn set_params(&mut self, numbers: &DVector<f64>) {
-        self.numbers.copy_from(numbers);
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.numbers.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        Some(self.at(&self.numbers)).filter(|residuals| residuals.iter().all(|r| r.is_finite()))
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let columns: Vec<DVector<f64>> = (0..self.numbers.len())
-            .map(|i| {
-                let [ahead, behind] = [STEP, -STEP].map(|step| {
-                    let mut numbers = self.numbers.clone();
-                    numbers[i] += step;
-                    self.at(&numbers)
-                });
-                (ahead - behind) / (2.0 * STEP)
-            })
-            .collect();
-        Some(DMatrix::from_columns(&columns)).filter(|jacobian| jacobian.iter().all(|j| j.is_finite()))
+        residuals
     }
 }
 

@@ -5,9 +5,11 @@ use nalgebra::{DMatrix, DVector};
 
 use super::FitError;
 use super::curve::LoadingCurve;
+use super::parameters::encode;
 use super::residuals::{Residuals, deviations, rises};
 use crate::law::plm::contact_radius::{ContactRadius, RadiusTable};
 use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::math::least_squares::least_squares;
 use crate::math::power::{farther_or_nan, max_or_nan};
 
 /// Largest number of evaluations for each varied number.
@@ -96,10 +98,11 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
     if curves.is_empty() {
         return Err(FitError::Request("no curves: name at least one file".to_owned()));
     }
-    let problem = Residuals::new(curves, &plan.start, plan.has_knots);
-    let (problem, report) =
-        LevenbergMarquardt::new().with_ftol(PRECISION).with_xtol(PRECISION).with_patience(PATIENCE).minimize(problem);
-    match report.termination {
+    let Plan { start, has_knots } = plan;
+    let problem = Residuals { curves, form: start, has_knots: *has_knots, start: encode(start, *has_knots) };
+    let method = LevenbergMarquardt::new().with_ftol(PRECISION).with_xtol(PRECISION).with_patience(PATIENCE);
+    let (numbers, ended) = least_squares(method, problem.start.clone(), |numbers| Some(problem.at(numbers)));
+    match ended {
         TerminationReason::Converged { .. }
         | TerminationReason::Orthogonal
         | TerminationReason::ResidualsZero
@@ -110,7 +113,7 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         }
         other => return Err(FitError::NotConverged(format!("{other:?}"))),
     }
-    let mut table = problem.table();
+    let mut table = problem.table_at(&numbers);
     table.contact_radius = radius_table(curves, &plan.start.contact_radius);
     table.check().map_err(|error| FitError::NotConverged(error.to_string()))?;
     Ok(table)

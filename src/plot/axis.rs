@@ -229,7 +229,7 @@ mod tests {
     use super::*;
 
     fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
-        axis.fitted(values.into_iter()).ticks(6.0).into_iter().filter_map(|tick| tick.label).collect()
+        axis.fitted(values).ticks(6.0).into_iter().filter_map(|tick| tick.label).collect()
     }
 
     #[test]
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_prefix_stands_before_a_unit_that_has_none() {
-        let title = |unit, value| Axis::engineering("x", unit).fitted([0.0, value].into_iter()).title;
+        let title = |unit, value| Axis::engineering("x", unit).fitted([0.0, value]).title;
         assert_eq!(title("m", 1e-6), "x [µm]");
         // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3
         assert_eq!(title("", 0.4), "x");
@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn value_at_inverts_at() {
         for axis in [Axis::linear("x", "m"), Axis::log("x", "m")] {
-            let axis = axis.fitted([1.0, 50.0].into_iter());
+            let axis = axis.fitted([1.0, 50.0]);
             approx::assert_relative_eq!(axis.at(axis.value_at(0.3)), 0.3, max_relative = 1e-14);
         }
     }
