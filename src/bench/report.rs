@@ -1,7 +1,5 @@
 //! The report of `bench`: a CSV file of all settings, a picture of each problem, and a page in Markdown.
 
-use std::fmt::Write as _;
-
 use super::hard_cases::HardCase;
 use super::measure::{Contender, Measurement, Rung};
 use super::problems::Problem;
@@ -12,14 +10,12 @@ use crate::output::OutputFile;
 use crate::plot::PlotError;
 use crate::plot::axis::Axis;
 use crate::plot::lines::{Lines, Series};
+use crate::units::aligned::markdown;
 
 /// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
 
 /// `speed_vs_error.csv`.
-///
-/// # Errors
-/// What the CSV writer reports.
 pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([
@@ -56,11 +52,12 @@ pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     Ok(OutputFile { name: "speed_vs_error.csv".into(), bytes })
 }
 
-/// The page with all tables, as Markdown. `rates` is the table of how fast tables are written.
+/// The page with all tables, as Markdown. `rates` are the rows of the table of how fast tables are written.
 ///
 /// # Errors
 /// What a method reports on a hard case: none is expected to.
-pub fn page(all: &[Measured], cases: &[HardCase], rates: &str) -> Result<String, IntegrationError> {
+pub fn page(all: &[Measured], cases: &[HardCase], rates: Vec<Vec<String>>) -> Result<String, IntegrationError> {
+    let columns = "columns | computing all results | CSV, end to end | Parquet, end to end";
     Ok(format!(
         include_str!("page.md"),
         ratios = ratio_table(all),
@@ -68,7 +65,7 @@ pub fn page(all: &[Measured], cases: &[HardCase], rates: &str) -> Result<String,
         verlet = verlet_table(all),
         hard_cases = hard_case_table(cases)?,
         threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-        tables = rates.trim_end(),
+        tables = table(columns, rates).trim_end(),
     ))
 }
 
@@ -76,9 +73,6 @@ pub fn page(all: &[Measured], cases: &[HardCase], rates: &str) -> Result<String,
 const ROUNDING: f64 = 1e-16;
 
 /// The picture of a problem: time of one impact against the larger of its errors.
-///
-/// # Errors
-/// What drawing reports.
 pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
     let series = Contender::ALL.map(|contender| {
         let points = measurements
@@ -90,17 +84,9 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
             .collect();
         Series::marked_line(contender.name(), points)
     });
-    let lines = Lines {
-        title: format!("{}: {}", problem.name, problem.about),
-        x: Axis {
-            range: Some((ROUNDING, 1.0)),
-            ..Axis::log("Larger relative error of restitution and contact time", "")
-        },
-        y: Axis::log("Time per impact, one core", "µs"),
-        series: series.into(),
-        guides: Vec::new(),
-        notes: Vec::new(),
-    };
+    let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
+    let y = Axis::log("Time per impact, one core", "µs");
+    let lines = Lines::new(format!("{}: {}", problem.name, problem.about), [x, y], series.into());
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
     Ok(OutputFile { name, bytes: lines.draw()?.to_png()? })
 }
@@ -124,79 +110,75 @@ fn microseconds(ns: f64) -> String {
     }
 }
 
+/// A table in Markdown. `names` has the names of its columns, separated by bars.
+fn table(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let names = names.split(" | ").map(str::to_owned).collect();
+    markdown(&std::iter::once(names).chain(rows).collect::<Vec<_>>())
+}
+
 /// Time of one impact \[µs\] to each threshold, and how many times as long Dop853 of `ode_solvers` takes.
 fn time_table(all: &[Measured]) -> String {
-    let mut text = String::from("| problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12 |\n|---|---|---|---|---|---|\n");
+    let mut rows = Vec::new();
     for (problem, measurements) in all {
         for contender in Contender::ALL {
-            let _ = write!(text, "| {} | {} |", problem.name, contender.name());
-            for threshold in THRESHOLDS {
+            let cell = |threshold| {
                 let reference = time_to_reach(measurements, Contender::Method(Method::Dop853), threshold);
-                let _ = match (time_to_reach(measurements, contender, threshold), reference) {
-                    (Some(ns), Some(of_library)) => write!(text, " {} ({:.1} ×) |", microseconds(ns), of_library / ns),
-                    (Some(ns), None) => write!(text, " {} |", microseconds(ns)),
-                    (None, _) => write!(text, " – |"),
-                };
-            }
-            text.push('\n');
+                match (time_to_reach(measurements, contender, threshold), reference) {
+                    (Some(ns), Some(of_library)) => format!("{} ({:.1} ×)", microseconds(ns), of_library / ns),
+                    (Some(ns), None) => microseconds(ns),
+                    (None, _) => "–".to_owned(),
+                }
+            };
+            let names = [problem.name, contender.name()].map(str::to_owned);
+            rows.push(names.into_iter().chain(THRESHOLDS.map(cell)).collect());
         }
     }
-    text
+    table("problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12", rows)
 }
 
 /// The ratios that rk8 is judged by.
 fn ratio_table(all: &[Measured]) -> String {
-    let mut text = String::from(
-        "| problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ batch at 1e-9 | rk8 ÷ closed form at 1e-9 | Dop853 ÷ batch at 1e-9 |\n|---|---|---|---|---|---|---|\n",
-    );
-    for (problem, measurements) in all {
+    let row = |(problem, measurements): &Measured| {
         let time = |contender, threshold| time_to_reach(measurements, contender, threshold);
-        let (rk8, dop853) = (Contender::Method(Method::Rk8), Contender::Method(Method::Dop853));
-        let ratio = |a: Option<f64>, b: Option<f64>| {
-            a.zip(b).map_or_else(
-                || "–".into(),
-                |(a, b)| if a / b < 100.0 { format!("{:.1}", a / b) } else { format!("{:.0}", a / b) },
-            )
+        let [rk8, dop853, closed] = [Method::Rk8, Method::Dop853, Method::ClosedForm].map(Contender::Method);
+        let ratio = |a: Contender, b: Contender, threshold| match (time(a, threshold), time(b, threshold)) {
+            (Some(a), Some(b)) if a / b < 100.0 => format!("{:.1}", a / b),
+            (Some(a), Some(b)) => format!("{:.0}", a / b),
+            _ => "–".to_owned(),
         };
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} | {} | {} |",
-            problem.name,
-            ratio(time(dop853, 1e-9), time(rk8, 1e-9)),
-            ratio(time(dop853, 1e-6), time(rk8, 1e-6)),
+        vec![
+            problem.name.to_owned(),
+            ratio(dop853, rk8, 1e-9),
+            ratio(dop853, rk8, 1e-6),
             time(rk8, 1e-12).map_or_else(|| "–".into(), |ns| format!("{} µs", microseconds(ns))),
-            ratio(time(rk8, 1e-9), time(Contender::Batch, 1e-9)),
-            ratio(time(rk8, 1e-9), time(Contender::Method(Method::ClosedForm), 1e-9)),
-            ratio(time(dop853, 1e-9), time(Contender::Batch, 1e-9)),
-        );
-    }
-    text
+            ratio(rk8, Contender::Batch, 1e-9),
+            ratio(rk8, closed, 1e-9),
+            ratio(dop853, Contender::Batch, 1e-9),
+        ]
+    };
+    let names = "problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ batch at 1e-9 | rk8 ÷ closed form at 1e-9 | Dop853 ÷ batch at 1e-9";
+    table(names, all.iter().map(row))
 }
 
 /// Steps per contact that velocity Verlet needs. A number of steps serves if it and all finer settings keep within the
 /// threshold.
 fn verlet_table(all: &[Measured]) -> String {
-    let mut text = String::from(
-        "| problem | e within 1 % | e within 0.1 % | contact time within 1 % | contact time within 0.1 % | separation seen within 1 % | separation seen within 0.1 % |\n|---|---|---|---|---|---|---|\n",
-    );
-    for (problem, measurements) in all {
-        let _ = write!(text, "| {} |", problem.name);
+    let row = |(problem, measurements): &Measured| {
+        let ladder = || measurements.iter().filter(|m| m.contender == Contender::Method(Method::Verlet));
         let errors: [fn(&Measurement) -> f64; 3] =
             [|m| m.restitution_error, |m| m.contact_time_error, |m| m.separation_error];
+        let mut row = vec![problem.name.to_owned()];
         for error in errors {
             for threshold in [1e-2, 1e-3] {
-                let ladder = measurements.iter().filter(|m| m.contender == Contender::Method(Method::Verlet));
-                let last_bad = ladder.clone().filter(|m| error(m) > threshold).filter_map(steps).max().unwrap_or(0);
-                let needed = ladder.filter_map(steps).filter(|steps| *steps > last_bad).min();
-                let _ = match needed {
-                    Some(steps) => write!(text, " {steps} |"),
-                    None => write!(text, " more than {last_bad} |"),
-                };
+                let last_bad = ladder().filter(|m| error(m) > threshold).filter_map(steps).max().unwrap_or(0);
+                let needed = ladder().filter_map(steps).filter(|steps| *steps > last_bad).min();
+                row.push(needed.map_or_else(|| format!("more than {last_bad}"), |steps| steps.to_string()));
             }
         }
-        text.push('\n');
-    }
-    text
+        row
+    };
+    let names = "problem | e within 1 % | e within 0.1 % | contact time within 1 % | contact time within 0.1 % | separation seen within 1 % | separation seen within 0.1 %";
+    table(names, all.iter().map(row))
 }
 
 fn steps(measurement: &Measurement) -> Option<u32> {
@@ -204,23 +186,19 @@ fn steps(measurement: &Measurement) -> Option<u32> {
 }
 
 /// The larger relative error of e and contact time of each stepping method at its default tolerance on every hard case.
-///
-/// # Errors
-/// What a method reports: none is expected to.
 fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
-    let methods = [Method::Rk8, Method::Dop853, Method::Dopri5];
-    let mut text = String::from("| hard case | e | rk8 | dop853 | dopri5 |\n|---|---|---|---|---|\n");
+    let mut rows = Vec::new();
     for case in cases {
         let exact = closed_form::solve(&case.law, case.speed);
-        let _ = write!(text, "| {} | {:.4} |", case.name, case.restitution);
-        for method in methods {
+        let mut row = vec![case.name.to_owned(), format!("{:.4}", case.restitution)];
+        for method in [Method::Rk8, Method::Dop853, Method::Dopri5] {
             let solver = Solver { method, ..Solver::default() };
             let (outcome, _) = run(&case.law, case.speed, &ScaledForces::NONE, Some(&exact), &solver, None)?;
             let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
             let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
-            let _ = write!(text, " {:.0e} |", max_or_nan(of_restitution, of_time));
+            row.push(format!("{:.0e}", max_or_nan(of_restitution, of_time)));
         }
-        text.push('\n');
+        rows.push(row);
     }
-    Ok(text)
+    Ok(table("hard case | e | rk8 | dop853 | dopri5", rows))
 }

@@ -1,4 +1,6 @@
-//! Tables for the terminal.
+//! Tables as text, for the terminal and for pages.
+
+use std::fmt::Write as _;
 
 /// Lines of cells, each column as wide as its widest cell. Columns whose number `is_left` are aligned at the left,
 /// others at the right.
@@ -23,6 +25,19 @@ pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) 
         );
         text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
         text.push('\n');
+    }
+    text
+}
+
+/// The rows as a table in Markdown. The first row has the names of the columns.
+pub fn markdown<R: AsRef<[String]>>(rows: &[R]) -> String {
+    let mut text = String::new();
+    for (i, row) in rows.iter().enumerate() {
+        let cells = row.as_ref();
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+        if i == 0 {
+            let _ = writeln!(text, "{}|", "|---".repeat(cells.len()));
+        }
     }
     text
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{share, signed};
-use crate::units::aligned::aligned;
+use crate::units::aligned::{aligned, markdown};
 use crate::validation::check::{largest, mean, rms};
 use crate::validation::experiments::{Experiment, Measured};
 
@@ -50,14 +50,9 @@ pub fn table(experiments: &[Experiment]) -> String {
 
 /// The summary and the pictures for the page.
 pub fn section(experiments: &[Experiment]) -> String {
-    let mut text =
-        "\n## Measurements of your own\n\nLaw over measured restitution − 1; rows in `experiments.csv`.\n\n".to_owned();
-    for (i, row) in summary(experiments).iter().enumerate() {
-        let _ = writeln!(text, "| {} |", row.join(" | "));
-        if i == 0 {
-            let _ = writeln!(text, "{}|", "|---".repeat(row.len()));
-        }
-    }
+    let about = "Law over measured restitution − 1; rows in `experiments.csv`.";
+    let table = markdown(&summary(experiments));
+    let mut text = format!("\n## Measurements of your own\n\n{about}\n\n{table}");
     for Experiment { name, .. } in experiments {
         let _ = write!(text, "\n![Restitution, {name}](<experiment-{name}.png>)\n");
     }
