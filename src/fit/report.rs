@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::FitError;
 use super::solve::{CaseFit, Fit};
+use super::{FitError, LoadingPoint};
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
 use crate::math::power::max_or_nan;
@@ -35,8 +35,8 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
     for (case, built_in) in fit.cases.iter().zip(built_in) {
         let or_none = |rms: Option<f64>| rms.map_or_else(|| "-".to_owned(), percent);
         rows.push([
-            case.name.clone(),
-            format!("{:.4}", case.sphere_compliance),
+            case.curve.name.clone(),
+            format!("{:.4}", case.curve.pair.sphere_compliance),
             percent(case.force.rms),
             format!("{:+.2}", 100.0 * case.force.largest),
             or_none(case.left_out.map(|(force, _)| force.rms)),
@@ -56,29 +56,34 @@ pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
 
 /// The coefficients with their provenance. `name` is the name of the table in results.
 pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
-    let over = |value: fn(&CaseFit) -> f64| {
+    let over = |value: &dyn Fn(&CaseFit) -> f64| {
         let values = || fit.cases.iter().map(value);
         (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, max_or_nan))
     };
     let percents = |(low, high): (f64, f64)| format!("{}-{} %", percent(low), percent(high));
     let mut accuracy = format!(
         "rms {} in force, {} in elastic approach",
-        percents(over(|case| case.force.rms)),
-        percents(over(|case| case.approach.rms))
+        percents(over(&|case| case.force.rms)),
+        percents(over(&|case| case.approach.rms))
     );
     if fit.cases.iter().all(|case| case.left_out.is_some()) {
         let _ = write!(
             accuracy,
             "; curves left out of the fit: {} and {}",
-            percents(over(|case| case.left_out.map_or(0.0, |left| left.0.rms))),
-            percents(over(|case| case.left_out.map_or(0.0, |left| left.1.rms)))
+            percents(over(&|case| case.left_out.map_or(0.0, |left| left.0.rms))),
+            percents(over(&|case| case.left_out.map_or(0.0, |left| left.1.rms)))
         );
     }
-    let (from, to) = (over(|case| case.range.0).0, over(|case| case.range.1).1);
-    let (least, most) = over(|case| case.sphere_compliance);
+    let end = |point: Option<&LoadingPoint>| point.map_or(f64::NAN, |point| point.indentation);
+    let (from, _) = over(&|case| end(case.curve.points.first()));
+    let (_, to) = over(&|case| end(case.curve.points.last()));
+    let (least, most) = over(&|case| case.curve.pair.sphere_compliance);
     let mut range =
         format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
-    let ratios = fit.cases.iter().filter_map(|case| case.largest_radius_ratio);
+    let ratios = fit.cases.iter().flat_map(|case| {
+        let radii = case.curve.points.iter().filter_map(|point| point.contact_radius);
+        radii.map(|radius| radius * case.curve.yield_radius_ratio)
+    });
     if let Some(ratio) = ratios.reduce(max_or_nan) {
         let _ = write!(range, ", contact radius / sphere radius <= {ratio:.2}");
     }

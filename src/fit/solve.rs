@@ -40,15 +40,9 @@ pub struct Spread {
 
 /// How well a law fits one curve.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CaseFit {
-    /// The name of the file.
-    pub name: String,
-    /// Sphere compliance κ.
-    pub sphere_compliance: f64,
-    /// Smallest and largest x of the curve.
-    pub range: (f64, f64),
-    /// Largest a/R, if the curve has the contact radius.
-    pub largest_radius_ratio: Option<f64>,
+pub struct CaseFit<'c> {
+    /// The curve.
+    pub curve: &'c LoadingCurve,
     /// Deviations of the force.
     pub force: Spread,
     /// Deviations of the elastic approach.
@@ -64,18 +58,18 @@ pub struct CaseFit {
 
 /// The result of a fit.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
+pub struct Fit<'c> {
     /// The coefficients; their provenance is that of the start.
     pub coefficients: PlmCoefficients,
     /// How well the law fits each curve.
-    pub cases: Vec<CaseFit>,
+    pub cases: Vec<CaseFit<'c>>,
 }
 
 /// Fits the coefficients to all curves. Then leaves out each curve in turn and fits to the others.
 ///
 /// # Errors
 /// [`FitError::Request`] without curves, [`FitError::NotConverged`] if the fit does not converge.
-pub fn fit(curves: &[LoadingCurve], plan: &Plan) -> Result<Fit, FitError> {
+pub fn fit<'c>(curves: &'c [LoadingCurve], plan: &Plan) -> Result<Fit<'c>, FitError> {
     let all: Vec<&LoadingCurve> = curves.iter().collect();
     let coefficients = coefficients(&all, plan)?;
     let cases = curves.iter().enumerate().map(|(i, curve)| {
@@ -157,7 +151,7 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
 }
 
 /// How well these coefficients fit a curve.
-pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit {
+pub fn case_fit<'c>(curve: &'c LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit<'c> {
     let law = coefficients.law(&curve.pair, curve.yield_radius_ratio, UnloadingExponent::Paper);
     let all: Vec<_> = deviations(curve, &law).collect();
     let spread = |values: Vec<(f64, f64)>| {
@@ -167,13 +161,8 @@ pub fn case_fit(curve: &LoadingCurve, coefficients: &PlmCoefficients) -> CaseFit
         Spread { rms: (square / total).sqrt(), largest }
     };
     let radius: Vec<(f64, f64)> = all.iter().filter_map(|d| Some((d.weight, d.radius?))).collect();
-    let end = |point: Option<&super::LoadingPoint>| point.map_or(f64::NAN, |point| point.indentation);
-    let ratios = curve.points.iter().filter_map(|point| Some(point.contact_radius? * curve.yield_radius_ratio));
     CaseFit {
-        name: curve.name.clone(),
-        sphere_compliance: curve.pair.sphere_compliance,
-        range: (end(curve.points.first()), end(curve.points.last())),
-        largest_radius_ratio: ratios.reduce(max_or_nan),
+        curve,
         force: spread(all.iter().map(|d| (d.weight, d.force)).collect()),
         approach: spread(all.iter().map(|d| (d.weight, d.approach)).collect()),
         radius: (!radius.is_empty()).then(|| spread(radius)),
