@@ -186,7 +186,7 @@ fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
     let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = reach(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
-    let guides = guides.map(|(at, label)| Guide::Horizontal { at, label: label.to_owned() }).to_vec();
+    let guides = guides.map(|(at, label)| Guide::horizontal(at, label)).to_vec();
     let largest = of.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
@@ -199,11 +199,9 @@ fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
 fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
     let points = found.relative_posterior();
     let is_wide = is_wide(points.iter().map(|point| point.0)) && found.free.is_logarithmic;
-    let vertical =
-        |at: f64, label: &str, color: usize| Guide::Vertical { at, label: label.to_owned(), series: Some(color) };
-    let mut guides = vec![vertical(found.estimate, "best", 6)];
-    for (ends, (name, color)) in found.intervals.iter().flatten().zip([("68 %", 1), ("95 %", 3)]) {
-        guides.extend(ends.iter().flatten().map(|end| vertical(*end, &format!("{name} interval"), color)));
+    let mut guides = vec![Guide::vertical(found.estimate, "best").styled(6)];
+    for (ends, (name, color)) in found.intervals.iter().flatten().zip([("68 % interval", 1), ("95 % interval", 3)]) {
+        guides.extend(ends.iter().flatten().map(|end| Guide::vertical(*end, name).styled(color)));
     }
     let median = found.posterior.as_ref().map_or(f64::NAN, |marginal| found.free.at(marginal.quantile(0.5)));
     let median = format!("median {}", found.free.say(median, 4));

@@ -93,56 +93,62 @@ impl Series {
 /// A line that is not data. It does not extend the axes. If it is inside the box, its label is in the key; guides with
 /// the same label have one entry.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Guide {
-    /// A vertical line, in the colour of a series if it belongs to one.
-    Vertical {
-        /// Place on the horizontal axis.
-        at: f64,
-        /// Label in the key.
-        label: String,
-        /// Style of the series that the line belongs to.
-        series: Option<usize>,
-    },
-    /// A horizontal line.
-    Horizontal {
-        /// Place on the vertical axis.
-        at: f64,
-        /// Label in the key.
-        label: String,
-    },
-    /// The curve y = y_0 (x/x_0)^slope, which is straight if both axes are logarithmic.
-    Power {
-        /// The point (x_0, y_0).
-        through: (f64, f64),
-        /// Exponent.
-        slope: f64,
-        /// Label in the key.
-        label: String,
-    },
+pub struct Guide {
+    way: Way,
+    label: String,
+    /// Style of the series that the line belongs to.
+    series: Option<usize>,
+}
+
+/// Where a guide runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Way {
+    Vertical(f64),
+    Horizontal(f64),
+    Power { through: (f64, f64), slope: f64 },
 }
 
 impl Guide {
-    fn label(&self) -> &str {
-        match self {
-            Self::Vertical { label, .. } | Self::Horizontal { label, .. } | Self::Power { label, .. } => label,
-        }
+    fn new(way: Way, label: impl Into<String>) -> Self {
+        Self { way, label: label.into(), series: None }
+    }
+
+    /// A vertical line at this value of the horizontal axis.
+    pub fn vertical(at: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Vertical(at), label)
+    }
+
+    /// A horizontal line at this value of the vertical axis.
+    pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Horizontal(at), label)
+    }
+
+    /// The curve y = y_0 (x/x_0)^slope through (x_0, y_0), which is straight if both axes are logarithmic.
+    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Power { through, slope }, label)
+    }
+
+    /// The same line in the colour of this style.
+    #[must_use]
+    pub fn styled(self, style: usize) -> Self {
+        Self { series: Some(style), ..self }
     }
 
     fn stroke(&self) -> Stroke {
-        let (dash, color): (&[f64], _) = match self {
-            Self::Vertical { series: owner, .. } => (&[4.0, 6.0], owner.map_or(GREY, |owner| series(owner).0.color)),
-            Self::Horizontal { .. } => (&[22.0, 8.0], GREY),
-            Self::Power { .. } => (&[12.0, 6.0, 2.0, 6.0], GREY),
+        let dash: &[f64] = match self.way {
+            Way::Vertical(_) => &[4.0, 6.0],
+            Way::Horizontal(_) => &[22.0, 8.0],
+            Way::Power { .. } => &[12.0, 6.0, 2.0, 6.0],
         };
-        Stroke { color, width: 2.0, dash }
+        Stroke { color: self.series.map_or(GREY, |style| series(style).0.color), width: 2.0, dash }
     }
 
     fn points(&self, x: &FittedAxis, y: &FittedAxis) -> Vec<(f64, f64)> {
         let (x, y) = (|share| x.value_at(share), |share| y.value_at(share));
-        match *self {
-            Self::Vertical { at, .. } => vec![(at, y(0.0)), (at, y(1.0))],
-            Self::Horizontal { at, .. } => vec![(x(0.0), at), (x(1.0), at)],
-            Self::Power { through, slope, .. } => {
+        match self.way {
+            Way::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))],
+            Way::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)],
+            Way::Power { through, slope } => {
                 (0..=100).map(|i| x(f64::from(i) / 100.0)).map(|x| (x, through.1 * pow(x / through.0, slope))).collect()
             }
         }
@@ -256,14 +262,14 @@ impl Lines {
         let named = self.series.iter().enumerate().filter(|(_, curve)| !curve.name.is_empty());
         let mut entries: Vec<Entry> = named.map(entry).collect();
         for (i, guide) in guides.iter().enumerate() {
-            let same = |other: &&Guide| other.label() == guide.label();
-            if guide.label().is_empty() || guides[..i].iter().any(same) {
+            let same = |other: &&Guide| other.label == guide.label;
+            if guide.label.is_empty() || guides[..i].iter().any(same) {
                 continue;
             }
             let stroke = guide.stroke();
             let is_shared = guides.iter().any(|other| same(other) && other.stroke().color != stroke.color);
             let color = if is_shared { GREY } else { stroke.color };
-            entries.push(Entry::line(guide.label(), Stroke { color, ..stroke }));
+            entries.push(Entry::line(&guide.label, Stroke { color, ..stroke }));
         }
         entries.extend(self.notes.iter().map(|note| Entry::text(note)));
         entries

@@ -106,11 +106,8 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
             at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| label(second, *curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
-            guides.extend(yield_speed(plan, axes, *curve).map(|at| Guide::Vertical {
-                at,
-                label: "yield speed".to_owned(),
-                series: (!is_by_law).then_some(number),
-            }));
+            let guide = yield_speed(plan, axes, *curve).map(|at| Guide::vertical(at, "yield speed"));
+            guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.styled(number) }));
         }
         series.push(if at.len() <= FEW_POINTS {
             Series::marked_line(name, points)
@@ -125,7 +122,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
         // through the fastest point of the first curve, where the contact is nearest to fully plastic
         let fastest =
             series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
-        guides.extend(fastest.map(|through| Guide::Power { through, slope: -0.25, label: "slope −1/4".to_owned() }));
+        guides.extend(fastest.map(|through| Guide::power(through, -0.25, "slope −1/4")));
     }
     let e = if first.is_logarithmic {
         plot::Axis::log("Restitution e", "")

@@ -184,11 +184,8 @@ fn curves_and_guides_are_cut_at_the_axes() {
         Axis::linear("y", "").between(0.0, 1.0),
         vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]],
     );
-    plot.guides = vec![
-        Guide::Vertical { at: 7.0, label: "outside".into(), series: None },
-        Guide::Horizontal { at: 0.75, label: "level".into() },
-        Guide::Power { through: (0.5, 0.5), slope: 1.0, label: "slope".into() },
-    ];
+    plot.guides =
+        vec![Guide::vertical(7.0, "outside"), Guide::horizontal(0.75, "level"), Guide::power((0.5, 0.5), 1.0, "slope")];
     let picture = Picture::decoded(&plot.draw().unwrap().to_png().unwrap());
     let [left, top, right, bottom] = picture.axes();
     assert!(picture.shows(BLUE, (0.01, 0.25)) && picture.shows(BLUE, (0.99, 0.25)));

@@ -24,8 +24,8 @@ pub(super) fn picture(case: &Case) -> Option<Picture> {
     ];
     let lines = Lines::new(title, axes, series)
         .with_guides(vec![
-            Guide::Vertical { at: contact_radius, label: "contact radius at the peak".to_owned(), series: None },
-            Guide::Horizontal { at: 0.0, label: "undeformed".to_owned() },
+            Guide::vertical(contact_radius, "contact radius at the peak"),
+            Guide::horizontal(0.0, "undeformed"),
         ])
         .with_notes([format!("circle fitted to it: {} R", number(cycle.row.residual_radius))]);
     Some((format!("dent-{}", slug(case.name)), lines))

@@ -15,7 +15,7 @@ use crate::units::capital;
 /// A picture over depth, with a line at zero.
 fn picture(name: &str, title: impl Into<String>, y: Axis, series: Vec<Series>) -> Picture {
     let x = Axis::log("Peak indentation over that at yield", "");
-    let zero = Guide::Horizontal { at: 0.0, label: String::new() };
+    let zero = Guide::horizontal(0.0, "");
     (name.to_owned(), Lines::new(title, [x, y], series).with_guides(vec![zero]))
 }
 
@@ -58,8 +58,7 @@ fn residual(cases: &[Case]) -> Picture {
     let title = "Dent depth from the peak of the finite elements (Eq. 23)";
     let y = Axis::linear("Deviation of δᵣ", "%").between(-3.6, 3.6);
     let (name, mut lines) = picture("error-residual-indentation", title, y, series);
-    let limits = of_paper.into_iter().flat_map(|(limit, label)| [limit, -limit].map(|at| (at, label)));
-    let limits = limits.map(|(at, label)| Guide::Horizontal { at, label: label.to_owned() });
+    let limits = of_paper.into_iter().flat_map(|(limit, label)| [limit, -limit].map(|at| Guide::horizontal(at, label)));
     lines.guides.splice(..0, limits);
     (name, lines)
 }
