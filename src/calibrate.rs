@@ -18,6 +18,7 @@
 pub mod data;
 mod error;
 pub mod fit;
+mod found;
 pub mod identify;
 pub mod minimum;
 pub mod problem;
@@ -27,31 +28,24 @@ pub mod statistics;
 
 use crate::law::LawChoice;
 use crate::plan::Source as Text;
-use crate::plan::free::Free;
 use crate::progress::Counter;
 use crate::scenario::calibrate::{Source, Wanted};
 use crate::scenario::{Scenario, read_text};
 use crate::scene::Scene;
-use crate::units::four_digits;
-use crate::units::rounded::percent;
+use crate::units::csv_text::TableError;
 use data::Data;
 pub use error::{CalibrateError, NoAnswer};
 pub use fit::Fit;
 use fit::{in_order, shifts};
-use identify::{Identifiability, LAW, identify};
+use found::OUTLIER;
+pub use found::{Calibration, Found};
+use identify::identify;
 use problem::Problem;
-use profile::{Ends, Marginal, Sheet};
 use quantity::{CURVE, MEASURED, Measured};
 use statistics::{chance, chance_of_runs};
 
 /// Largest file of measurements \[MiB\]: enough for a million lines.
 const LARGEST: u64 = 64;
-/// With `robust`, residuals of more than this many standard deviations are outliers.
-const OUTLIER: f64 = 3.0;
-/// If more than this share of the values are outliers, the law is taken not to fit.
-const MOST_OUTLIERS: f64 = 0.2;
-/// The law is rejected if the measurements have a smaller probability than this.
-const REJECTED: f64 = 0.01;
 
 /// The keys that are wanted, and the measurements.
 #[derive(Debug, Clone)]
@@ -64,60 +58,6 @@ pub struct Measurements {
     pub sha256: Option<String>,
     /// The largest measured value.
     largest: f64,
-}
-
-/// The result for one key.
-#[derive(Debug, Clone)]
-pub struct Found {
-    /// The key and its range.
-    pub free: Free,
-    /// Its best value, SI.
-    pub estimate: f64,
-    /// Standard deviation, SI; `None` if the measurements do not determine the key.
-    pub sd: Option<f64>,
-    /// Standard deviation, SI, if the law has the same error for all values of a quantity.
-    pub sd_of_common_error: Option<f64>,
-    /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
-    /// key.
-    pub intervals: Option<[Ends; 2]>,
-    /// The posterior; `None` if there is no scatter to estimate the noise from.
-    pub posterior: Option<Marginal>,
-}
-
-/// The result of a calibration.
-#[derive(Debug)]
-pub struct Calibration<'a> {
-    /// The best keys under the law of the scenario.
-    pub fit: Fit<'a>,
-    /// The result for each key.
-    pub keys: Vec<Found>,
-    /// The prediction for every value.
-    pub predicted: Vec<f64>,
-    /// Residual of every value: measured minus predicted, over the standard deviation.
-    pub residuals: Vec<f64>,
-    /// For every value, the change of every key (in shares) if this value were left out, to first order.
-    pub shifts: Option<Vec<Vec<f64>>>,
-    /// Sum of the squares of the residuals, without outliers.
-    pub chi_square: f64,
-    /// Degrees of freedom of the residuals.
-    pub freedom: usize,
-    /// Number of values that are taken as outliers.
-    pub outliers: usize,
-    /// Root mean square of measured minus predicted over root mean square of measured. It is computed for each
-    /// quantity, and this is the largest.
-    pub misfit: f64,
-    /// Probability of this chi-square or a larger one; `None` if the noise is estimated.
-    pub p: Option<f64>,
-    /// Probability of as few runs of equal signs in the residuals, in the order of the speeds, or fewer.
-    pub p_of_runs: Option<f64>,
-    /// How well the measurements determine the keys together.
-    pub identifiability: Option<Identifiability>,
-    /// Why there is no interval; `None` if there is one.
-    pub refusal: Option<String>,
-    /// The posterior of two keys; `None` for one key.
-    pub sheet: Option<Sheet>,
-    /// The fit of every law that was asked for, the best first.
-    pub laws: Vec<(String, Result<Fit<'a>, NoAnswer>)>,
 }
 
 impl Measurements {
@@ -141,7 +81,7 @@ impl Measurements {
     }
 
     fn check(&self) -> Result<(), CalibrateError> {
-        let refuse = |message: String| Err(CalibrateError::Data { name: self.data.name.clone(), line: None, message });
+        let refuse = |message: String| Err(self.refusal(None, message));
         let (values, keys) = (self.data.values.len(), self.wanted.free.len());
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
@@ -180,8 +120,7 @@ impl Measurements {
             let message = format!(
                 "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
             );
-            let line = Some(self.data.rows[value.row].line);
-            Err(CalibrateError::Data { name: self.data.name.clone(), line, message })
+            Err(self.refusal(Some(self.data.rows[value.row].line), message))
         };
         Ok((self.data.values.iter().map(deviation).collect::<Result<_, _>>()?, is_estimated))
     }
@@ -190,6 +129,10 @@ impl Measurements {
     /// a force may be zero.
     fn size(&self, value: &data::Value) -> f64 {
         if value.what == CURVE { self.largest } else { value.value }
+    }
+
+    fn refusal(&self, line: Option<u64>, message: String) -> CalibrateError {
+        TableError::of(&self.data.name)((line, message)).into()
     }
 
     fn no_answer(&self, reason: NoAnswer) -> CalibrateError {
@@ -292,62 +235,6 @@ impl Measurements {
             common[value.what] += gain * error;
         }
         (own + common.iter().map(|sum| sum * sum).sum::<f64>()).sqrt()
-    }
-}
-
-impl Found {
-    /// Values of the key, and the density of the posterior there over the highest density.
-    pub fn relative_posterior(&self) -> Vec<(f64, f64)> {
-        let Some(Marginal { shares, density }) = &self.posterior else { return Vec::new() };
-        let highest = density.iter().copied().fold(0.0, f64::max);
-        shares.iter().zip(density).map(|(share, density)| (self.free.at(*share), density / highest)).collect()
-    }
-}
-
-impl Calibration<'_> {
-    /// Why the law does not fit; `None` if it may.
-    pub fn contradiction(&self) -> Option<String> {
-        let values = self.residuals.len();
-        let law = self.fit.problem.scene.law.name();
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
-        if self.outliers as f64 > MOST_OUTLIERS * values as f64 {
-            let what = format!("{} of {values} values are more than {OUTLIER} standard deviations", self.outliers);
-            return Some(format!("the law {law} does not fit: {what} from it; outliers are fewer"));
-        }
-        let unreached = self.residuals.iter().map(|residual| residual.abs()).fold(0.0, f64::max);
-        if self.fit.has_no_noise && unreached > 1e-6 {
-            let key = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
-            return Some(format!(
-                "no value of {key} in its range gives what was measured under the law {law}; the nearest is off by {}",
-                percent(unreached)
-            ));
-        }
-        let (p, what) = if let Some(p) = self.p {
-            let chi_square = four_digits(self.chi_square);
-            (p, format!("chi-square is {chi_square} on {} degrees of freedom", self.freedom))
-        } else {
-            // a law that is off by less than the usual error of laws is not contradicted
-            let p = self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW)?;
-            let off = percent(self.misfit);
-            (p, format!("it is off by {off}, and the residuals keep their signs for too long"))
-        };
-        (p < REJECTED).then(|| {
-            format!(
-                "the law {law} does not fit these data within their noise: {what}, p = {}; look at the residuals, and at other laws with --law all",
-                four_digits(p)
-            )
-        })
-    }
-
-    /// Correlation of the two keys.
-    pub fn correlation(&self) -> Option<f64> {
-        let covariance = self.fit.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
-        Some(covariance[0][1] / (covariance[0][0] * covariance[1][1]).sqrt())
-    }
-
-    /// The smallest AIC of all laws; NaN without one.
-    pub fn least_aic(&self) -> f64 {
-        self.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
     }
 }
 

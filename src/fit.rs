@@ -10,5 +10,5 @@ pub mod residuals;
 pub mod solve;
 
 pub use curve::{LoadingCurve, LoadingPoint};
-pub use error::{CurveError, FitError};
+pub use error::FitError;
 pub use solve::{Fit, Plan, fit};

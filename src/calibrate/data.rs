@@ -13,11 +13,10 @@
 //!
 //! Lines that begin with `#` are comments.
 
-use super::error::CalibrateError;
 use super::quantity::{CURVE, MEASURED, Measured};
 use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scene::{KEYS, Key};
-use crate::units::csv_text::CsvText;
+use crate::units::csv_text::{CsvText, TableError};
 use crate::units::nearest::did_you_mean;
 use crate::units::{Dimension, parse};
 
@@ -99,19 +98,18 @@ impl Data {
     /// Reads measurements from a text. Messages use `name` for the file.
     ///
     /// # Errors
-    /// [`CalibrateError::Data`] with the line, what is wrong and what is allowed.
-    pub fn parse(name: &str, text: &str) -> Result<Self, CalibrateError> {
-        let refuse = |line: Option<u64>, message: String| CalibrateError::Data { name: name.to_owned(), line, message };
-        let refused = |(line, message)| refuse(line, message);
+    /// [`TableError`] with the line, what is wrong and what is allowed.
+    pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
+        let refused = TableError::of(name);
         let table = CsvText::new(text).map_err(refused)?;
         let mut data = Self { name: name.to_owned(), ..Self::default() };
-        let columns = data.columns(&table.header).map_err(|message| refuse(table.line, message))?;
+        let columns = data.columns(&table.header).map_err(|message| refused((table.line, message)))?;
         for row in table.rows() {
             let (line, record) = row.map_err(refused)?;
-            data.row(line, &record, &columns).map_err(|message| refuse(Some(line), message))?;
+            data.row(line, &record, &columns).map_err(|message| refused((Some(line), message)))?;
         }
         if data.values.is_empty() {
-            return Err(refuse(None, "has no measured value below the names of the columns".to_owned()));
+            return Err(refused((None, "has no measured value below the names of the columns".to_owned())));
         }
         Ok(data)
     }

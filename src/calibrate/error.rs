@@ -5,6 +5,7 @@ use thiserror::Error;
 use crate::impact::ImpactError;
 use crate::indentation::IndentationError;
 use crate::scenario::ScenarioError;
+use crate::units::csv_text::TableError;
 
 /// Why a calibration has no result.
 #[derive(Debug, Error)]
@@ -13,15 +14,8 @@ pub enum CalibrateError {
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// The measurements are refused.
-    #[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
-    Data {
-        /// The name of the file.
-        name: String,
-        /// The line, counted from 1.
-        line: Option<u64>,
-        /// What is wrong, what is allowed, what to do.
-        message: String,
-    },
+    #[error(transparent)]
+    Data(#[from] TableError),
     /// The law gives no result anywhere in the ranges of the keys.
     #[error(
         "{name}: the law has no answer for these measurements anywhere in the range of the keys: {reason}; choose another range"

@@ -6,13 +6,14 @@ use serde::Serialize;
 
 use super::Error;
 use crate::calibrate::CalibrateError;
-use crate::fit::{CurveError, FitError};
+use crate::fit::FitError;
 use crate::output::OutputError;
 use crate::scenario::{Place, Refusal, ScenarioError};
 use crate::scene::key::Form;
 use crate::scene::keys::{forms, varied};
 use crate::scene::reference::written;
 use crate::sweep::SweepError;
+use crate::units::csv_text::TableError;
 use crate::validation::ValidationError;
 
 /// What is known of an error besides its text.
@@ -49,9 +50,9 @@ impl Error {
             | Self::Calibrate(CalibrateError::Scenario(error))
             | Self::Fit(FitError::Unreadable(error))
             | Self::Validation(ValidationError::Unreadable(error)) => of_scenario(error),
-            Self::Calibrate(CalibrateError::Data { name, line, message })
-            | Self::Fit(FitError::Curve(CurveError { name, line, message }))
-            | Self::Validation(ValidationError::Experiment(CurveError { name, line, message })) => {
+            Self::Calibrate(CalibrateError::Data(TableError { name, line, message }))
+            | Self::Fit(FitError::Curve(TableError { name, line, message }))
+            | Self::Validation(ValidationError::Experiment(TableError { name, line, message })) => {
                 Details { message: Some(message.clone()), line: *line, ..in_file(name) }
             }
             Self::Impact { scenario, .. }

@@ -24,12 +24,12 @@
 
 use std::path::Path;
 
-use super::error::{CurveError, FitError};
+use super::error::FitError;
 use super::header::{Bodies, Header};
 use crate::material::Pair;
 use crate::math::functions::ln;
 use crate::scenario::read_text;
-use crate::units::csv_text::{CsvText, without_mark};
+use crate::units::csv_text::{CsvText, TableError, without_mark};
 
 /// Smallest number of points beyond first yield that a curve must have.
 pub const FEWEST_POINTS: usize = 8;
@@ -93,32 +93,30 @@ impl LoadingCurve {
     /// Reads a curve from a text. Messages use `name` for the file.
     ///
     /// # Errors
-    /// [`CurveError`] with the line, what is wrong and what is needed.
-    pub fn parse(name: &str, text: &str) -> Result<Self, CurveError> {
-        let refuse = |line: Option<u64>, message: String| CurveError { name: name.to_owned(), line, message };
-        let refused = |(line, message)| refuse(line, message);
+    /// [`TableError`] with the line, what is wrong and what is needed.
+    pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
+        let refused = TableError::of(name);
         let text = without_mark(text);
         let bodies = Header::read(text).and_then(|header| header.bodies()).map_err(refused)?;
         let table = CsvText::new(text).map_err(refused)?;
-        let columns = Columns::find(&table.header, &bodies).map_err(|message| refuse(table.line, message))?;
+        let columns = Columns::find(&table.header, &bodies).map_err(|message| refused((table.line, message)))?;
         let mut points: Vec<LoadingPoint> = Vec::new();
         for row in table.rows() {
             let (line, record) = row.map_err(refused)?;
-            let line = Some(line);
-            let point = columns.point(&record, &bodies.pair).map_err(|message| refuse(line, message))?;
+            let in_line = |message| refused((Some(line), message));
+            let point = columns.point(&record, &bodies.pair).map_err(in_line)?;
             if let Some(last) = points.last() {
-                let rises = |what: &str, from: f64, to: f64| {
-                    if to > from {
-                        Ok(())
-                    } else {
-                        Err(format!(
-                            "{what} does not rise; a loading curve does: leave out unloading, sort the points, smooth scatter"
-                        ))
+                for (column, from, to) in [
+                    (columns.indentation, last.indentation, point.indentation),
+                    (columns.force, last.force, point.force),
+                ] {
+                    if to <= from {
+                        return Err(in_line(format!(
+                            "{} does not rise; a loading curve does: leave out unloading, sort the points, smooth scatter",
+                            column.name
+                        )));
                     }
-                };
-                rises(columns.indentation.name, last.indentation, point.indentation)
-                    .and_then(|()| rises(columns.force.name, last.force, point.force))
-                    .map_err(|message| refuse(line, message))?;
+                }
             }
             points.push(point);
         }
@@ -128,7 +126,7 @@ impl LoadingCurve {
                 "{beyond} of {} points are beyond first yield (delta/delta_Y > 1); at least {FEWEST_POINTS} are needed",
                 points.len()
             );
-            return Err(refuse(None, message));
+            return Err(refused((None, message)));
         }
         Ok(Self { name: name.to_owned(), pair: bodies.pair, yield_radius_ratio: bodies.yield_radius_ratio, points })
     }

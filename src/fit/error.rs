@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::scenario::ScenarioError;
+use crate::units::csv_text::TableError;
 
 /// Why a fit gave no coefficients.
 #[derive(Debug, Error)]
@@ -12,7 +13,7 @@ pub enum FitError {
     Unreadable(#[from] ScenarioError),
     /// A curve is refused.
     #[error(transparent)]
-    Curve(#[from] CurveError),
+    Curve(#[from] TableError),
     /// The request cannot be met; the text says why.
     #[error("{0}")]
     Request(String),
@@ -22,16 +23,4 @@ pub enum FitError {
     /// The table could not be written as TOML.
     #[error("coefficients: {0}")]
     Form(#[from] toml::ser::Error),
-}
-
-/// Why a curve is refused.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
-pub struct CurveError {
-    /// The name of the file.
-    pub name: String,
-    /// The line, counted from 1.
-    pub line: Option<u64>,
-    /// What is wrong, what is allowed, what to do.
-    pub message: String,
 }

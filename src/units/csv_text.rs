@@ -2,9 +2,29 @@
 //! spaces around values.
 
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
+use thiserror::Error;
 
 /// The line, counted from 1, and what is wrong there.
 pub type Refusal = (Option<u64>, String);
+
+/// Why a file of numbers is refused.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
+pub struct TableError {
+    /// The name of the file.
+    pub name: String,
+    /// The line, counted from 1.
+    pub line: Option<u64>,
+    /// What is wrong, what is allowed, what to do.
+    pub message: String,
+}
+
+impl TableError {
+    /// Gives a refusal the name of its file.
+    pub fn of(name: &str) -> impl Fn(Refusal) -> Self + Copy {
+        |(line, message)| Self { name: name.to_owned(), line, message }
+    }
+}
 
 /// A text of which the names of the columns have been read.
 #[derive(Debug)]

@@ -101,14 +101,12 @@ impl Check {
         Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
     }
 
-    /// A check of the mean or the root mean square of the deviations of these checks, which are of one quantity.
-    /// `things` says what they are checks of.
-    pub fn overall(checks: &[Self], name: &str, things: &str, tolerance: Tolerance) -> Option<Self> {
+    /// A check of a statistic of the deviations of these checks, which are of one quantity and of these `things`.
+    pub fn overall(checks: &[Self], (name, statistic): Statistic, things: &str, tolerance: Tolerance) -> Option<Self> {
         let Self { quantity, reference, .. } = checks.first()?;
         let deviations: Vec<f64> = checks.iter().map(|check| check.deviation).collect();
-        let deviation = if name == "mean" { mean(&deviations) } else { rms(&deviations) };
         let case = format!("{} {things}", checks.len());
-        Some(Self::mean(&format!("{quantity}, {name}"), case, reference, deviation, tolerance))
+        Some(Self::mean(&format!("{quantity}, {name}"), case, reference, statistic(&deviations), tolerance))
     }
 
     /// Whether the deviation is within the tolerance, or at least within the known deviation.
@@ -138,6 +136,13 @@ pub fn deviation(expected: f64, got: f64) -> f64 {
 pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
     deviations.fold(0.0, farther_or_nan)
 }
+
+/// A number that sums up many: its name, and how it is computed.
+pub type Statistic = (&'static str, fn(&[f64]) -> f64);
+/// Arithmetic mean.
+pub const MEAN: Statistic = ("mean", mean);
+/// Root mean square.
+pub const RMS: Statistic = ("rms", rms);
 
 /// Arithmetic mean.
 pub fn mean(values: &[f64]) -> f64 {

@@ -2,13 +2,13 @@
 
 use thiserror::Error;
 
-use crate::fit::CurveError;
 use crate::impact::ImpactError;
 use crate::law::UnloadingExponent;
 use crate::material::OutOfFloatRange;
 use crate::plot::PlotError;
 use crate::reference::ReferenceError;
 use crate::scenario::ScenarioError;
+use crate::units::csv_text::TableError;
 
 /// Why a validation has no result.
 #[derive(Debug, Error)]
@@ -18,7 +18,7 @@ pub enum ValidationError {
     Unreadable(ScenarioError),
     /// A file of measurements is refused.
     #[error(transparent)]
-    Experiment(CurveError),
+    Experiment(TableError),
     /// A file of coefficients is refused.
     #[error("{file}: {problem}")]
     Coefficients {
@@ -32,7 +32,7 @@ pub enum ValidationError {
     Reference(#[from] ReferenceError),
     /// A reference curve of the program is damaged.
     #[error("reference curve {0}")]
-    Curve(#[from] CurveError),
+    Curve(#[from] TableError),
     /// A reference scenario of the program is refused.
     #[error("reference scenario {0}")]
     Scenario(ScenarioError),

@@ -16,11 +16,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::ValidationError;
-use crate::fit::CurveError;
 use crate::impact::{Contact, Method, Solver};
 use crate::law::{LawChoice, PlmCoefficients};
 use crate::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, read_text};
-use crate::units::csv_text::{CsvText, without_mark};
+use crate::units::csv_text::{CsvText, TableError, without_mark};
 
 /// A file of measured restitution, with the restitution by the law.
 #[derive(Debug, Clone)]
@@ -91,7 +90,7 @@ fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment,
 }
 
 fn refusal(path: &Path, line: Option<u64>, message: String) -> ValidationError {
-    ValidationError::Experiment(CurveError { name: path.display().to_string(), line, message })
+    ValidationError::Experiment(TableError { name: path.display().to_string(), line, message })
 }
 
 /// The contact of the bodies in the comment lines. The keys are read as a scenario, in which every key has the line

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Tolerance};
+use super::check::{Check, RMS, Tolerance};
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::reference::hardening::{Materials, unloadings};
 use crate::reference::unloading::Unloaded;
@@ -111,8 +111,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
         };
         let first = checks.len();
         checks.extend(states.iter().map(of_row));
-        let overall = Check::overall(&checks[first..], "rms", "unloadings", of_rms);
-        checks.extend(overall);
+        checks.extend(Check::overall(&checks[first..], RMS, "unloadings", of_rms));
     }
     checks.extend(super::oracle::of_hardening()?);
     Ok(checks)

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Tolerance};
+use super::check::{Check, RMS, Tolerance};
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -70,6 +70,6 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             checks.push(Check::numbers("measured: rebound of Leeb devices", case, REFERENCE, "", numbers, tolerance));
         }
     }
-    checks.extend(Check::overall(&checks, "rms", "predictions", OF_RMS));
+    checks.extend(Check::overall(&checks, RMS, "predictions", OF_RMS));
     Ok(checks)
 }

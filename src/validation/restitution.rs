@@ -2,7 +2,7 @@
 //! of the reference.
 
 use super::cases::cases;
-use super::check::{Check, Known, Tolerance};
+use super::check::{Check, Known, MEAN, RMS, Tolerance};
 use super::{EXPONENTS, ValidationError};
 use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::reference::STATIC;
@@ -63,7 +63,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             }
         }
         let overall = |name, tolerance| Check::overall(&checks[first..], name, "cycles", tolerance);
-        let overall = [overall("mean", of_mean), overall("rms", of_rms)];
+        let overall = [overall(MEAN, of_mean), overall(RMS, of_rms)];
         checks.extend(overall.into_iter().flatten());
     }
     Ok(checks)
