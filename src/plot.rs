@@ -48,16 +48,12 @@ pub const SIZE: (u32, u32) = (1600, 1000);
 /// Why a picture could not be made.
 #[derive(Debug, Error)]
 pub enum PlotError {
-    /// The built-in font could not be loaded.
     #[error("the built-in font cannot be used")]
     Font,
-    /// The drawing library reported an error.
     #[error("drawing: {0}")]
     Drawing(String),
-    /// The PNG encoder reported an error.
     #[error("PNG: {0}")]
     Encoding(#[from] png::EncodingError),
-    /// The data do not fit together.
     #[error("{0}")]
     Data(String),
 }

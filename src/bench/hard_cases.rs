@@ -11,14 +11,12 @@ use crate::law::{ElasticApproach, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{pow, powi};
 
-/// One hard case.
 #[derive(Debug, Clone)]
 pub struct HardCase {
     /// What is hard.
     pub name: &'static str,
     /// Where the restitution comes from.
     pub origin: &'static str,
-    /// The law.
     pub law: Law,
     /// q = v/V.
     pub speed: f64,

@@ -52,10 +52,8 @@ impl Contender {
     }
 }
 
-/// A setting of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rung {
-    /// Relative tolerance.
     Tolerance(f64),
     /// Steps over the exact contact time T. In a DEM code a contact seldom lasts a whole number of steps. So five step
     /// sizes T/(steps + phase) are tried, and the largest error counts.
@@ -70,9 +68,7 @@ const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 /// What was measured of a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
-    /// Which method.
     pub contender: Contender,
-    /// Its setting.
     pub rung: Rung,
     /// |e/e_exact − 1|.
     pub restitution_error: f64,
@@ -80,7 +76,6 @@ pub struct Measurement {
     pub contact_time_error: f64,
     /// The same for the time at which separation is seen: in whole steps with a fixed step, else the contact time.
     pub separation_error: f64,
-    /// The same for the peak force.
     pub peak_force_error: f64,
     /// Cost of one impact.
     pub work: Work,

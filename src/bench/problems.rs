@@ -17,7 +17,6 @@ use crate::math::power::quarter_period;
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Short name.
     pub name: &'static str,
     /// What it is, for a reader of the report.
     pub about: &'static str,

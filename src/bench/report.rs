@@ -15,7 +15,6 @@ use crate::units::aligned::markdown;
 /// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
 
-/// `speed_vs_error.csv`.
 pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record([

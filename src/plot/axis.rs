@@ -7,7 +7,6 @@ use crate::units::rounded::{Prefix, power_of_ten, ten_to};
 /// and the length of an axis do not overflow.
 const LARGEST: f64 = 1e200;
 
-/// Linear or logarithmic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
     /// Equal steps have equal lengths.
@@ -28,14 +27,12 @@ impl Scale {
     }
 }
 
-/// The description of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// The title without the unit, such as "Impact speed".
     pub title: String,
     /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
-    /// Linear or logarithmic.
     pub scale: Scale,
     /// Whether values are shown with a fitting SI prefix (only on linear axes whose unit has no prefix).
     pub is_engineering: bool,
@@ -55,7 +52,6 @@ impl Axis {
         Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
 
-    /// A logarithmic axis.
     pub fn log(title: &str, unit: &str) -> Self {
         Self { scale: Scale::Log, ..Self::linear(title, unit) }
     }
@@ -96,7 +92,6 @@ impl Axis {
     }
 }
 
-/// The smallest and the largest value.
 pub fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }

@@ -127,7 +127,6 @@ fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
     Lines::new(title, axes, series).with_notes(notes).draw()
 }
 
-/// Points of a line.
 type Points = Vec<(f64, f64)>;
 
 /// What a law with its best keys predicts of a quantity.

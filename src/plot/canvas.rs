@@ -43,7 +43,6 @@ impl Anchor {
     }
 }
 
-/// A shape on the canvas.
 #[derive(Debug, Clone, PartialEq)]
 enum Shape {
     Line(Vec<Point>, Stroke),
@@ -53,7 +52,6 @@ enum Shape {
     Text(Text),
 }
 
-/// A text on the canvas.
 #[derive(Debug, Clone, PartialEq)]
 struct Text {
     letters: String,

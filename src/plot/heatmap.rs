@@ -20,7 +20,6 @@ const STEPS: u32 = 256;
 /// A map of the values on a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heatmap {
-    /// Title above the axes; may be empty.
     pub title: String,
     /// Horizontal axis; its `range` is ignored, because the cells fill the box.
     pub x: Axis,

@@ -10,17 +10,13 @@ use super::style::{PALETTE, PAPER, Stroke, series};
 /// Bars over adjoining bins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Histogram {
-    /// Title above the axes; may be empty.
     pub title: String,
-    /// Horizontal axis.
     pub x: Axis,
     /// Borders of the bins, rising: one more than there are counts.
     pub edges: Vec<f64>,
-    /// Number of values in each bin.
     pub counts: Vec<u64>,
     /// Vertical lines (mean, quantiles) with their labels in the key.
     pub lines: Vec<(f64, String)>,
-    /// Lines of text below the key.
     pub notes: Vec<String>,
 }
 

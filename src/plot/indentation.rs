@@ -40,7 +40,6 @@ impl Loop<'_> {
     }
 }
 
-/// The picture of force against indentation.
 pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
     let loops = loops(tested);
     let rows = || loops.iter().flat_map(|one| one.rows);

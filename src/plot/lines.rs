@@ -14,21 +14,15 @@ use crate::math::functions::{hypot, pow};
 /// Curves on two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lines {
-    /// Title above the axes; may be empty.
     pub title: String,
-    /// Horizontal axis.
     pub x: Axis,
-    /// Vertical axis.
     pub y: Axis,
     /// The curves, in the order of the key.
     pub series: Vec<Series>,
-    /// Thin lines that are not data.
     pub guides: Vec<Guide>,
-    /// Lines of text below the key.
     pub notes: Vec<String>,
 }
 
-/// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Name in the key; a curve without a name has no entry.
@@ -36,7 +30,6 @@ pub struct Series {
     /// Points in the units of the axes. A point that is not finite, or not positive on a logarithmic axis, interrupts
     /// the curve.
     pub points: Vec<(f64, f64)>,
-    /// Whether a line, markers or both are drawn.
     pub look: Look,
     /// Index of the style: colour, dash and marker. `None` for the place of the curve in the list.
     pub style: Option<usize>,
@@ -58,27 +51,22 @@ pub enum Look {
 }
 
 impl Series {
-    /// A curve.
     pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { name: name.into(), points, look: Look::Line, style: None }
     }
 
-    /// A curve without markers.
     pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Bare, ..Self::line(name, points) }
     }
 
-    /// The area inside a closed line.
     pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Band, ..Self::line(name, outline) }
     }
 
-    /// A curve through a few points, each with a marker.
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::MarkedLine, ..Self::line(name, points) }
     }
 
-    /// Points without a line.
     pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self { look: Look::Points, ..Self::line(name, points) }
     }
@@ -100,7 +88,6 @@ pub struct Guide {
     series: Option<usize>,
 }
 
-/// Where a guide runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Way {
     Vertical(f64),
@@ -163,24 +150,20 @@ const PALE: f64 = 0.35;
 const MARK: f64 = 9.0;
 
 impl Lines {
-    /// Curves without guides and notes.
     pub fn new(title: impl Into<String>, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
         Self { title: title.into(), x, y, series, guides: Vec::new(), notes: Vec::new() }
     }
 
-    /// The same picture with these guides.
     #[must_use]
     pub fn with_guides(self, guides: Vec<Guide>) -> Self {
         Self { guides, ..self }
     }
 
-    /// The same picture with these notes.
     #[must_use]
     pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
         Self { notes: notes.into_iter().map(Into::into).collect(), ..self }
     }
 
-    /// The picture.
     pub fn draw(&self) -> Result<Canvas, PlotError> {
         let values = || self.series.iter().flat_map(|series| series.points.iter().copied());
         let x = self.x.fitted(values().map(|point| point.0));
@@ -222,7 +205,6 @@ impl Lines {
         (stroke, Marker { shape, radius: MARK, color: stroke.color })
     }
 
-    /// The colour of a band.
     fn pale(&self, index: usize) -> RGBColor {
         tinted(self.style(index).0.color, PALE)
     }

@@ -15,7 +15,6 @@ pub(super) fn title_of(path: &str) -> String {
     capital(&words(path.trim_start_matches("impact.")))
 }
 
-/// The axis of a key.
 pub(super) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
     let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
     if is_logarithmic { Axis::log(&title, unit) } else { Axis::engineering(&title, unit) }

@@ -3,19 +3,16 @@
 use super::{Canvas, PlotError};
 use crate::output::OutputFile;
 
-/// The file format of pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pictures {
     /// PNG: pixels.
     Png,
     /// SVG: shapes and text, which stay sharp at any size.
     Svg,
-    /// No pictures.
     None,
 }
 
 impl Pictures {
-    /// All formats.
     pub const ALL: [Self; 3] = [Self::Png, Self::Svg, Self::None];
 
     /// The name on the command line, which is also the ending of the files.

@@ -24,7 +24,6 @@ const STEPS: u32 = 5;
 /// A line of the map: a value of the first key, and values of the second key with the density there.
 type Line = (f64, Vec<(f64, f64)>);
 
-/// The picture.
 pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     let [first, second] = &of.keys[..] else { return Err(PlotError::Data("a map needs two keys".to_owned())) };
     let lines: Vec<Line> = sheet

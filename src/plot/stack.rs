@@ -16,20 +16,16 @@ const MARK: f64 = 7.0;
 /// Quantities with a common horizontal axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stack {
-    /// Title above the boxes.
     pub title: String,
     /// Common horizontal axis, with its range.
     pub x: Axis,
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
-    /// Lines of text below the key.
     pub notes: Vec<String>,
 }
 
-/// One box.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// Vertical axis.
     pub y: Axis,
     /// Share of the height, relative to the other boxes.
     pub share: f64,
@@ -44,7 +40,6 @@ impl Panel {
 }
 
 impl Stack {
-    /// The picture.
     pub fn draw(&self) -> Result<Canvas, PlotError> {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
         let fitted = |panel: &Panel| (panel.y.fitted(panel.points().map(|(_, y)| y)), panel.share);

@@ -37,7 +37,6 @@ pub(super) const DASHED: Dash = &[16.0, 10.0];
 pub(super) const DOTTED: Dash = &[3.0, 8.0];
 const DASHES: [Dash; 5] = [SOLID, DASHED, &[16.0, 8.0, 3.0, 8.0], &[7.0, 6.0], &[16.0, 7.0, 3.0, 7.0, 3.0, 7.0]];
 
-/// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stroke {
     pub color: RGBColor,

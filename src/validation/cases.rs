@@ -15,7 +15,6 @@ const RESOLVED: f64 = 10.0;
 pub struct Case {
     /// The name, such as "case 3".
     pub name: &'static str,
-    /// The loading curve.
     pub loading: LoadingCurve,
     /// The unloadings, in the order of rising depth.
     pub cycles: Vec<Cycle>,
@@ -52,7 +51,6 @@ impl Cycle {
 }
 
 impl Case {
-    /// The law of this pair.
     pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }

@@ -2,7 +2,6 @@
 
 use crate::math::power::farther_or_nan;
 
-/// The deviation that is allowed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Largest deviation that passes, in either direction.
@@ -20,14 +19,10 @@ pub struct Known {
     pub remark: &'static str,
 }
 
-/// The result of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// The deviation is within the tolerance.
     Pass,
-    /// The deviation is beyond the tolerance, but known.
     Known,
-    /// The deviation is beyond the tolerance, and not known.
     Miss,
 }
 
@@ -42,7 +37,6 @@ impl Verdict {
     }
 }
 
-/// One comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// The quantity that is compared. Checks of the same quantity share a row of the summary.
@@ -59,9 +53,7 @@ pub struct Check {
     pub got: Option<f64>,
     /// Relative deviation, got/expected − 1. If it is relative to another number, the name of the quantity says so.
     pub deviation: f64,
-    /// The deviation that is allowed.
     pub tolerance: Tolerance,
-    /// The known deviation beyond the tolerance, if there is one.
     pub known: Option<Known>,
 }
 
@@ -139,19 +131,15 @@ pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
 
 /// A number that sums up many: its name, and how it is computed.
 pub type Statistic = (&'static str, fn(&[f64]) -> f64);
-/// Arithmetic mean.
 pub const MEAN: Statistic = ("mean", mean);
-/// Root mean square.
 pub const RMS: Statistic = ("rms", rms);
 
-/// Arithmetic mean.
 pub fn mean(values: &[f64]) -> f64 {
     #[allow(clippy::cast_precision_loss)]
     let n = values.len() as f64;
     values.iter().sum::<f64>() / n
 }
 
-/// Root mean square.
 pub fn rms(values: &[f64]) -> f64 {
     mean(&values.iter().map(|value| value * value).collect::<Vec<_>>()).sqrt()
 }

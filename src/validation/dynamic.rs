@@ -33,7 +33,6 @@ const SCENARIOS: [(&str, &str); 3] = [
 pub struct Case {
     /// The name, such as "D1".
     pub name: &'static str,
-    /// Results of the finite elements.
     pub reference: ImpactRow,
     /// Samples of the finite elements, in the order of time.
     pub samples: Vec<Sample>,

@@ -19,14 +19,8 @@ pub enum ValidationError {
     /// A file of measurements is refused.
     #[error(transparent)]
     Experiment(TableError),
-    /// A file of coefficients is refused.
     #[error("{file}: {problem}")]
-    Coefficients {
-        /// The name of the file.
-        file: String,
-        /// What is wrong with the file.
-        problem: String,
-    },
+    Coefficients { file: String, problem: String },
     /// A reference table of the program is damaged.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -36,13 +30,10 @@ pub enum ValidationError {
     /// A reference scenario of the program is refused.
     #[error("reference scenario {0}")]
     Scenario(ScenarioError),
-    /// An impact has no result.
     #[error(transparent)]
     Impact(#[from] ImpactError),
-    /// A picture could not be drawn.
     #[error(transparent)]
     Plot(#[from] PlotError),
-    /// The table could not be written.
     #[error("table: {0}")]
     Csv(#[from] csv::Error),
 }

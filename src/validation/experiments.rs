@@ -28,20 +28,17 @@ pub struct Experiment {
     pub name: String,
     /// Who measured; empty if the file does not say so.
     pub source: String,
-    /// The measurements.
     pub rows: Vec<Measured>,
     /// The two bodies and their law.
     contact: Contact,
 }
 
-/// A measured restitution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// Line of the file, counted from 1.
     pub line: u64,
     /// Impact speed \[m/s\].
     pub speed: f64,
-    /// Measured restitution e.
     pub restitution: f64,
     /// Standard deviation of the measured e.
     pub sd: Option<f64>,

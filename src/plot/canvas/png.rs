@@ -18,7 +18,6 @@ fn device(point: Point) -> (i32, i32) {
 }
 
 impl Canvas {
-    /// The picture as PNG.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
         let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
         let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];

@@ -27,7 +27,6 @@ fn device(point: Point) -> (i32, i32) {
 }
 
 impl Canvas {
-    /// The picture as SVG.
     pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
         let (width, height) = crate::plot::SIZE;
         let size = (width * UNITS, height * UNITS);

@@ -7,7 +7,6 @@ use crate::units::aligned::{aligned, markdown};
 use crate::validation::check::{largest, mean, rms};
 use crate::validation::experiments::{Experiment, Measured};
 
-/// The columns of the summary.
 const SUMMARY: [&str; 7] = ["measurements", "points", "bias", "rms", "largest", "within 2 sd", "source"];
 
 /// The text of `experiments.csv`: every measured restitution, and the restitution by the law.
