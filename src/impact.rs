@@ -36,7 +36,7 @@ pub use error::ImpactError;
 pub use essentials::Essentials;
 pub use forces::{Damping, Forces, drop_speed};
 pub use ledger::TraceRow;
-pub use outcome::{Fate, FixedSteps, Outcome};
+pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};

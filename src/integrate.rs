@@ -100,7 +100,7 @@ pub enum Leg {
 
 impl Leg {
     /// Where it ends at the latest.
-    fn end(self) -> f64 {
+    pub(crate) fn end(self) -> f64 {
         let (Self::Outward(end) | Self::Back(end)) = self;
         end
     }

@@ -5,7 +5,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use super::problems::Problem;
-use crate::impact::{Method, Outcome, ScaledForces, Solver, batch, closed_form, run, verlet};
+use crate::impact::{Computed, Method, ScaledForces, Solver, batch, closed_form, run, verlet};
 use crate::integrate::{IntegrationError, Work};
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
@@ -133,17 +133,27 @@ impl<'a> Runner<'a> {
 
     /// One impact with its cost. Of a batch all impacts: the outcome is that of the first, the problem itself, and the cost
     /// is left out.
-    fn run(&self, problem: &Problem) -> Result<(Outcome, Work), IntegrationError> {
+    fn run(&self, problem: &Problem) -> Result<Computed, IntegrationError> {
         let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
-        let mut work = Work::default();
-        // the exact outcome goes back at once: one more move of it would show in its time
-        let outcome = match self {
-            Self::Method(solver) => return run(law, speed, &NONE, None, solver, None),
-            Self::Verlet { step, most_steps } => verlet::march(law, speed, &NONE, *step, *most_steps, &mut work, None)?,
-            Self::Exact => return Ok((closed_form::solve(law, speed), work)),
-            Self::Batch { problems, tolerance } => batch::integrate(black_box(problems), *tolerance).swap_remove(0)?,
-        };
-        Ok((outcome, work))
+        let without_cost = |outcome| Computed::new(outcome, Work::default());
+        match self {
+            Self::Method(solver) => run(law, speed, &NONE, None, solver, None),
+            Self::Verlet { step, most_steps } => verlet::march(law, speed, &NONE, *step, *most_steps, None),
+            Self::Exact => Ok(without_cost(closed_form::solve(law, speed))),
+            Self::Batch { problems, tolerance } => {
+                batch::integrate(problems, *tolerance).swap_remove(0).map(without_cost)
+            }
+        }
+    }
+
+    /// The same for its time alone. No outcome is moved, because a move of an exact one would show in its time.
+    fn spend(&self, problem: &Problem) {
+        let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
+        match self {
+            Self::Exact => _ = black_box(&closed_form::solve(law, speed)),
+            Self::Batch { problems, tolerance } => _ = black_box(&batch::integrate(black_box(problems), *tolerance)),
+            _ => _ = black_box(&self.run(problem)),
+        }
     }
 
     /// How many impacts a run computes.
@@ -160,8 +170,8 @@ fn errors(contender: Contender, rung: Rung, problem: &Problem) -> Option<[f64; 4
     let exact = &problem.exact;
     let mut worst = [0.0_f64; 4];
     for phase in phases {
-        let (outcome, _) = Runner::new(contender, rung, *phase, problem).run(problem).ok()?;
-        let seen = outcome.fixed_steps.map_or(outcome.contact_time, |fixed| fixed.contact_time);
+        let Computed { outcome, fixed_steps, .. } = Runner::new(contender, rung, *phase, problem).run(problem).ok()?;
+        let seen = fixed_steps.map_or(outcome.contact_time, |fixed| fixed.contact_time);
         let errors = [
             relative(outcome.restitution, exact.restitution),
             relative(outcome.contact_time, exact.contact_time),
@@ -185,9 +195,9 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
             let Some(errors) = errors(contender, rung, problem) else { continue };
             // a lane of a batch takes the steps that rk8 takes alone
             let alone = if contender == Contender::Batch { Contender::Method(Method::Rk8) } else { contender };
-            let Ok((_, work)) = Runner::new(alone, rung, PHASES[0], problem).run(problem) else { continue };
+            let Ok(Computed { work, .. }) = Runner::new(alone, rung, PHASES[0], problem).run(problem) else { continue };
             let started = Instant::now();
-            black_box(&runner.run(problem));
+            runner.spend(problem);
             let once = started.elapsed().max(Duration::from_nanos(20));
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let repetitions = (burst.as_secs_f64() / once.as_secs_f64()).clamp(1.0, 1e5) as u32;
@@ -208,7 +218,7 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
         for (runner, repetitions, measurement) in &mut entries {
             let started = Instant::now();
             for _ in 0..*repetitions {
-                black_box(&runner.run(problem));
+                runner.spend(problem);
             }
             #[allow(clippy::cast_precision_loss)]
             let impacts = f64::from(*repetitions) * runner.size() as f64;

@@ -3,7 +3,7 @@
 use super::hard_cases::HardCase;
 use super::measure::{Contender, Measurement, Rung};
 use super::problems::Problem;
-use crate::impact::{Method, ScaledForces, Solver, closed_form, run};
+use crate::impact::{Computed, Method, ScaledForces, Solver, closed_form, run};
 use crate::integrate::IntegrationError;
 use crate::math::power::max_or_nan;
 use crate::output::OutputFile;
@@ -192,7 +192,8 @@ fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
         let mut row = vec![case.name.to_owned(), format!("{:.4}", case.restitution)];
         for method in [Method::Rk8, Method::Dop853, Method::Dopri5] {
             let solver = Solver { method, ..Solver::default() };
-            let (outcome, _) = run(&case.law, case.speed, &ScaledForces::NONE, Some(&exact), &solver, None)?;
+            let Computed { outcome, .. } =
+                run(&case.law, case.speed, &ScaledForces::NONE, Some(&exact), &solver, None)?;
             let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
             let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
             row.push(format!("{:.0e}", max_or_nan(of_restitution, of_time)));

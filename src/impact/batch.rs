@@ -12,7 +12,7 @@ use crate::integrate::lockstep::conservative::Conservative;
 use crate::integrate::lockstep::damped::Damped;
 use crate::integrate::lockstep::{LANES, Lanes, Started};
 use crate::integrate::rk8::Rk8;
-use crate::integrate::{Drag, IntegrationError, Landing, State};
+use crate::integrate::{Drag, IntegrationError};
 use crate::law::Law;
 
 /// An impact to be integrated: law, q = v/V, and what acts beside the law.
@@ -51,19 +51,13 @@ impl InLane<'_> {
     /// it, are integrated alone. True if the lane is taken.
     fn set_out(&mut self, lanes: &mut impl Lanes, lane: usize, alone: &mut Rk8) -> Result<bool, IntegrationError> {
         while !self.course.has_ended() {
-            match lanes.start(lane, self.course.path(), &self.course.at) {
+            match lanes.start(lane, &self.course.path, &mut self.course.at) {
                 Started::UnderWay => return Ok(true),
                 Started::Foreign => drop(self.course.finish(alone, None)?),
-                Started::Landed(landing, at) => self.go_on(landing, at),
+                Started::Landed(landing) => self.course.landed(landing, None),
             }
         }
         Ok(false)
-    }
-
-    /// Goes on after a landing: to the start of the next leg, or to the end.
-    fn go_on(&mut self, landing: Landing, at: State) {
-        self.course.at = at;
-        self.course.landed(landing, None);
     }
 
     /// Hands over the outcome, or why there is none.
@@ -82,7 +76,7 @@ impl InLane<'_> {
 
 /// Integrates the impacts that `fits` picks in these lanes.
 fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
-    problems: &[Problem<'a>],
+    problems: &'a [Problem<'a>],
     fits: impl Fn(&Problem) -> bool,
     new_lanes: impl FnOnce() -> L,
     alone: &mut Rk8,
@@ -97,7 +91,7 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
     let mut launch = |lane, slot: &mut Option<InLane<'a>>, lanes: &mut L, alone: &mut Rk8, put: &mut P| {
         *slot = None;
         for index in waiting.by_ref() {
-            let (law, q, forces) = &problems[index];
+            let (law, q, forces): &'a Problem = &problems[index];
             let flying = slot.insert(InLane { index, course: Course::begin(law, *q, forces, None) });
             match flying.set_out(lanes, lane, alone) {
                 Ok(true) => return,
@@ -118,9 +112,10 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
         }
         for (lane, slot) in flying.iter_mut().enumerate() {
             let Some(impact) = slot else { continue };
-            let Some(landed) = lanes.take_landing(lane, impact.course.path(), &impact.course.at) else { continue };
-            let goes_on = landed.and_then(|(landing, at)| {
-                impact.go_on(landing, at);
+            let course = &mut impact.course;
+            let Some(landed) = lanes.take_landing(lane, &course.path, &mut course.at) else { continue };
+            let goes_on = landed.and_then(|landing| {
+                impact.course.landed(landing, None);
                 impact.set_out(&mut lanes, lane, alone)
             });
             if goes_on != Ok(true) {
@@ -131,9 +126,9 @@ fn fly<'a, L: Lanes, P: FnMut(usize, Result<&Outcome, &IntegrationError>)>(
         }
     }
     for (lane, impact) in flying.iter_mut().enumerate().filter_map(|(lane, slot)| Some((lane, slot.as_mut()?))) {
-        if let Some(landed) = lanes.finish(lane) {
-            let ended = landed.and_then(|(landing, at)| {
-                impact.go_on(landing, at);
+        if let Some(landed) = lanes.finish(lane, &mut impact.course.at) {
+            let ended = landed.and_then(|landing| {
+                impact.course.landed(landing, None);
                 if impact.course.has_ended() { Ok(()) } else { impact.course.finish(alone, None).map(drop) }
             });
             impact.put(&ended, put);

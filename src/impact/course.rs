@@ -26,25 +26,25 @@ use crate::law::{Law, Unloading};
 /// Where an impact is.
 #[derive(Debug, Clone, Copy)]
 enum Phase {
-    /// On a piece of the loading curve; what is at the end of the leg, and the creep to rest if it ends near that.
-    Loading { piece: usize, event: Option<Event>, creep: Option<Creep> },
-    /// On the way back, as far as the creep to rest would begin, or all of it.
-    Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep> },
-    /// At its end, where distances count from the residual indentation.
-    Ended { unloading: Unloading, loading_time: f64, fate: Fate },
+    /// On a piece of the loading curve: as far as a creep to rest would begin, or to the end of the piece.
+    Loading { piece: usize, creep: Option<Creep> },
+    /// On the way back, as far as the creep to rest would begin, or all of it; or at its end, with its fate. Distances count
+    /// from the residual indentation.
+    Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep>, fate: Option<Fate> },
 }
 
 /// An impact, leg by leg. The integrator carries `at` along `path` and reports how that leg ended.
 #[derive(Debug, Clone)]
 pub struct Course<'a> {
     law: &'a Law,
-    forces: ScaledForces,
+    forces: &'a ScaledForces,
     q: f64,
     /// Whether a trace is recorded and has not come to first yield. First yield ends no leg, because a trace must not change
     /// the steps.
     awaits_yield: bool,
     phase: Phase,
-    path: Path,
+    /// The leg to be integrated.
+    pub path: Path,
     /// The state at the start of that leg, and then at its end.
     pub at: State,
 }
@@ -66,7 +66,8 @@ pub fn integrate<I: Integrator>(
 
 impl<'a> Course<'a> {
     /// At first touch.
-    pub fn begin(law: &'a Law, q: f64, forces: &ScaledForces, recorder: Option<&mut Recorder>) -> Self {
+    #[inline(always)]
+    pub fn begin(law: &'a Law, q: f64, forces: &'a ScaledForces, recorder: Option<&mut Recorder>) -> Self {
         let distance = way_to_peak(law, 0.4 * q * q, forces);
         let pull = ACCELERATION * forces.weight;
         let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
@@ -76,10 +77,10 @@ impl<'a> Course<'a> {
         let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
         let mut course = Self {
             law,
-            forces: *forces,
+            forces,
             q,
             awaits_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
-            phase: Phase::Loading { piece: 0, event: None, creep: None },
+            phase: Phase::Loading { piece: 0, creep: None },
             path: Path { restoring, leg, sizes, pull, drag: forces.drag(), rest: None },
             at: touch,
         };
@@ -89,11 +90,6 @@ impl<'a> Course<'a> {
         }
         course.set_out(0);
         course
-    }
-
-    /// The leg to be integrated.
-    pub fn path(&self) -> &Path {
-        &self.path
     }
 
     /// Integrates the rest.
@@ -144,36 +140,35 @@ impl<'a> Course<'a> {
     /// Goes on after a landing: to the next leg, or to the end.
     pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) {
         match self.phase {
-            Phase::Loading { piece, event, creep } => {
+            Phase::Loading { piece, creep } => {
                 if let Some(recorder) = recorder.as_deref_mut() {
                     recorder.take(&self.along(piece), None);
                 }
                 let is_near_rest = creep.is_some_and(|creep| self.at.speed <= creep.below);
                 if landing == Landing::End && !is_near_rest {
-                    self.go_on(piece, event, recorder);
+                    self.go_on(piece, creep.is_none(), recorder);
                 } else {
                     self.turn(piece, landing == Landing::Rest || landing == Landing::End, recorder);
                 }
             }
-            Phase::Unloading { ref unloading, loading_time, is_captured, creep } => {
+            Phase::Unloading { fate: Some(_), .. } => {}
+            Phase::Unloading { ref unloading, is_captured, ref mut creep, ref mut fate, .. } => {
                 let is_still = |creep: Creep| -self.at.speed <= creep.below;
                 let creeps = landing == Landing::End && creep.is_some_and(is_still);
                 if creep.is_some() && landing == Landing::End && !creeps {
-                    self.path.leg = Leg::Back(self.back_to(unloading, is_captured));
-                    self.phase = Phase::Unloading { unloading: *unloading, loading_time, is_captured, creep: None };
+                    self.path.leg = Leg::Back(back_to(self.forces, unloading, is_captured));
+                    *creep = None;
                     return;
                 }
-                let fate = match landing {
-                    Landing::End | Landing::LiftOff if !is_captured && !creeps => Fate::Separated,
-                    _ => Fate::Captured,
+                let (end, event) = match landing {
+                    Landing::End | Landing::LiftOff if !is_captured && !creeps => (Fate::Separated, Event::Separation),
+                    _ => (Fate::Captured, Event::Captured),
                 };
+                *fate = Some(end);
                 if let Some(recorder) = recorder {
-                    let event = if fate == Fate::Captured { Event::Captured } else { Event::Separation };
                     recorder.take(&Along::Unloading { unloading, drag: self.path.drag }, Some((event, &self.at)));
                 }
-                self.phase = Phase::Ended { unloading: *unloading, loading_time, fate };
             }
-            Phase::Ended { .. } => {}
         }
     }
 
@@ -200,44 +195,45 @@ impl<'a> Course<'a> {
     /// Begins a piece of the loading curve: sets the leg along it, the event at its end, and the creep if the sphere may come
     /// to rest on it.
     fn set_out(&mut self, index: usize) {
-        let piece = &self.law.loading.pieces()[index];
         (self.path.restoring, self.path.leg) = way_out(self.law, index);
-        self.path.rest = None;
-        if self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
+        if index == 0 && self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
             self.path.leg = Leg::Outward(f64::INFINITY);
         }
-        let (mut event, mut rests) = (Some(Event::Knot), None);
-        if self.may_creep()
-            && let (x, of) = equilibrium(self.law, self.forces.weight)
-            && of == index
-            && let Some(creep) = self.forces.creep(x - self.law.touch(), piece.slope_at(x))
-        {
-            let distance = x - (piece.start - piece.shape.lead());
-            self.path.rest = Some(creep.rest(distance));
-            let near = distance - creep.within;
-            if let Leg::Outward(end) = self.path.leg
-                && self.at.distance < near
-                && near < end
-            {
-                self.path.leg = Leg::Outward(near);
-                (event, rests) = (None, Some(creep));
-            }
-        }
-        self.phase = Phase::Loading { piece: index, event, creep: rests };
+        let creep = if self.may_creep() { self.creep_on(index) } else { None };
+        self.phase = Phase::Loading { piece: index, creep };
     }
 
-    /// Goes on from the end of a leg of the loading curve.
-    fn go_on(&mut self, mut piece: usize, mut event: Option<Event>, recorder: Option<&mut Recorder>) {
-        if event == Some(Event::Knot) {
+    /// Sets where the sphere may come to rest on a piece of the loading curve. If that lies ahead, the leg ends near it, and
+    /// this is the creep there.
+    #[cold]
+    fn creep_on(&mut self, index: usize) -> Option<Creep> {
+        self.path.rest = None;
+        let piece = &self.law.loading.pieces()[index];
+        let (x, of) = equilibrium(self.law, self.forces.weight);
+        let at_rest = (of == index).then_some(x)?;
+        let creep = self.forces.creep(at_rest - self.law.touch(), piece.slope_at(at_rest))?;
+        let distance = at_rest - (piece.start - piece.shape.lead());
+        self.path.rest = Some(creep.rest(distance));
+        let near = distance - creep.within;
+        if self.at.distance < near && near < self.path.leg.end() {
+            self.path.leg = Leg::Outward(near);
+            return Some(creep);
+        }
+        None
+    }
+
+    /// Goes on from the end of a leg of the loading curve, which is a knot or the begin of a creep.
+    fn go_on(&mut self, mut piece: usize, is_knot: bool, recorder: Option<&mut Recorder>) {
+        let mut event = None;
+        if is_knot {
             let is_end_of_branch = piece == 0 && self.law.branch().is_some();
             piece += 1;
-            let begins_at_yield = self.law.loading.pieces()[piece].start == self.law.elastic_until();
-            if is_end_of_branch || self.awaits_yield && begins_at_yield {
-                event = Some(Event::Yield);
-            }
+            let begins_at_yield = || self.law.loading.pieces()[piece].start == self.law.elastic_until();
+            let is_yield = is_end_of_branch || self.awaits_yield && begins_at_yield();
+            self.awaits_yield &= !is_yield;
+            event = Some(if is_yield { Event::Yield } else { Event::Knot });
             self.at.distance = entry_of(self.law, piece);
         }
-        self.awaits_yield &= event != Some(Event::Yield);
         if let (Some(recorder), Some(event)) = (recorder, event) {
             recorder.take(&self.along(piece), Some((event, &self.at)));
         }
@@ -254,14 +250,14 @@ impl<'a> Course<'a> {
         let loading_time = self.at.time;
         self.at.distance = unloading.peak.elastic_approach;
         if is_at_rest {
-            self.phase = Phase::Ended { unloading, loading_time, fate: Fate::Captured };
+            let fate = Some(Fate::Captured);
+            self.phase = Phase::Unloading { unloading, loading_time, is_captured: true, creep: None, fate };
             return;
         }
         self.at.speed = 0.0;
         // a sphere that came without speed does not leave
         let is_captured = self.q == 0.0 || self.forces.is_conservative() && self.forces.captures(&unloading, self.q);
-        let (mut creep, mut back_to) = (None, self.back_to(&unloading, is_captured));
-        self.path.rest = None;
+        let (mut creep, mut back_to) = (None, back_to(self.forces, &unloading, is_captured));
         if self.may_creep() {
             let at_rest = self.forces.static_approach(&unloading);
             creep = self.forces.creep(at_rest, self.forces.static_slope(&unloading, at_rest));
@@ -272,39 +268,39 @@ impl<'a> Course<'a> {
         (self.path.restoring, self.path.leg) = (restoring(&unloading.branch()), Leg::Back(back_to));
         let distance = unloading.peak.elastic_approach;
         self.path.sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
-        self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep };
-    }
-
-    /// Where the way back ends, if nothing ends it before.
-    fn back_to(&self, unloading: &Unloading, is_captured: bool) -> f64 {
-        if is_captured && self.forces.is_conservative() { self.forces.static_approach(unloading) } else { 0.0 }
+        self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep, fate: None };
     }
 
     /// Whether it has come to its end.
     pub fn has_ended(&self) -> bool {
-        matches!(self.phase, Phase::Ended { .. })
+        matches!(self.phase, Phase::Unloading { fate: Some(_), .. })
     }
 
     /// The outcome of an impact that has ended. It is large, so it is made only when it is wanted.
     #[inline(always)]
     pub fn outcome(&self) -> Option<Outcome> {
-        let Phase::Ended { unloading, loading_time, fate } = self.phase else { return None };
+        let Phase::Unloading { ref unloading, loading_time, fate: Some(fate), .. } = self.phase else { return None };
         let State { time, distance, speed, loss } = self.at;
         Some(Outcome {
-            unloading,
+            unloading: *unloading,
             restitution: if fate == Fate::Captured { 0.0 } else { -speed / self.q },
             loading_time,
             contact_time: time,
             fate,
-            end_indentation: distance + self.law.dent(&unloading.peak).residual(),
+            end_indentation: distance + self.law.residual(&unloading.peak),
             end_speed: speed,
             loss: loss / ACCELERATION,
-            fixed_steps: None,
         })
     }
 }
 
+/// Where the way back ends, if nothing ends it before.
+fn back_to(forces: &ScaledForces, unloading: &Unloading, is_captured: bool) -> f64 {
+    if is_captured && forces.is_conservative() { forces.static_approach(unloading) } else { 0.0 }
+}
+
 /// The deceleration of the sphere on a piece of the loading curve.
+#[inline(always)]
 fn restoring(piece: &Piece) -> Restoring {
     match piece.shape {
         Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
@@ -318,6 +314,7 @@ fn restoring(piece: &Piece) -> Restoring {
 }
 
 /// The way along a piece of the loading curve.
+#[inline(always)]
 fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;

@@ -6,7 +6,7 @@ use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
-use super::outcome::Outcome;
+use super::outcome::{Computed, Outcome};
 use super::record::Recorder;
 use super::result::Impact;
 use super::scaled_forces::ScaledForces;
@@ -63,7 +63,7 @@ impl Contact {
         if exact.is_none() && solver.method == Method::ClosedForm {
             return Err(ImpactError::NoClosedForm);
         }
-        let (outcome, _) = run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?;
+        let Computed { outcome, .. } = run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?;
         self.essentials_of(speed, &case, &outcome)
     }
 
@@ -190,17 +190,17 @@ impl Contact {
         let duration = match (&exact, samples) {
             (_, None) => 0.0,
             (Some(exact), _) if forces.is_none() => exact.contact_time,
-            _ => run(law, *q, forces, exact.as_ref(), &solver, None)?.0.contact_time,
+            _ => run(law, *q, forces, exact.as_ref(), &solver, None)?.outcome.contact_time,
         };
         let mut recorder = samples.map(|samples| Recorder::new(samples, duration));
-        let (outcome, work) = run(law, *q, forces, exact.as_ref(), &solver, recorder.as_mut())?;
-        let peak = &outcome.unloading.peak;
+        let computed = run(law, *q, forces, exact.as_ref(), &solver, recorder.as_mut())?;
+        let peak = &computed.outcome.unloading.peak;
         if !forces.is_none() {
             law.accept(peak)?;
         }
         let points = recorder.map_or_else(Vec::new, |recorder| recorder.points);
-        let mut impact = Impact::new(self, speed, case, method, (&outcome, work), exact.as_ref(), &points)?;
+        let mut impact = Impact::new(self, speed, case, method, &computed, exact.as_ref(), &points)?;
         impact.warnings = validity::warnings(self, &impact, law, peak, &solver);
-        Ok((impact, outcome))
+        Ok((impact, computed.outcome))
     }
 }

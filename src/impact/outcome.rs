@@ -1,5 +1,6 @@
 //! What an impact comes to, in dimensionless form, however it was obtained.
 
+use crate::integrate::Work;
 use crate::law::Unloading;
 
 /// How a contact ended.
@@ -51,6 +52,22 @@ pub struct Outcome {
     pub end_speed: f64,
     /// Energy that damping has taken until then, in units of Φ L.
     pub loss: f64,
-    /// What a run in fixed steps sees.
+}
+
+/// One dimensionless impact as a method computes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Computed {
+    /// What it comes to.
+    pub outcome: Outcome,
+    /// What it cost.
+    pub work: Work,
+    /// What a run in fixed steps sees; `None` of other methods.
     pub fixed_steps: Option<FixedSteps>,
+}
+
+impl Computed {
+    /// An outcome without fixed steps.
+    pub(crate) fn new(outcome: Outcome, work: Work) -> Self {
+        Self { outcome, work, fixed_steps: None }
+    }
 }

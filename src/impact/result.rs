@@ -7,7 +7,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
 use super::ledger::{Ledger, TraceRow};
-use super::outcome::{Fate, Outcome};
+use super::outcome::{Computed, Fate, Outcome};
 use super::record::Point;
 use super::solve::Method;
 use super::warning::Warning;
@@ -139,17 +139,18 @@ impl Deref for Impact {
 }
 
 impl Impact {
-    /// The result of an outcome; `exact` is the closed form, where there is one, and `points` the trace. Without warnings.
+    /// The result of an impact that was computed; `exact` is the closed form, where there is one, and `points` the trace. Without warnings.
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
         case: &Case,
         method: Method,
-        (outcome, work): (&Outcome, Work),
+        computed: &Computed,
         exact: Option<&Outcome>,
         points: &[Point],
     ) -> Result<Self, ImpactError> {
         let Case { scales, law, forces, .. } = case;
+        let Computed { outcome, work, fixed_steps } = computed;
         let essentials = Essentials::new(contact, speed, case, outcome)?;
         let Essentials { restitution, kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
         let pair = contact.pair();
@@ -213,10 +214,10 @@ impl Impact {
                 plastic: pair.yield_point.map(|_| plastic),
                 drift,
             },
-            work,
+            work: *work,
             accuracy: Accuracy::of(outcome, exact),
             under_forces,
-            in_fixed_steps: outcome.fixed_steps.map(|fixed| InFixedSteps {
+            in_fixed_steps: fixed_steps.map(|fixed| InFixedSteps {
                 step: fixed.step * scales.time(),
                 compression_time: fixed.loading_time * scales.time(),
                 separation_time: (!is_captured).then(|| fixed.contact_time * scales.time()),

@@ -2,7 +2,7 @@
 
 use super::closed_form;
 use super::course;
-use super::outcome::Outcome;
+use super::outcome::{Computed, Outcome};
 use super::record::Recorder;
 use super::scaled_forces::ScaledForces;
 use super::verlet;
@@ -92,20 +92,20 @@ pub fn run(
     exact: Option<&Outcome>,
     solver: &Solver,
     recorder: Option<&mut Recorder>,
-) -> Result<(Outcome, Work), IntegrationError> {
+) -> Result<Computed, IntegrationError> {
     fn with<I: Integrator>(
         mut integrator: I,
         law: &Law,
         q: f64,
         forces: &ScaledForces,
         recorder: Option<&mut Recorder>,
-    ) -> Result<(Outcome, Work), IntegrationError> {
+    ) -> Result<Computed, IntegrationError> {
         let outcome = course::integrate(law, q, forces, &mut integrator, recorder)?;
-        Ok((outcome, integrator.work()))
+        Ok(Computed::new(outcome, integrator.work()))
     }
     let tolerance = solver.tolerance;
     match (solver.method.chosen(forces, exact.is_some(), recorder.is_some()), exact) {
-        (Method::ClosedForm, Some(exact)) if recorder.is_none() => Ok((*exact, Work::default())),
+        (Method::ClosedForm, Some(exact)) if recorder.is_none() => Ok(Computed::new(*exact, Work::default())),
         (Method::ClosedForm, _) if forces.is_none() => with(Exact, law, q, forces, recorder),
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Rk8::new(tolerance), law, q, forces, recorder),
         (Method::Dopri5, _) => with(Library::new(Scheme::Dopri5, tolerance), law, q, forces, recorder),
@@ -117,10 +117,8 @@ pub fn run(
             let steps = u64::from(solver.steps_per_contact.max(1));
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * steps + 10;
-            let mut work = Work::default();
             let step = duration / f64::from(solver.steps_per_contact.max(1));
-            let outcome = verlet::march(law, q, forces, step, most, &mut work, recorder)?;
-            Ok((outcome, work))
+            verlet::march(law, q, forces, step, most, recorder)
         }
     }
 }

@@ -6,7 +6,7 @@
 //! flight at the end of the last step back to the contact. Without damping both are exact to second order in the step, as
 //! the motion is. [`FixedSteps`] has the times that a code with this step sees.
 
-use super::outcome::{Fate, FixedSteps, Outcome};
+use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::record::{Along, Event, Recorder, loading_point};
 use super::scaled_forces::{ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
@@ -106,9 +106,8 @@ pub(crate) fn march(
     forces: &ScaledForces,
     step: f64,
     most_steps: u64,
-    work: &mut Work,
     recorder: Option<&mut Recorder>,
-) -> Result<Outcome, IntegrationError> {
+) -> Result<Computed, IntegrationError> {
     let mut contact = Remembering::of(law, forces.drag());
     let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
     let gravity = ACCELERATION * forces.weight;
@@ -117,7 +116,6 @@ pub(crate) fn march(
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
     let mut sampler = recorder.as_ref().map(|recorder| recorder.sampler.clone());
-    work.force_evaluations += 1;
     for n in 1..=most_steps {
         let half = state.speed + 0.5 * step * acceleration;
         let distance = state.distance + step * half;
@@ -125,8 +123,6 @@ pub(crate) fn march(
         let time = step * n as f64;
         let (before, acceleration_before) = (state, acceleration);
         let (force, of_damping) = contact.at(distance, half);
-        work.steps += 1;
-        work.force_evaluations += 1;
         let total = max_or_nan(force + of_damping, 0.0);
         acceleration = ACCELERATION * (forces.weight - total);
         let loss = state.loss + ACCELERATION * (total - force) * half * step;
@@ -154,7 +150,7 @@ pub(crate) fn march(
         let unloading = is_end.then(|| law.unloading(contact.loaded_to(peak.distance)));
         let separates = lifts_off && unloading.is_some_and(|unloading| !forces.captures(&unloading, q));
         if let Some(unloading) = unloading.filter(|_| separates) {
-            let residual = law.dent(&unloading.peak).residual() - contact.touch;
+            let residual = law.residual(&unloading.peak) - contact.touch;
             state = contact.left_at(&before, &state, step, gravity, residual);
         }
         if let Some(sampler) = &mut sampler {
@@ -169,7 +165,7 @@ pub(crate) fn march(
                 let events = [(touch, Event::Touch), (turning, Event::Peak), (state, end)];
                 record(&contact, &unloading, loading_time, sampler, &events, recorder);
             }
-            return Ok(Outcome {
+            let outcome = Outcome {
                 unloading,
                 restitution: if separates { -state.speed / q } else { 0.0 },
                 loading_time,
@@ -178,8 +174,11 @@ pub(crate) fn march(
                 end_indentation: contact.touch + state.distance,
                 end_speed: state.speed,
                 loss: state.loss / ACCELERATION,
-                fixed_steps: Some(FixedSteps { step, loading_time: peak.time, contact_time: time }),
-            });
+            };
+            // one evaluation a step, and one at first touch
+            let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
+            let fixed_steps = Some(FixedSteps { step, loading_time: peak.time, contact_time: time });
+            return Ok(Computed { outcome, work, fixed_steps });
         }
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
@@ -221,7 +220,7 @@ fn record(
     let mut rows: Vec<_> = samples.chain(events.iter().map(|(state, event)| (*state, Some(*event)))).collect();
     rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
     let (law, drag) = (contact.law, contact.drag);
-    let start = law.dent(&unloading.peak).residual() - contact.touch;
+    let start = law.residual(&unloading.peak) - contact.touch;
     recorder.points.extend(rows.into_iter().map(|(state, event)| {
         if state.time <= peak_time {
             let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);

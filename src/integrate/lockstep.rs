@@ -26,32 +26,32 @@ pub enum Started {
     /// It is on its way.
     UnderWay,
     /// It has ended where it began.
-    Landed(Landing, State),
+    Landed(Landing),
     /// These lanes cannot do it.
     Foreign,
 }
 
-/// The end of a leg, or why there is none.
-pub type Ended = Result<(Landing, State), IntegrationError>;
+/// How a leg has ended, or why it has not.
+pub type Ended = Result<Landing, IntegrationError>;
 
 /// Lanes of one stepper.
 pub trait Lanes {
     /// At most so many motions are faster one by one than in lanes.
     const FEW: usize = 0;
 
-    /// Puts a leg into a lane.
-    fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started;
+    /// Puts a leg that begins with this state into a lane.
+    fn start(&mut self, lane: usize, path: &Path, at: &mut State) -> Started;
 
     /// Takes one step, accepted or rejected, in every lane. True if a lane may have landed; [`Lanes::take_landing`] is then to
     /// be called for each of them.
     fn step(&mut self) -> bool;
 
     /// The end of the leg of a lane, if the last step has ended it; the lane is then idle. The leg was started along this path
-    /// from the state `begun`.
-    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended>;
+    /// from the state `at`, which becomes the state at its end.
+    fn take_landing(&mut self, lane: usize, path: &Path, at: &mut State) -> Option<Ended>;
 
     /// Takes a leg out of its lane and integrates the rest of it alone; `None` for an idle lane. Only called if FEW is not 0.
-    fn finish(&mut self, _lane: usize) -> Option<Ended> {
+    fn finish(&mut self, _lane: usize, _at: &mut State) -> Option<Ended> {
         None
     }
 }

@@ -53,7 +53,8 @@ pub fn solver(method: Method, tolerance: f64) -> Solver {
 /// One dimensionless impact.
 pub fn run(law: &Law, speed: f64, method: Method, tolerance: f64) -> Result<(Outcome, Work), IntegrationError> {
     let exact = closed_form::solve(law, speed);
-    plm_impact::impact::run(law, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None)
+    let run = plm_impact::impact::run(law, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None);
+    run.map(|computed| (computed.outcome, computed.work))
 }
 
 /// |got/want − 1|.

@@ -97,7 +97,7 @@ proptest! {
         let lane = batch::integrate(&[(law, q, ScaledForces::NONE)], 1e-9).remove(0).unwrap();
         prop_assert_eq!(lane, alone);
         let fine = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
-        let (verlet, _) = plm_impact::impact::run(law, q, &ScaledForces::NONE, Some(&exact), &fine, None).unwrap();
+        let verlet = plm_impact::impact::run(law, q, &ScaledForces::NONE, Some(&exact), &fine, None).unwrap().outcome;
         prop_assert!(off(verlet.restitution, exact.restitution) < 1e-3, "{}", verlet.restitution);
     }
 }

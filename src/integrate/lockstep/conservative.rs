@@ -51,18 +51,18 @@ impl Conservative {
 }
 
 impl Lanes for Conservative {
-    fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started {
+    fn start(&mut self, lane: usize, path: &Path, at: &mut State) -> Started {
         if path.pull != 0.0 || path.drag != Drag::NONE {
             return Started::Foreign;
         }
         let rows = &mut *self.rows;
         let (field, (leg, node, h)) = match path.restoring {
             Restoring::Straight { at_start: a, slope: b } => {
-                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::<false>::new(a, b, 0.0), path, state))
+                ([a, b, 0.0, 1.0], self.rk8.begin(Straight::<false>::new(a, b, 0.0), path, at))
             }
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 let hertz = Power::<true, false>::new(coefficient, 1.5, 0.0);
-                ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, state))
+                ([0.0, 0.0, hertz.c, 0.0], self.rk8.begin(hertz, path, at))
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
         };
@@ -83,7 +83,7 @@ impl Lanes for Conservative {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize, path: &Path, begun: &State) -> Option<Ended> {
+    fn take_landing(&mut self, lane: usize, path: &Path, at: &mut State) -> Option<Ended> {
         let rows = &*self.rows;
         if rows.landed[lane] == 0.0 {
             if !self.steps.is_multiple_of(LOOK) {
@@ -93,15 +93,15 @@ impl Lanes for Conservative {
             let is_number = [y, u, t, rows.h[lane]].iter().all(|part| part.is_finite());
             self.begun[lane].take_if(|begun| !is_number || self.steps - *begun >= MOST_STEPS)?;
             // integrated alone, the leg gives the error, or does not fail
-            let mut state = *begun;
-            return Some(self.rk8.traverse(path, &mut state, None).map(|landing| (landing, state)));
+            return Some(self.rk8.traverse(path, at, None));
         }
         self.begun[lane].take()?;
         let [y, u, _, t] = of_lane(&rows.node, lane);
         let landing = if rows.landed[lane] == AT_END { Landing::End } else { Landing::Turning };
         let is_straight = rows.field[3][lane] > 0.0;
-        let distance = path.landed_at(landing, if is_straight { y } else { y * y });
-        Some(Ok((landing, State { time: t, distance, speed: u, loss: 0.0 })))
+        at.distance = path.landed_at(landing, if is_straight { y } else { y * y });
+        (at.time, at.speed) = (t, u);
+        Some(Ok(landing))
     }
 }
 

@@ -59,7 +59,7 @@ impl<const M: u8> Damped<M> {
 impl<const M: u8> Lanes for Damped<M> {
     const FEW: usize = LANES / 8;
 
-    fn start(&mut self, lane: usize, path: &Path, state: &State) -> Started {
+    fn start(&mut self, lane: usize, path: &Path, at: &mut State) -> Started {
         if !Self::fits(path.drag) {
             return Started::Foreign;
         }
@@ -67,18 +67,19 @@ impl<const M: u8> Lanes for Damped<M> {
         let (run, piece, numbers, drag) = match path.restoring {
             Restoring::Straight { at_start: a, slope: b } => {
                 let piece = DraggedStraight::along(a, b, path);
-                let run = Run::begin(piece, path, state, self.tolerance);
+                let run = Run::begin(piece, path, at, self.tolerance);
                 (run, LanePiece::Straight(piece), [a, b, 0.0, 1.0], piece.drag)
             }
             Restoring::Power { coefficient: k, exponent: 1.5 } => {
                 let piece = DraggedHertz::<M>::along(k, path);
-                let run = Run::begin(piece, path, state, self.tolerance);
+                let run = Run::begin(piece, path, at, self.tolerance);
                 (run, LanePiece::Hertz(piece), [0.0, 0.0, k, 0.0], piece.drag)
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => return Started::Foreign,
         };
         let Some(run) = run else {
-            return Started::Landed(Landing::Turning, State { speed: 0.0, ..*state });
+            at.speed = 0.0;
+            return Started::Landed(Landing::Turning);
         };
         put(&mut rows.piece, lane, numbers);
         put(&mut rows.drag, lane, drag.into());
@@ -117,7 +118,7 @@ impl<const M: u8> Lanes for Damped<M> {
     }
 
     #[inline]
-    fn take_landing(&mut self, lane: usize, _: &Path, _: &State) -> Option<Ended> {
+    fn take_landing(&mut self, lane: usize, _: &Path, at: &mut State) -> Option<Ended> {
         let rows = &mut *self.rows;
         if rows.clear[lane] > 0.0 {
             return None;
@@ -139,19 +140,26 @@ impl<const M: u8> Lanes for Damped<M> {
                 rows.put(lane, run);
                 return None;
             }
-            Ok(Progress::Landed { landing, state, .. }) => Ok((landing, state)),
+            Ok(Progress::Landed { landing, state, .. }) => {
+                *at = state;
+                Ok(landing)
+            }
             Err(error) => Err(error),
         };
         self.leave(lane);
         Some(landed)
     }
 
-    fn finish(&mut self, lane: usize) -> Option<Ended> {
+    fn finish(&mut self, lane: usize, at: &mut State) -> Option<Ended> {
         let (mut run, piece) = self.leave(lane)?;
         self.rows.catch_up(lane, &mut run);
-        Some(match piece {
+        let ended = match piece {
             LanePiece::Straight(piece) => finish(piece, &mut run, None),
             LanePiece::Hertz(piece) => finish(piece, &mut run, None),
-        })
+        };
+        Some(ended.map(|(landing, state)| {
+            *at = state;
+            landing
+        }))
     }
 }
