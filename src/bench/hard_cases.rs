@@ -57,7 +57,7 @@ impl Extreme {
             [0, 1].map(|i| Material { youngs_modulus: self.youngs_moduli[i], poissons_ratio: self.poissons_ratios[i] });
         let e_star = 1.0 / (1.0 / of_sphere.plane_strain_modulus() + 1.0 / of_half_space.plane_strain_modulus());
         let contact = Contact::try_new(
-            Sphere { radius: self.radius, material: of_sphere, density: 7850.0, yield_strength: None },
+            Sphere::elastic(self.radius, of_sphere, 7850.0),
             HalfSpace { material: of_half_space, yield_strength: Some(self.strength_ratio * e_star), density: None },
             &Plm::default(),
         )?;

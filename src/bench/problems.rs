@@ -76,11 +76,8 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p3 = Law { loading: p2.loading.clone().then_straight(60.0, 0.75), ..p2.clone() };
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
     let unit = 1.875_f64.sqrt().recip();
-    let sphere = |radius, youngs_modulus| Sphere {
-        radius,
-        material: Material { youngs_modulus, poissons_ratio: 0.3 },
-        density: STEEL_DENSITY,
-        yield_strength: None,
+    let sphere = |radius, youngs_modulus| {
+        Sphere::elastic(radius, Material { youngs_modulus, poissons_ratio: 0.3 }, STEEL_DENSITY)
     };
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
         let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength), density: None };

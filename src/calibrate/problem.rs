@@ -101,7 +101,9 @@ impl<'a> Problem<'a> {
             (free.key.set)(&mut scene, free.at(*share));
         }
         let of = |piece: &Vec<usize>| {
-            if self.data.is_curve() { self.curve(&scene, piece) } else { self.impacts(&scene, piece) }
+            let mut scene = scene.clone();
+            self.with_row(&mut scene, piece[0]);
+            if self.data.is_curve() { self.curve(&scene, piece) } else { self.impacts(scene, piece) }
         };
         let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
             self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(of).collect()
@@ -133,9 +135,8 @@ impl<'a> Problem<'a> {
         }
     }
 
-    fn impacts(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
-        let mut scene = scene.clone();
-        rows.iter().take(1).for_each(|row| self.with_row(&mut scene, *row));
+    /// The predictions for rows of one contact. The scene has the keys of the first row.
+    fn impacts(&self, mut scene: Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
         let contact = scene.contact()?;
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
@@ -152,8 +153,6 @@ impl<'a> Problem<'a> {
     /// The forces along an indentation curve. A point at the indentation of the point before adds no step; nor does a
     /// first point at zero indentation.
     fn curve(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
-        let mut scene = scene.clone();
-        rows.iter().take(1).for_each(|row| self.with_row(&mut scene, *row));
         let indenter = Indenter { radius: scene.sphere.radius, material: scene.sphere.material, yield_strength: None };
         let contact = StaticContact::try_new(indenter, &scene.half_space, scene.law.get())?;
         let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);

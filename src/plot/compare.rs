@@ -1,5 +1,6 @@
 //! The picture of a comparison: force against indentation while each law unloads from one peak.
 
+use super::axis::extremes;
 use super::style::BLACK;
 use super::{Axis, Canvas, Lines, PlotError, Series};
 use crate::compare::{Comparison, Origin};
@@ -35,7 +36,7 @@ pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
     }
     let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
     // the axis begins a little before the shallowest dent
-    let first = series.iter().flat_map(|series| &series.points).map(|(x, _)| *x).fold(f64::INFINITY, f64::min);
+    let (first, _) = extremes(series.iter().flat_map(|series| &series.points).map(|(x, _)| *x));
     let last = comparison.peak.indentation * length;
     let room = last - first;
     let x = Axis::engineering("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room);

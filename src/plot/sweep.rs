@@ -1,11 +1,12 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, or a histogram of e of random cases.
 
+use super::axis::extremes;
 use super::of_key;
 use super::style::BLACK;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting};
 use crate::plan::{Cases, Plan, label};
-use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, PlotError, Series};
+use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, Look, PlotError, Series};
 use crate::reference::quasi_static;
 use crate::scene::quantity::Notation;
 use crate::strength::hardness::vickers;
@@ -109,11 +110,8 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
             let guide = yield_speed(plan, axes, *curve).map(|at| Guide::vertical(at, "yield speed"));
             guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.styled(number) }));
         }
-        series.push(if at.len() <= FEW_POINTS {
-            Series::marked_line(name, points)
-        } else {
-            Series::line(name, points)
-        });
+        let look = if at.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
+        series.push(Series { look, ..Series::line(name, points) });
     }
     if first.path() == "impact.speed" && is_by_law {
         series.extend(finite_elements(plan, &series));
@@ -124,17 +122,13 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
             series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
         guides.extend(fastest.map(|through| Guide::power(through, -0.25, "slope −1/4")));
     }
-    let e = if first.is_logarithmic {
-        plot::Axis::log("Restitution e", "")
-    } else {
-        plot::Axis::linear("Restitution e", "")
-    };
-    let e = ranged(e, &series);
+    let e = if first.is_logarithmic { plot::Axis::log } else { plot::Axis::linear };
+    let e = ranged(e("Restitution e", ""), &series);
     let title = match axes.get(1) {
         Some(second) => format!("Restitution, curves by {}", words(second)),
         None => "Restitution".to_owned(),
     };
-    Lines { title, x: plot_axis(first), y: e, series, guides, notes: notes(axes) }.draw()
+    Lines::new(title, [plot_axis(first), e], series).with_guides(guides).with_notes(notes(axes)).draw()
 }
 
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
@@ -144,8 +138,7 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let contact = scene.contact().ok()?;
     let bodies = Bodies::new(contact.pair(), contact.half_space())?;
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
-    let speeds = || curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed);
-    let (low, high) = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
+    let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
     let points: Vec<_> = quasi_static::unloadings(scene.sphere.material.youngs_modulus, &bodies)
         .into_iter()
         .map(|row| ((2.0 * row.spent * energy / contact.mass()).sqrt(), row.restitution))
@@ -156,8 +149,8 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
 
 /// The axis with the range of the data, so that guides do not extend it.
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
-    let values = || series.iter().flat_map(|series| &series.points).map(|(_, e)| *e).filter(|e| e.is_finite());
-    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+    let values = series.iter().flat_map(|series| &series.points).map(|(_, e)| *e);
+    let (low, high) = extremes(values.filter(|e| e.is_finite()));
     let is_log = axis.scale == plot::Scale::Log;
     if low < high { axis.between(if is_log { 0.9 * low } else { 0.0 }, 1.05 * high.max(1.0)) } else { axis }
 }

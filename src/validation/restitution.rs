@@ -20,21 +20,19 @@ pub(super) fn restitution(law: &Law, x: f64) -> f64 {
     (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
 }
 
-/// Tolerances of a single cycle, of the mean, and of the root mean square.
-fn tolerances(exponent: UnloadingExponent) -> [Tolerance; 3] {
-    match exponent {
-        UnloadingExponent::Paper => [
-            Tolerance { limit: 0.057, source: "documented 5.5 %, margin 0.2 %" },
-            Tolerance { limit: 0.031, source: "documented 2.9 %, margin 0.2 %" },
-            Tolerance { limit: 0.034, source: "documented mean 2.9 %, and 1.5 % of scatter about it" },
-        ],
-        _ => [
-            Tolerance { limit: 0.027, source: "documented 2.5 %, margin 0.2 %" },
-            Tolerance { limit: 0.006, source: "documented 0.4 %, margin 0.2 %" },
-            Tolerance { limit: 0.0115, source: "documented 0.95 %, margin 0.2 %" },
-        ],
-    }
-}
+/// Tolerances of a single cycle, of the mean, and of the root mean square, with each of [`EXPONENTS`].
+const TOLERANCES: [[Tolerance; 3]; 2] = [
+    [
+        Tolerance { limit: 0.057, source: "documented 5.5 %, margin 0.2 %" },
+        Tolerance { limit: 0.031, source: "documented 2.9 %, margin 0.2 %" },
+        Tolerance { limit: 0.034, source: "documented mean 2.9 %, and 1.5 % of scatter about it" },
+    ],
+    [
+        Tolerance { limit: 0.027, source: "documented 2.5 %, margin 0.2 %" },
+        Tolerance { limit: 0.006, source: "documented 0.4 %, margin 0.2 %" },
+        Tolerance { limit: 0.0115, source: "documented 0.95 %, margin 0.2 %" },
+    ],
+];
 
 pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
     let cases = cases()?;
@@ -50,8 +48,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             checks.push(Check { known: (x < first).then_some(UNFITTED), ..check });
         }
     }
-    for (exponent, name) in EXPONENTS {
-        let [of_one, of_mean, of_rms] = tolerances(exponent);
+    for ((exponent, name), [of_one, of_mean, of_rms]) in EXPONENTS.into_iter().zip(TOLERANCES) {
         let quantity = format!("load cycle: restitution, {name}");
         let first = checks.len();
         for case in &cases {
