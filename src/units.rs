@@ -14,6 +14,7 @@ mod parse;
 pub(crate) mod rounded;
 mod table;
 
+pub use csv_text::TableError;
 pub use dimension::Dimension;
 pub use format::{capital, describe, four_digits, human, number, si};
 pub use parse::{UnitError, parse};

@@ -21,7 +21,7 @@ pub struct TableError {
 
 impl TableError {
     /// Gives a refusal the name of its file.
-    pub fn of(name: &str) -> impl Fn(Refusal) -> Self + Copy {
+    pub(crate) fn of(name: &str) -> impl Fn(Refusal) -> Self + Copy {
         |(line, message)| Self { name: name.to_owned(), line, message }
     }
 }
