@@ -8,7 +8,6 @@ mod export;
 mod fit_plm;
 mod init;
 mod interrupt;
-mod laws;
 mod man;
 mod materials;
 mod merge;
@@ -18,7 +17,6 @@ mod pictures;
 mod reference;
 mod run;
 mod scenario;
-mod schema;
 mod sweep;
 pub mod terminal;
 mod threads;
@@ -27,6 +25,7 @@ mod watched;
 
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
+use plm_impact::scene::schema::schema;
 use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
@@ -54,9 +53,17 @@ enum Command {
     Calibrate(calibrate::Arguments),
     Merge(merge::Arguments),
     Export(export::Arguments),
-    Laws(laws::Arguments),
+    /// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
+    #[command(after_help = "Examples:
+  plm-impact laws
+  plm-impact run impact.toml --set law=thornton")]
+    Laws,
     Materials(materials::Arguments),
-    Schema(schema::Arguments),
+    /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
+    #[command(after_help = "Examples:
+  plm-impact schema > scenario.schema.json
+  plm-impact schema | grep drop_height")]
+    Schema,
     Reference(reference::Arguments),
     Validate(validate::Arguments),
     FitPlm(fit_plm::Arguments),
@@ -76,9 +83,9 @@ pub fn run() -> anyhow::Result<()> {
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Export(arguments) => export::export(&arguments),
-        Command::Laws(arguments) => laws::laws(&arguments),
+        Command::Laws => terminal::print(&plm_impact::report::laws::list()),
         Command::Materials(arguments) => materials::materials(&arguments),
-        Command::Schema(arguments) => schema::schema(&arguments),
+        Command::Schema => terminal::print(&(serde_json::to_string_pretty(&schema())? + "\n")),
         Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),

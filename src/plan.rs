@@ -10,7 +10,7 @@ use crate::law::LawChoice;
 use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
 use crate::scene::{EITHER, Key, Scene};
-use axis::{Axis, Setting};
+use axis::{Axis, Word};
 use random::Variable;
 pub use source::Source;
 
@@ -45,17 +45,20 @@ pub struct Plan {
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
 
 /// The largest number of cases. Any tool can hold so large a case number.
-const MOST_CASES: u64 = 1 << 63;
+pub const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
-    /// How many cases; `None` if more than 2⁶³.
-    pub fn count(&self) -> Option<u64> {
+    /// The axes; none for random cases.
+    pub fn axes(&self) -> &[Axis] {
+        if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
+    }
+
+    /// How many cases, or `u64::MAX` for more than can be counted. More than [`MOST_CASES`] are refused while the
+    /// scenario is read.
+    pub fn count(&self) -> u64 {
         match &self.cases {
-            Cases::Grid(axes) => axes
-                .iter()
-                .try_fold(1u64, |product, axis| product.checked_mul(axis.len()))
-                .filter(|count| *count <= MOST_CASES),
-            Cases::MonteCarlo { samples, .. } => Some(*samples).filter(|count| *count <= MOST_CASES),
+            Cases::Grid(axes) => axes.iter().map(Axis::len).fold(1, u64::saturating_mul),
+            Cases::MonteCarlo { samples, .. } => *samples,
         }
     }
 
@@ -160,24 +163,20 @@ impl Plan {
         self.laws().iter().any(|law| path.split('.').nth(1) == Some(law.about().name))
     }
 
-    /// The values of the axis that `of` picks.
-    fn swept<T>(&self, of: fn(&Setting) -> Option<&[T]>) -> Option<&[T]> {
-        match &self.cases {
-            Cases::Grid(axes) => axes.iter().find_map(|axis| of(&axis.setting)),
-            Cases::MonteCarlo { .. } => None,
-        }
+    /// What `of` picks from the words of the axes, or else from the scene.
+    fn swept<T>(&self, of: fn(&Word) -> Option<T>, of_scene: T) -> Vec<T> {
+        let swept: Vec<T> = self.axes().iter().flat_map(Axis::words).filter_map(of).collect();
+        if swept.is_empty() { vec![of_scene] } else { swept }
     }
 
     /// The laws of the cases.
-    fn laws(&self) -> &[LawChoice] {
-        let swept = self.swept(|setting| if let Setting::Law(laws) = setting { Some(laws) } else { None });
-        swept.unwrap_or(std::slice::from_ref(&self.scene.law))
+    fn laws(&self) -> Vec<LawChoice> {
+        self.swept(|word| if let Word::Law(law) = word { Some(law.clone()) } else { None }, self.scene.law.clone())
     }
 
     /// The methods of the cases.
-    fn methods(&self) -> &[Method] {
-        let swept = self.swept(|setting| if let Setting::Method(methods) = setting { Some(methods) } else { None });
-        swept.unwrap_or(std::slice::from_ref(&self.scene.solver.method))
+    fn methods(&self) -> Vec<Method> {
+        self.swept(|word| if let Word::Method(method) = word { Some(*method) } else { None }, self.scene.solver.method)
     }
 
     /// Whether rows of this method are integrated, under any of the laws.
@@ -227,15 +226,4 @@ pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
         .collect();
     places.reverse();
     places
-}
-
-/// A value of an axis as text, for pictures and messages.
-pub fn label(axis: &Axis, place: u64) -> String {
-    match &axis.setting {
-        Setting::Number { key, values } => key.quantity.human(values.at(place)),
-        #[allow(clippy::cast_possible_truncation)] // a list of methods is short
-        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
-            axis.words().map_or_else(String::new, |mut words| words.swap_remove(place as usize))
-        }
-    }
 }

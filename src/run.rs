@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
-pub use outcome::{Order, Outcome};
+pub use outcome::{Order, Outcome, texts};
 
 /// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]

@@ -126,10 +126,7 @@ impl Scenario {
     fn check_tables(&self) -> Result<(), ScenarioError> {
         for [one, other] in EITHER {
             if self.entries.has(one) && self.entries.has(other) {
-                let name = |path: &str| path.rsplit('.').next().unwrap_or_default().to_owned();
-                let (one, second) = (name(one), name(other));
-                let message = format!("`{one}` is given too; write only one of `{one}` and `{second}`");
-                return Err(self.document.refuse(other, message));
+                return Err(self.document.one_key(one, other));
             }
         }
         for table in ["gravity", "damping"] {
@@ -198,13 +195,10 @@ impl Scenario {
     /// The scene before its numeric keys are set: law, method, counts and materials.
     fn blank(&self) -> Result<Scene, ScenarioError> {
         let defaults = Solver::default();
-        let count = |path: &str| self.entries.count(path);
         Ok(Scene {
             solver: Solver {
                 method: self.method().unwrap_or(defaults.method),
-                steps_per_contact: count("solver.steps_per_contact")
-                    .and_then(|steps| u32::try_from(steps).ok())
-                    .unwrap_or(defaults.steps_per_contact),
+                steps_per_contact: self.entries.count("solver.steps_per_contact").unwrap_or(defaults.steps_per_contact),
                 ..defaults
             },
             samples: self.samples(),
@@ -226,8 +220,7 @@ impl Scenario {
 
     /// Rows of a trace.
     pub fn samples(&self) -> usize {
-        let given = self.entries.count("output.samples").and_then(|samples| usize::try_from(samples).ok());
-        given.unwrap_or(DEFAULT_SAMPLES)
+        self.entries.count("output.samples").unwrap_or(DEFAULT_SAMPLES)
     }
 
     /// The sphere's radius \[m\].

@@ -31,7 +31,7 @@ use thiserror::Error;
 
 use crate::output::OutputError;
 
-pub use job::{Job, Progress, Written};
+pub use job::{Job, Written};
 pub use partition::Partition;
 pub use shard::Shard;
 pub use table::Format;

@@ -2,11 +2,9 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::OutputDirectory;
-use plm_impact::run::{Run, heed, table, way};
-use plm_impact::scenario::Scenario;
+use plm_impact::run::{Run, way};
 
-use super::output::{Output, warn};
+use super::output::Output;
 use super::scenario::ScenarioArguments;
 
 /// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
@@ -30,21 +28,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             arguments.sweep.refuse_for(what)?;
             arguments.output.once(arguments.scenario.name(), scenario, run)
         }
-        Run::Table => sweep(arguments, &scenario),
+        Run::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &scenario),
     }
-}
-
-fn sweep(arguments: &Arguments, scenario: &Scenario) -> anyhow::Result<()> {
-    let plan = table::plan(scenario)?;
-    let warnings = table::warnings(&plan);
-    warn(&warnings);
-    let (output, file) = (&arguments.output, arguments.scenario.name());
-    heed(scenario, warnings.len(), output.strict)?;
-    let directory = if arguments.sweep.shard()?.is_none() {
-        output.prepare(file, scenario)?
-    } else {
-        // every shard is checked by itself
-        OutputDirectory::shared(&output.directory(file)).map_err(Error::from)?
-    };
-    super::sweep::run(&arguments.sweep, scenario, &plan, &warnings, &directory, output)
 }

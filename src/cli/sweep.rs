@@ -1,19 +1,22 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::output::OutputDirectory;
-use plm_impact::plan::Plan;
 use plm_impact::plot::sweep::PICTURES;
 use plm_impact::provenance::Provenance;
 use plm_impact::report;
+use plm_impact::run::heed;
 use plm_impact::run::table::{self, SUMMARY};
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::{self, Format, Job, Partition, Progress, Shard};
+use plm_impact::sweep::sidecar::Tally;
+use plm_impact::sweep::{Format, Job, Partition, Shard};
 
 use super::interrupt::Interrupt;
 use super::names::one_of;
-use super::output::Output;
+use super::output::{Output, warn};
 use super::watched::bar;
 
 /// Options of sweeps.
@@ -66,7 +69,7 @@ impl Options {
     }
 
     /// Which part of the table is written; `None`: all.
-    pub fn shard(&self) -> Result<Option<Shard>, Error> {
+    fn shard(&self) -> Result<Option<Shard>, Error> {
         match (&self.shard, &self.shard_env) {
             (Some(text), _) => Ok(Some(Shard::parse(text)?)),
             (None, Some(text)) => Ok(Some(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?)),
@@ -75,16 +78,18 @@ impl Options {
     }
 }
 
-/// Writes the table; for an undivided one also summary and pictures.
-pub fn run(
-    options: &Options,
-    scenario: &Scenario,
-    plan: &Plan,
-    warnings: &[String],
-    directory: &OutputDirectory,
-    output: &Output,
-) -> anyhow::Result<()> {
+/// Writes the table of a scenario; for an undivided one also summary and pictures.
+pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario) -> anyhow::Result<()> {
+    let plan = &table::plan(scenario)?;
+    let warnings = table::warnings(plan);
+    warn(&warnings);
+    heed(scenario, warnings.len(), output.strict)?;
     let shard = options.shard()?;
+    let directory = &match shard {
+        None => output.prepare(file, scenario)?,
+        // every shard is checked by itself
+        Some(_) => OutputDirectory::shared(&output.directory(file)).map_err(Error::from)?,
+    };
     let partition =
         options.partition_by.as_ref().map(|key| Partition::of(plan, key)).transpose().map_err(Error::from)?;
     let format = options.format(partition.is_some())?;
@@ -104,9 +109,9 @@ pub fn run(
         partition,
         directory,
         source: &source,
-        progress: &|progress: Progress| {
-            bar.set_length(progress.total);
-            bar.set_position(progress.rows);
+        progress: &|rows, total| {
+            bar.set_length(total);
+            bar.set_position(rows);
         },
         is_cancelled: &interrupt.is_set,
     };
@@ -121,7 +126,7 @@ pub fn run(
     let mut files = Vec::new();
     if shard.is_none() {
         let provenance = Provenance::new(source.sha256(), &super::output::command_line());
-        files = table::files(plan, &written.tally, warnings, &provenance, pictures)?;
+        files = table::files(plan, &written.tally, &warnings, &provenance, pictures)?;
         directory.write(&files).map_err(Error::from)?;
         written.close().map_err(Error::from)?;
     }
@@ -136,7 +141,7 @@ pub fn run(
 }
 
 /// Rows without a result make exit code 1.
-pub fn finish(tally: &sweep::sidecar::Tally, table: std::path::PathBuf) -> anyhow::Result<()> {
+pub fn finish(tally: &Tally, table: PathBuf) -> anyhow::Result<()> {
     if tally.failures == 0 {
         return Ok(());
     }

@@ -10,7 +10,7 @@ use crate::fit::FitError;
 use crate::output::OutputError;
 use crate::scenario::{Place, Refusal, ScenarioError};
 use crate::scene::key::Form;
-use crate::scene::keys::{forms, varied};
+use crate::scene::keys::{every_key, varied};
 use crate::scene::reference::written;
 use crate::sweep::SweepError;
 use crate::units::csv_text::TableError;
@@ -126,7 +126,7 @@ fn allowed(key: &str) -> Option<String> {
     // an item of a list has the keys of all its items
     let pattern: String =
         key.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join("[");
-    match forms().find(|(path, _)| *path == pattern)?.1 {
+    match every_key().find(|key| key.path == pattern)?.form {
         Form::Axes | Form::Variables | Form::Free => None,
         Form::Word(words) => Some((words.known)().join(", ")),
         form => Some(written(&form).replace('`', "")),

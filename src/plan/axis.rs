@@ -3,7 +3,7 @@
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::math::functions::{log10, pow};
-use crate::scene::taken::{Body, Taken};
+use crate::scene::taken::Taken;
 use crate::scene::{Key, Scene};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
@@ -79,12 +79,35 @@ pub enum Setting {
         /// Its values.
         values: Values,
     },
-    /// `solver.method`.
-    Method(Vec<Method>),
-    /// `law`.
-    Law(Vec<LawChoice>),
-    /// `material` of a body.
-    Material(Body, Vec<Taken>),
+    /// A key that takes words.
+    Words {
+        /// Its path.
+        path: &'static str,
+        /// Its words; at least one.
+        words: Vec<Word>,
+    },
+}
+
+/// A word of an axis, with what it stands for.
+#[derive(Debug, Clone)]
+pub enum Word {
+    /// Of `solver.method`.
+    Method(Method),
+    /// Of `law`.
+    Law(LawChoice),
+    /// Of the `material` of a body.
+    Material(Taken),
+}
+
+impl Word {
+    /// The word itself.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Method(method) => method.name().to_owned(),
+            Self::Law(law) => law.name(),
+            Self::Material(taken) => taken.material.name.clone(),
+        }
+    }
 }
 
 /// An axis.
@@ -103,18 +126,16 @@ impl Axis {
         Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
     }
 
-    /// An axis of words: of methods, laws or materials.
-    pub fn of_words(setting: Setting) -> Self {
-        Self { setting, is_logarithmic: false }
+    /// An axis of words.
+    pub fn of_words(path: &'static str, words: Vec<Word>) -> Self {
+        Self { setting: Setting::Words { path, words }, is_logarithmic: false }
     }
 
     /// The key, as in the file.
     pub fn path(&self) -> &'static str {
         match &self.setting {
             Setting::Number { key, .. } => key.path,
-            Setting::Method(_) => "solver.method",
-            Setting::Law(_) => "law",
-            Setting::Material(body, _) => body.material(),
+            Setting::Words { path, .. } => path,
         }
     }
 
@@ -122,9 +143,7 @@ impl Axis {
     pub fn column(&self) -> String {
         match &self.setting {
             Setting::Number { key, .. } => key.column(),
-            Setting::Method(_) => "solver_method".to_owned(),
-            Setting::Law(_) => "law".to_owned(),
-            Setting::Material(body, _) => body.material().replace('.', "_"),
+            Setting::Words { path, .. } => path.replace('.', "_"),
         }
     }
 
@@ -132,21 +151,26 @@ impl Axis {
     pub fn len(&self) -> u64 {
         match &self.setting {
             Setting::Number { values, .. } => values.len(),
-            Setting::Method(methods) => methods.len() as u64,
-            Setting::Law(laws) => laws.len() as u64,
-            Setting::Material(_, materials) => materials.len() as u64,
+            Setting::Words { words, .. } => words.len() as u64,
         }
     }
 
-    /// Its words; `None` for an axis of numbers.
-    pub fn words(&self) -> Option<Vec<String>> {
+    /// Its words; none for an axis of numbers.
+    pub fn words(&self) -> &[Word] {
+        if let Setting::Words { words, .. } = &self.setting { words } else { &[] }
+    }
+
+    /// The same, to be changed.
+    pub fn words_mut(&mut self) -> &mut [Word] {
+        if let Setting::Words { words, .. } = &mut self.setting { words } else { &mut [] }
+    }
+
+    /// A value as text, for pictures and messages.
+    #[allow(clippy::cast_possible_truncation)] // lists of words are short
+    pub fn label(&self, i: u64) -> String {
         match &self.setting {
-            Setting::Number { .. } => None,
-            Setting::Method(methods) => Some(methods.iter().map(|method| method.name().to_owned()).collect()),
-            Setting::Law(laws) => Some(laws.iter().map(LawChoice::name).collect()),
-            Setting::Material(_, materials) => {
-                Some(materials.iter().map(|taken| taken.material.name.clone()).collect())
-            }
+            Setting::Number { key, values } => key.quantity.human(values.at(i)),
+            Setting::Words { words, .. } => words[i as usize].name(),
         }
     }
 
@@ -155,19 +179,16 @@ impl Axis {
         keeps_contact(self.path())
     }
 
-    /// Whether it changes how an impact is computed.
-    pub fn is_of_solver(&self) -> bool {
-        self.path().starts_with("solver.")
-    }
-
     /// Puts value `i` into a scene.
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn put(&self, i: u64, scene: &mut Scene) {
         match &self.setting {
             Setting::Number { key, values } => (key.set)(scene, values.at(i)),
-            Setting::Method(methods) => scene.solver.method = methods[i as usize],
-            Setting::Law(laws) => scene.law = laws[i as usize].clone(),
-            Setting::Material(_, materials) => scene.put_material(&materials[i as usize]),
+            Setting::Words { words, .. } => match &words[i as usize] {
+                Word::Method(method) => scene.solver.method = *method,
+                Word::Law(law) => scene.law = law.clone(),
+                Word::Material(taken) => scene.put_material(taken),
+            },
         }
     }
 
@@ -176,7 +197,7 @@ impl Axis {
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
             Setting::Number { values, .. } => values.at(i),
-            Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => i as f64,
+            Setting::Words { .. } => i as f64,
         }
     }
 }

@@ -5,7 +5,7 @@ use super::of_key;
 use super::style::BLACK;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting};
-use crate::plan::{Cases, Plan, label};
+use crate::plan::{Cases, Plan};
 use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, Look, PlotError, Series};
 use crate::reference::quasi_static;
 use crate::scene::quantity::Notation;
@@ -80,7 +80,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
     let unit = match &axis.setting {
         Setting::Number { key, .. } if key.quantity.notation == Notation::Hardness => "HV",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
-        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => "",
+        Setting::Words { .. } => "",
     };
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
 }
@@ -97,15 +97,15 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     let evaluator = Evaluator::new(plan);
     let first = &axes[0];
     let at = some_places(first, MOST_POINTS);
-    let most = |axis: &Axis| if axis.words().is_some() { MOST_WORDS } else { MOST_CURVES };
+    let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
     let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
     // all laws yield at about the same speed, so one guide is enough
-    let is_by_law = axes.get(1).is_some_and(|second| matches!(second.setting, Setting::Law(_)));
+    let is_by_law = axes.get(1).is_some_and(|second| second.path() == "law");
     let (mut series, mut guides) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =
             at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
-        let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| label(second, *curve));
+        let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| second.label(*curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
             let guide = yield_speed(plan, axes, *curve).map(|at| Guide::vertical(at, "yield speed"));
             guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.styled(number) }));
@@ -157,7 +157,7 @@ fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
 
 /// Notes on the axes after the second one, which stay at their first value.
 fn notes(axes: &[Axis]) -> Vec<String> {
-    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
+    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), axis.label(0))).collect()
 }
 
 /// The yield speed v_Y at a place of the second axis.

@@ -18,6 +18,7 @@ use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
 use crate::report::table;
+use crate::run::texts;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::quantity::SAMPLES;
 use crate::scene::results::impact::{Single, results, trace};
@@ -69,7 +70,7 @@ impl Contact {
         };
         let scene = scene.map_err(exception)?;
         let contact = scene.contact().map_err(|reason| exception(Error::impact(&scenario, reason)))?;
-        warn(py, &scene.warnings.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+        warn(py, &texts(&scene.warnings))?;
         Ok(Self(Arc::new(Inner { scenario, scene, contact })))
     }
 
@@ -141,9 +142,7 @@ impl Contact {
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
         let impact = py.detach(|| self.computed(speed, samples)).map_err(exception)?;
-        if !impact.warnings.is_empty() {
-            warn(py, &impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>())?;
-        }
+        warn(py, &texts(&impact.warnings))?;
         Ok(Impact { contact: self.clone(), impact })
     }
 

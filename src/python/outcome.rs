@@ -100,6 +100,15 @@ impl Outcome {
     fn ending<'a>(&'a self, ending: &'a str) -> impl Iterator<Item = (&'a str, &'a [u8])> {
         self.files.iter().filter_map(move |file| Some((file.name.strip_suffix(ending)?, file.bytes.as_slice())))
     }
+
+    /// The files with this ending, as bytes by the rest of the name.
+    fn bytes<'py>(&self, py: Python<'py>, ending: &str) -> PyResult<Bound<'py, PyDict>> {
+        let files = PyDict::new(py);
+        for (name, bytes) in self.ending(ending) {
+            files.set_item(name, PyBytes::new(py, bytes))?;
+        }
+        Ok(files)
+    }
 }
 
 #[pymethods]
@@ -115,21 +124,13 @@ impl Outcome {
     /// The files by name, as bytes.
     #[getter]
     fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let files = PyDict::new(py);
-        for (name, bytes) in self.ending("") {
-            files.set_item(name, PyBytes::new(py, bytes))?;
-        }
-        Ok(files)
+        self.bytes(py, "")
     }
 
     /// The pictures by name, without `.png`.
     #[getter]
     fn pictures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let pictures = PyDict::new(py);
-        for (name, bytes) in self.ending(".png") {
-            pictures.set_item(name, PyBytes::new(py, bytes))?;
-        }
-        Ok(pictures)
+        self.bytes(py, ".png")
     }
 
     /// The tables by name: `trace`, `impacts`, or the `table` of a sweep.

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use super::convert::warn;
 use super::table::Column;
 use super::work::interruptible;
-use crate::plan::axis::{Axis, Setting};
-use crate::plan::{Cases, Plan};
+use crate::plan::Plan;
+use crate::plan::axis::{Axis, Setting, Word};
 use crate::scene::Key;
 use crate::scene::results::Column as Result;
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
@@ -49,7 +49,7 @@ pub fn listed(py: Python<'_>, plan: &Plan, keys: &[(&Key, &[f64])], rows: usize,
 
 /// All rows of a plan, and the columns of its axes.
 pub fn of_plan(py: Python<'_>, plan: &Plan) -> PyResult<(Made, Vec<Column>)> {
-    let rows = plan.count().and_then(|count| usize::try_from(count).ok()).unwrap_or(usize::MAX);
+    let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
     let mut made = interruptible(py, |is_cancelled| {
         let evaluator = Evaluator::new(plan);
         fill(rows, evaluator.n_swept(), &plan.results(), is_cancelled, |cases, made| {
@@ -57,7 +57,7 @@ pub fn of_plan(py: Python<'_>, plan: &Plan) -> PyResult<(Made, Vec<Column>)> {
         })
     })??;
     // on a grid the first columns are places on its axes
-    let axes = if let Cases::Grid(axes) = &plan.cases { axes.as_slice() } else { &[] };
+    let axes = plan.axes();
     let swept =
         axes.iter().zip(made.columns.drain(..axes.len())).map(|(axis, places)| on_axis(axis, &places)).collect();
     Ok((made, swept))
@@ -70,8 +70,8 @@ fn on_axis(axis: &Axis, places: &[f64]) -> Column {
         Setting::Number { values, .. } => {
             Column::numbers(places.iter().map(|place| values.at(*place as u64)).collect())
         }
-        Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
-            Column::Words(axis.words().unwrap_or_default(), places.iter().map(|place| *place as i32).collect())
+        Setting::Words { words, .. } => {
+            Column::Words(words.iter().map(Word::name).collect(), places.iter().map(|place| *place as i32).collect())
         }
     }
 }

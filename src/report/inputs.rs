@@ -3,8 +3,8 @@
 use serde::ser::{Serialize, Serializer};
 
 use super::resolved::{Entry, of_scene};
-use crate::plan::axis::Setting;
-use crate::plan::{Cases, Plan, YIELD_STRENGTH};
+use crate::plan::axis::{Axis, Word};
+use crate::plan::{Plan, YIELD_STRENGTH};
 use crate::scene::taken::Body;
 
 /// Keys and values in the order of the file.
@@ -21,26 +21,21 @@ impl Inputs {
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let mut entries = of_scene(&plan.scene);
-        if let Cases::Grid(axes) = &plan.cases {
-            for axis in axes.iter().filter(|axis| matches!(axis.setting, Setting::Law(_) | Setting::Method(_))) {
-                for place in 0..axis.len() {
-                    let mut scene = plan.scene.clone();
-                    axis.put(place, &mut scene);
-                    let new =
-                        of_scene(&scene).into_iter().filter(|entry| entries.iter().all(|old| old.key != entry.key));
-                    entries.extend(new.collect::<Vec<_>>());
-                }
+        for axis in plan.axes().iter().filter(|axis| ["law", "solver.method"].contains(&axis.path())) {
+            for place in 0..axis.len() {
+                let mut scene = plan.scene.clone();
+                axis.put(place, &mut scene);
+                let new = of_scene(&scene).into_iter().filter(|entry| entries.iter().all(|old| old.key != entry.key));
+                entries.extend(new.collect::<Vec<_>>());
             }
         }
         let mut varied = plan.paths();
-        if let Cases::Grid(axes) = &plan.cases {
-            for axis in axes {
-                if let Setting::Material(_, materials) = &axis.setting {
-                    varied.extend(materials.iter().flat_map(|taken| taken.values().map(|(path, _)| path)));
-                    varied.extend(
-                        (axis.path() == Body::HalfSpace.material()).then_some("half_space.yield_strength_from"),
-                    );
-                }
+        if varied.contains(&Body::HalfSpace.material()) {
+            varied.push("half_space.yield_strength_from");
+        }
+        for word in plan.axes().iter().flat_map(Axis::words) {
+            if let Word::Material(taken) = word {
+                varied.extend(taken.values().map(|(path, _)| path));
             }
         }
         let varies = |key: &str| varied.contains(&key);

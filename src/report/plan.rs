@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::{Distribution, Variable};
-use crate::plan::{Cases, Plan, label};
+use crate::plan::{Cases, Plan};
 use crate::units::rounded::percent;
 
 /// An axis with at most so many values is listed value by value.
@@ -13,8 +13,7 @@ const MOST_LISTED: u64 = 8;
 /// The lines about the cases. The scene of the first case is printed after them.
 pub fn plan_lines(plan: &Plan) -> String {
     let mut text = String::new();
-    // a plan of more cases than can be counted is refused while the scenario is read
-    let count = plan.count().unwrap_or(u64::MAX);
+    let count = plan.count();
     let rows: Vec<(&str, String)> = match &plan.cases {
         Cases::Grid(axes) => {
             let _ = writeln!(text, "{count} cases, every combination of");
@@ -38,14 +37,14 @@ pub fn plan_lines(plan: &Plan) -> String {
 fn values(axis: &Axis) -> String {
     let count = axis.len();
     if count <= MOST_LISTED {
-        return (0..count).map(|place| label(axis, place)).collect::<Vec<_>>().join(", ");
+        return (0..count).map(|place| axis.label(place)).collect::<Vec<_>>().join(", ");
     }
     let spacing = match (&axis.setting, axis.is_logarithmic) {
         (Setting::Number { .. }, true) => ", evenly in the logarithm",
         (Setting::Number { values: Values::Linear { .. }, .. }, _) => ", evenly",
         _ => "",
     };
-    format!("{count} values from {} to {}{spacing}", label(axis, 0), label(axis, count - 1))
+    format!("{count} values from {} to {}{spacing}", axis.label(0), axis.label(count - 1))
 }
 
 fn distribution(variable: &Variable) -> String {

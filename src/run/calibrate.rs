@@ -4,7 +4,7 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Item, Table, value};
 
-use super::outcome::{self, Order, Outcome, file};
+use super::outcome::{self, Order, Outcome, file, texts};
 use crate::calibrate::{Calibration, Measurements};
 use crate::error::Error;
 use crate::plot::calibrate::pictures;
@@ -52,7 +52,7 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
-    let of_scene = measured.wanted.scene.warnings.iter().map(ToString::to_string);
+    let of_scene = texts(&measured.wanted.scene.warnings).into_iter();
     of_scene.chain(refusal).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
 }
 
@@ -95,7 +95,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
 }
 
 /// Sets the value of a key. A comment beside the old value stays.
-fn set(document: &mut DocumentMut, path: &str, new: Item) {
+fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
     let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
     for part in tables.split('.').filter(|part| !part.is_empty()) {
@@ -104,7 +104,6 @@ fn set(document: &mut DocumentMut, path: &str, new: Item) {
         table = inner;
     }
     let decor = table.get(name).and_then(Item::as_value).map(|old| old.decor().clone());
-    let mut new = new;
     if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
         *value.decor_mut() = decor;
     }

@@ -1,7 +1,6 @@
 //! A comparison of unloading laws.
 
-use super::outcome::{Order, Outcome, file};
-use crate::compare::Comparison;
+use super::outcome::{Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::plot;
 use crate::provenance::Provenance;
@@ -13,14 +12,14 @@ use crate::scene::results::compare::rows;
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
     let text = report::state(&comparison) + "\n" + &report::overview(scenario, &comparison);
-    Ok(Outcome::checked(texts(&comparison), text))
+    Ok(Outcome::checked(texts(&comparison.warnings), text))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
     let inputs = Inputs(report::inputs(scenario, &comparison));
     let provenance = Provenance::new(scenario.sha256()?, order.command);
-    let warnings = texts(&comparison);
+    let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);
     let mut files = vec![
         file("summary.json", report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
@@ -28,8 +27,4 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     ];
     files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison)?)]))?);
     Ok(Outcome::done(warnings, report::table(&comparison, &rows), files))
-}
-
-fn texts(comparison: &Comparison) -> Vec<String> {
-    comparison.warnings.iter().map(ToString::to_string).collect()
 }

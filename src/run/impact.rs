@@ -1,6 +1,6 @@
 //! One impact.
 
-use super::outcome::{self, Order, Outcome, file};
+use super::outcome::{self, Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
@@ -64,7 +64,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, None)?;
     let depth = impact.peak_indentation / scene.sphere.radius;
     let strength = strength::which(&scene.half_space, scene.has_flow(), depth);
-    Ok(Outcome::checked(texts(&impact), overview(&scene, &contact) + &strength.unwrap_or_default()))
+    Ok(Outcome::checked(texts(&impact.warnings), overview(&scene, &contact) + &strength.unwrap_or_default()))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
@@ -77,9 +77,5 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     files.extend(order.pictures.files(|| {
         Ok(vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)])
     })?);
-    Ok(Outcome::done(texts(&impact), table(&contact, &impact), files))
-}
-
-fn texts(impact: &Impact) -> Vec<String> {
-    impact.warnings.iter().map(ToString::to_string).collect()
+    Ok(Outcome::done(texts(&impact.warnings), table(&contact, &impact), files))
 }

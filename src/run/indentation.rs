@@ -1,6 +1,6 @@
 //! Slow indentations.
 
-use super::outcome::{self, Order, Outcome, file};
+use super::outcome::{self, Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
 use crate::plot;
@@ -33,7 +33,7 @@ pub fn compute(
     samples: Option<usize>,
 ) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
     let (scene, contacts) = prepare(scenario)?;
-    let mut warnings: Vec<String> = scene.warnings.iter().map(ToString::to_string).collect();
+    let mut warnings = texts(&scene.warnings);
     let mut tested = Vec::new();
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
@@ -69,8 +69,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         file("trace.csv", report::trace(&tested)?),
     ];
     files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested)?)]))?);
-    let text = report::table(&tested);
-    Ok(Outcome::done(warnings, text, files))
+    Ok(Outcome::done(warnings, report::table(&tested), files))
 }
 
 /// The error of a scenario without a result. If a step is the reason, the error points at the steps.

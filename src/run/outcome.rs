@@ -1,6 +1,7 @@
 //! The outcome of a scenario of any kind.
 
 use crate::error::Error;
+use crate::impact::Warning;
 use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
@@ -33,15 +34,18 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The outcome of a check, which has no files.
     pub(super) fn checked(warnings: Vec<String>, text: String) -> Self {
         Self::done(warnings, text, Vec::new())
     }
 
-    /// The outcome of a run.
     pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
         Self { warnings, text, files, contradiction: None }
     }
+}
+
+/// Warnings as they are shown.
+pub fn texts(warnings: &[Warning]) -> Vec<String> {
+    warnings.iter().map(ToString::to_string).collect()
 }
 
 pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {

@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, held, provenance};
-use super::outcome::{Order, Outcome, file};
+use super::outcome::{Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
 use crate::plot;
@@ -41,7 +41,7 @@ fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     let sequence = repeat.run(&contact, &scene.solver, scene.samples, Some(progress));
     let sequence = sequence.map_err(|reason| Error::impact(scenario, reason))?;
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
-    let warnings = of_impacts.chain(scene.warnings.iter().map(ToString::to_string)).collect();
+    let warnings = of_impacts.chain(texts(&scene.warnings)).collect();
     Ok(Computed { scene, contact, repeat, sequence, warnings })
 }
 

@@ -1,6 +1,6 @@
 //! Summary, pictures and warnings of a table, whether it is written at once or merged from shards.
 
-use super::outcome::{Outcome, file};
+use super::outcome::{Outcome, file, texts};
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;
@@ -21,10 +21,10 @@ pub const SUMMARY: &str = "summary.json";
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
     let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
-    let (cautions, depth) = at_corners(&plan);
+    let (warnings, depth) = cautions(&plan);
     let strength = strength::which(&plan.scene.half_space, plan.scene.has_flow(), depth);
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact) + &strength.unwrap_or_default();
-    Ok(Outcome::checked(of_scene(&plan).chain(cautions).collect(), text))
+    Ok(Outcome::checked(warnings, text))
 }
 
 /// The plan of a scenario that is a table.
@@ -35,11 +35,13 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 
 /// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    of_scene(plan).chain(at_corners(plan).0).collect()
+    cautions(plan).0
 }
 
-fn of_scene(plan: &Plan) -> impl Iterator<Item = String> {
-    plan.scene.warnings.iter().map(ToString::to_string)
+/// The same, and the largest peak indentation over the radius of the sphere.
+fn cautions(plan: &Plan) -> (Vec<String>, f64) {
+    let (cautions, depth) = at_corners(plan);
+    ([texts(&plan.scene.warnings), cautions].concat(), depth)
 }
 
 /// `summary.json`, which repeats the `warnings`, and the pictures of a whole table.

@@ -10,7 +10,7 @@ use super::values::{Fault, Refused, count, list, number, numbers, unexpected, wo
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::materials::find;
-use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::axis::{Axis, Values, Word};
 use crate::plan::free::Free;
 use crate::plan::random::{Distribution, Variable};
 use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED};
@@ -60,22 +60,25 @@ pub(super) fn axes(place: &str, table: &DeTable, whole: &Spanned<DeValue>) -> Re
 
 fn axis(name: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Axis, Fault> {
     let path = name.get_ref().as_ref();
-    let setting = if path == METHOD {
+    if path == METHOD {
         let names = names(value, "[\"rk8\", \"dop853\"]", |item| word(&METHODS, item))?;
-        Setting::Method(names.iter().filter_map(|name| Method::from_name(name)).collect())
-    } else if path == LAW {
+        let method = |name: &String| Method::from_name(name).map(Word::Method);
+        return Ok(Axis::of_words(METHOD, names.iter().filter_map(method).collect()));
+    }
+    if path == LAW {
         let names = names(value, "[\"plm\", \"thornton\"]", law)?;
-        Setting::Law(names.iter().filter_map(|name| LawChoice::from_name(name)).collect())
-    } else if let Some(body) = Body::of_key(path) {
+        let law = |name: &String| LawChoice::from_name(name).map(Word::Law);
+        return Ok(Axis::of_words(LAW, names.iter().filter_map(law).collect()));
+    }
+    if let Some(body) = Body::of_key(path) {
         let names = names(value, "[\"steel-s235\", \"aluminium-6061-t6\"]", |item| word(&MATERIALS, item))?;
         // what is left to the materials depends on the other keys
-        let taken = |material| Taken { body, material, left: Vec::new() };
-        Setting::Material(body, names.iter().filter_map(|name| find(name)).map(taken).collect())
-    } else {
-        let key = known(path, true, name)?;
-        return Ok(Axis::of_number(key, axis_values(key.quantity, value)?));
-    };
-    Ok(Axis::of_words(setting))
+        let taken = |material| Word::Material(Taken { body, material, left: Vec::new() });
+        let words = names.iter().filter_map(|name| find(name)).map(taken);
+        return Ok(Axis::of_words(body.material(), words.collect()));
+    }
+    let key = known(path, true, name)?;
+    Ok(Axis::of_number(key, axis_values(key.quantity, value)?))
 }
 
 /// `[monte_carlo]`.

@@ -95,10 +95,7 @@ impl Scenario {
     fn measurements(&self, measured: Vec<(String, f64)>) -> Result<Source, ScenarioError> {
         match (self.entries.text("calibrate.data"), measured.is_empty()) {
             (Some(path), true) => Ok(Source::File(self.directory.join(path))),
-            (Some(_), false) => {
-                let message = "[calibrate.measured] is given too; write only one of the two";
-                Err(self.document.refuse("calibrate.data", message))
-            }
+            (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {
                 let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";

@@ -46,9 +46,9 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Sce
 struct Override {
     /// As given.
     text: String,
-    /// As TOML.
+    /// As TOML, behind so many blanks that its places come after those of the file and of the overrides before it.
     toml: String,
-    /// Where it begins, if file and overrides are counted as one text.
+    /// How many blanks these are.
     start: usize,
 }
 
@@ -70,7 +70,7 @@ impl Override {
             Err(_) => format!("{key}={}", toml::Value::from(value.trim())),
         };
         DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        Ok(Self { text: text.to_owned(), toml, start })
+        Ok(Self { text: text.to_owned(), toml: format!("{:start$}{toml}", ""), start })
     }
 }
 
@@ -87,9 +87,8 @@ impl Document {
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
         let mut document = Self { name, text, overrides: Vec::new() };
         for given in overrides {
-            let last = document.overrides.last();
-            let start = last.map_or(document.text.len(), |last| last.start + last.toml.len()) + 1;
-            document.overrides.push(Override::parse(given, start)?);
+            let before = document.overrides.last().map_or(&document.text, |last| &last.toml);
+            document.overrides.push(Override::parse(given, before.len() + 1)?);
         }
         document.root()?;
         Ok(document)
@@ -112,7 +111,7 @@ impl Document {
 
     /// The same as TOML.
     pub fn settings(&self) -> impl Iterator<Item = &str> {
-        self.overrides.iter().map(|given| given.toml.as_str())
+        self.overrides.iter().map(|given| &given.toml[given.start..])
     }
 
     /// Reads every key of the merged tables, and what is taken from materials.
@@ -150,6 +149,17 @@ impl Document {
         self.refuse(table, first + &or_others + way_out)
     }
 
+    /// The refusal of a key that is given beside another key which it stands in place of.
+    pub(super) fn one_key(&self, first: &str, second: &str) -> ScenarioError {
+        let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
+        self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
+    }
+
+    /// The refusal of a table or a key that is given beside a table which it stands in place of.
+    pub(super) fn one_table(&self, first: &str, second: &str) -> ScenarioError {
+        self.refuse(second, format!("[{first}] is given too; write only one of the two"))
+    }
+
     fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {
         let place = match span {
             None => Place::File { name: self.name.clone() },
@@ -169,29 +179,12 @@ impl Document {
         };
         let mut root = parse(&self.text)?;
         for given in &self.overrides {
-            let mut changes = moved(parse(&given.toml)?, given.start);
+            let mut changes = parse(&given.toml)?;
             choose_law(&mut root, &mut changes);
             merge(&mut root, changes);
         }
         Ok(root)
     }
-}
-
-/// A table whose spans begin `by` bytes later.
-fn moved(table: DeTable<'_>, by: usize) -> DeTable<'_> {
-    let shift = |span: Range<usize>| span.start + by..span.end + by;
-    let key = |key: Spanned<_>| Spanned::new(shift(key.span()), key.into_inner());
-    table.into_iter().map(|(name, value)| (key(name), moved_value(value, by))).collect()
-}
-
-fn moved_value(value: Spanned<DeValue<'_>>, by: usize) -> Spanned<DeValue<'_>> {
-    let span = value.span();
-    let value = match value.into_inner() {
-        DeValue::Array(values) => DeValue::Array(values.into_iter().map(|value| moved_value(value, by)).collect()),
-        DeValue::Table(table) => DeValue::Table(moved(table, by)),
-        plain => plain,
-    };
-    Spanned::new(span.start + by..span.end + by, value)
 }
 
 fn merge<'a>(into: &mut DeTable<'a>, from: DeTable<'a>) {

@@ -13,7 +13,7 @@ use crate::plan::axis::{Axis, Setting};
 use crate::plan::free::Free;
 use crate::plan::random::{Distribution, Variable};
 use crate::scene::key::Form;
-use crate::scene::keys::forms;
+use crate::scene::keys::every_key;
 use crate::scene::other_keys::List;
 use crate::scene::taken::Body;
 use crate::units::nearest::did_you_mean;
@@ -45,48 +45,33 @@ impl Entries {
 
     /// A number, in SI.
     pub(super) fn number(&self, path: &str) -> Option<f64> {
-        match self.values.get(path)? {
-            Value::Number(value) => Some(*value),
-            _ => None,
-        }
+        if let Value::Number(value) = self.values.get(path)? { Some(*value) } else { None }
     }
 
     /// A whole number.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and in the range of its quantity
-    pub(super) fn count(&self, path: &str) -> Option<u64> {
-        self.number(path).map(|value| value as u64)
+    pub(super) fn count<T: TryFrom<u64>>(&self, path: &str) -> Option<T> {
+        T::try_from(self.number(path)? as u64).ok()
     }
 
     /// Numbers, in SI.
     pub(super) fn numbers(&self, path: &str) -> Option<&[f64]> {
-        match self.values.get(path)? {
-            Value::Numbers(values) => Some(values),
-            _ => None,
-        }
+        if let Value::Numbers(values) = self.values.get(path)? { Some(values) } else { None }
     }
 
     /// Pairs of numbers, in SI.
     pub(super) fn pairs(&self, path: &str) -> &[[f64; 2]] {
-        match self.values.get(path) {
-            Some(Value::Pairs(pairs)) => pairs,
-            _ => &[],
-        }
+        if let Some(Value::Pairs(pairs)) = self.values.get(path) { pairs } else { &[] }
     }
 
     /// A text or a word.
     pub(super) fn text(&self, path: &str) -> Option<&str> {
-        match self.values.get(path)? {
-            Value::Text(text) => Some(text),
-            _ => None,
-        }
+        if let Value::Text(text) = self.values.get(path)? { Some(text) } else { None }
     }
 
     /// Texts or words.
     pub(super) fn texts(&self, path: &str) -> Option<&[String]> {
-        match self.values.get(path)? {
-            Value::Texts(texts) => Some(texts),
-            _ => None,
-        }
+        if let Value::Texts(texts) = self.values.get(path)? { Some(texts) } else { None }
     }
 
     /// Whether a key, a table or a list of tables is given.
@@ -169,23 +154,22 @@ impl Entries {
         }
         for (name, value) in table {
             let (place, pattern) = (joined(place, name.get_ref()), joined(pattern, name.get_ref()));
-            let form = forms().find(|(path, _)| *path == pattern);
+            let form = every_key().find(|key| key.path == pattern).map(|key| key.form);
             let refused = |fault: Fault| fault.of(place.clone());
             match (form, value.get_ref()) {
-                (Some((_, Form::Axes)), DeValue::Table(inner)) => {
-                    self.axes = Some(axes::axes(&place, inner, value)?);
+                (Some(form @ (Form::Axes | Form::Variables | Form::Free)), DeValue::Table(inner)) => {
+                    match form {
+                        Form::Axes => self.axes = Some(axes::axes(&place, inner, value)?),
+                        Form::Variables => self.variables = Some(axes::variables(&place, inner, value)?),
+                        _ => self.free = Some(axes::free(&place, inner, value)?),
+                    }
+                    self.tables.push(place);
                 }
-                (Some((_, Form::Variables)), DeValue::Table(inner)) => {
-                    self.variables = Some(axes::variables(&place, inner, value)?);
-                }
-                (Some((_, Form::Free)), DeValue::Table(inner)) => {
-                    self.free = Some(axes::free(&place, inner, value)?);
-                }
-                (Some((_, Form::Axes | Form::Variables | Form::Free)), _) => {
+                (Some(Form::Axes | Form::Variables | Form::Free), _) => {
                     return Err(refused(unexpected(value, "a table")));
                 }
-                (Some((_, Form::WordOrTable(_))), DeValue::Table(inner)) => self.table(inner, &place, &pattern)?,
-                (Some((_, form)), _) => {
+                (Some(Form::WordOrTable(_)), DeValue::Table(inner)) => self.table(inner, &place, &pattern)?,
+                (Some(form), _) => {
                     let value = read(&form, value).map_err(refused)?;
                     self.values.insert(place, value);
                 }
@@ -234,11 +218,11 @@ fn joined(place: &str, name: &str) -> String {
 fn is_table(pattern: &str) -> bool {
     let dotted = format!("{pattern}.");
     let is_law = || pattern.strip_prefix("law.").is_some_and(|law| LawChoice::names().contains(&law));
-    forms().any(|(path, _)| path.starts_with(&dotted)) || is_law()
+    every_key().any(|key| key.path.starts_with(&dotted)) || is_law()
 }
 
 /// Refuses any number of laws but one.
-fn one_law(laws: &DeTable, span: std::ops::Range<usize>) -> Result<(), Fault> {
+fn one_law(laws: &DeTable, span: Range<usize>) -> Result<(), Fault> {
     if laws.len() == 1 {
         return Ok(());
     }
@@ -254,7 +238,7 @@ fn unknown(pattern: &str) -> String {
     let mut known: Vec<String> = Vec::new();
     let laws = if table == "law" { LawChoice::names() } else { Vec::new() };
     let next = |path: &'static str| path.strip_prefix(prefix.as_str())?.split(['.', '[']).next();
-    for name in laws.into_iter().chain(forms().filter_map(|(path, _)| next(path))) {
+    for name in laws.into_iter().chain(every_key().filter_map(|key| next(key.path))) {
         if !known.iter().any(|other| other == name) {
             known.push(name.to_owned());
         }

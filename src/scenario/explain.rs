@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::scene::key::Form;
-use crate::scene::keys::forms;
+use crate::scene::keys::every_key;
 use crate::scene::other_keys::List;
 
 /// Where the value of a dotted key is; the last part may be a key in quotes with dots of its own, and `[2]` stands for an
@@ -45,13 +45,13 @@ pub(super) fn missing(name: &str, table: &str) -> String {
         Some((list, _)) => format!("{list}[].{name}"),
         None => format!("{table}.{name}"),
     };
-    let example = match forms().find(|(path, _)| *path == pattern) {
+    let example = match every_key().find(|key| key.path == pattern).map(|key| key.form) {
         _ if pattern == "law.combined.loading" => "the law that loads, such as loading = \"plm\"".to_owned(),
         _ if pattern == "law.combined.unloading" => "the law that unloads, such as unloading = \"thornton\"".to_owned(),
-        Some((_, Form::Number(quantity, _) | Form::Count(quantity))) => {
+        Some(Form::Number(quantity, _) | Form::Count(quantity)) => {
             format!("{} such as {name} = {}", quantity.name, quantity.example)
         }
-        Some((_, Form::Text(example))) => format!("a text such as {name} = \"{example}\""),
+        Some(Form::Text(example)) => format!("a text such as {name} = \"{example}\""),
         _ => match List::find(&pattern) {
             Some(list) => format!("a list such as {}", list.example),
             None => return format!("the key `{name}` is missing"),

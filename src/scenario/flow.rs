@@ -45,8 +45,7 @@ impl Scenario {
             };
         };
         if let Some((second, _)) = given.next() {
-            let message = format!("`{form}` is given too; write only one of `{form}` and `{second}`");
-            return Err(self.document.refuse(&path(second), message));
+            return Err(self.document.one_key(&path(form), &path(second)));
         }
         let number = |name: &str| {
             let key = format!("{FLOW}.{form}.{name}");

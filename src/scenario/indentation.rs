@@ -94,7 +94,7 @@ impl Scenario {
         let several = self.entries.length(SPECIMENS);
         if self.entries.has("half_space") {
             if several.is_some() {
-                return refuse("[half_space] is given too; write only one of the two".to_owned());
+                return Err(self.document.one_table("half_space", SPECIMENS));
             }
             let half_space = self.half_space_in("half_space")?;
             return Ok(vec![Specimen {

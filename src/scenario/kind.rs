@@ -68,20 +68,17 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError::Refused`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, ScenarioError> {
-        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.is_given(table));
+        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.entries.has(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
-            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.is_given(idle)) {
+            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.entries.has(idle)) {
                 None => Ok(*kind),
                 Some((idle, reason)) => {
                     let message = format!("[{table}] is given too, and {reason}; write only one of the two");
                     Err(self.document.refuse(idle, message))
                 }
             },
-            (Some((first, _)), Some((second, _))) => {
-                let message = format!("[{first}] is given too; write only one of the two");
-                Err(self.document.refuse(second, message))
-            }
+            (Some((first, _)), Some((second, _))) => Err(self.document.one_table(first, second)),
         }
     }
 
@@ -98,13 +95,5 @@ impl Scenario {
         ];
         let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.entries.has(key));
         idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
-    }
-
-    fn is_given(&self, table: &str) -> bool {
-        match table {
-            "sweep" => self.entries.axes.is_some(),
-            "monte_carlo" => self.entries.variables.is_some(),
-            table => self.entries.has(table),
-        }
     }
 }

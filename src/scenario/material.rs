@@ -6,7 +6,7 @@ use super::values::{Fault, Refused};
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
 use crate::materials::{Entry, Property, find};
-use crate::plan::axis::{Axis, Setting};
+use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
 use crate::scene::Key;
 use crate::scene::taken::{Body, Taken};
@@ -39,9 +39,10 @@ impl Entries {
                 continue;
             };
             let left: Vec<_> = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
-            for axis in self.axes.iter_mut().flatten() {
-                let Setting::Material(of, materials) = &mut axis.setting else { continue };
-                for taken in materials.iter_mut().filter(|_| *of == body) {
+            for word in self.axes.iter_mut().flatten().flat_map(Axis::words_mut) {
+                if let Word::Material(taken) = word
+                    && taken.body == body
+                {
                     taken.left.clone_from(&left);
                 }
             }
@@ -78,8 +79,8 @@ impl Entries {
     /// The material of a body: of the first case, where it varies.
     fn material(&self, body: Body) -> Option<&'static Entry> {
         let axis = self.axes.iter().flatten().find(|axis| axis.path() == body.material());
-        match axis.map(|axis| &axis.setting) {
-            Some(Setting::Material(_, materials)) => materials.first().map(|taken| taken.material),
+        match axis.map(Axis::words) {
+            Some([Word::Material(first), ..]) => Some(first.material),
             _ => find(self.text(body.material())?),
         }
     }
@@ -115,20 +116,18 @@ impl Entries {
 impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), ScenarioError> {
-        for axis in axes {
-            let Setting::Material(Body::HalfSpace, materials) = &axis.setting else { continue };
-            let is_left = |taken: &&Taken| taken.left.contains(&Property::Hardness);
-            let yields = |taken: &&Taken| taken.material.is_metal();
-            let metal = materials.iter().filter(is_left).find(yields);
-            let other = materials.iter().filter(is_left).find(|taken| !yields(taken));
-            if let (Some(metal), Some(other)) = (metal, other) {
-                let message = format!(
-                    "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",
-                    metal.material.name, other.material.name
-                );
-                return Err(self.document.refuse("sweep.half_space.material", message));
+        let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
+            Word::Material(Taken { body: Body::HalfSpace, left, material }) if left.contains(&Property::Hardness) => {
+                Some(material)
             }
-        }
-        Ok(())
+            _ => None,
+        });
+        let (metals, others): (Vec<&Entry>, Vec<&Entry>) = materials.partition(|material| material.is_metal());
+        let ([metal, ..], [other, ..]) = (&metals[..], &others[..]) else { return Ok(()) };
+        let message = format!(
+            "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",
+            metal.name, other.name
+        );
+        Err(self.document.refuse("sweep.half_space.material", message))
     }
 }

@@ -1,11 +1,11 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::axes::RandomKeys;
+use super::axes::{LAW, RandomKeys};
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
-use crate::plan::axis::Setting;
-use crate::plan::{Cases, Plan};
+use crate::plan::axis::{Axis, Word};
+use crate::plan::{Cases, MOST_CASES, Plan};
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -27,12 +27,12 @@ impl Scenario {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
                 let mut axes = axes.clone();
-                for axis in &mut axes {
-                    if let Setting::Law(laws) = &mut axis.setting {
-                        // the law of the scenario keeps the parameters that the scenario gives
-                        for law in laws.iter_mut().filter(|law| law.name() == own_law.name()) {
-                            law.clone_from(&own_law);
-                        }
+                for word in axes.iter_mut().flat_map(Axis::words_mut) {
+                    // the law of the scenario keeps the parameters that the scenario gives
+                    if let Word::Law(law) = word
+                        && law.name() == own_law.name()
+                    {
+                        law.clone_from(&own_law);
                     }
                 }
                 self.refuse_mixture(&axes)?;
@@ -52,8 +52,9 @@ impl Scenario {
         };
         // a key that varies may give the half-space its yield strength
         scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
-        scene.warnings.extend(self.unused_law(&own_law, &cases));
         let mut plan = Plan { scene, cases, columns: None };
+        let unused_law = self.unused_law(&own_law, plan.axes());
+        plan.scene.warnings.extend(unused_law);
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
             return refuse(&format!("{table}.{path}"), problem);
@@ -70,20 +71,16 @@ impl Scenario {
             let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");
             return refuse(&format!("{table}.{}", variable.key.path), message);
         }
-        if plan.count().is_none() {
+        if plan.count() > MOST_CASES {
             return refuse(table, "has more than 2^63 cases; take fewer".to_owned());
         }
         Ok(Some(plan))
     }
 
     /// The warning about the table of a law that is not on the axis of laws.
-    fn unused_law(&self, own: &LawChoice, cases: &Cases) -> Option<Warning> {
-        let Cases::Grid(axes) = cases else { return None };
+    fn unused_law(&self, own: &LawChoice, axes: &[Axis]) -> Option<Warning> {
         self.law_name()?;
-        let laws = axes.iter().find_map(|axis| match &axis.setting {
-            Setting::Law(laws) => Some(laws),
-            _ => None,
-        })?;
+        let laws = axes.iter().find(|axis| axis.path() == LAW)?.words();
         let is_used = laws.iter().any(|law| law.name() == own.name());
         (!is_used).then_some(Warning::UnusedLaw { law: own.about().name })
     }

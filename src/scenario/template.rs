@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::Kind;
-use crate::scene::key::Form;
-use crate::scene::keys::{KEYS, varied};
-use crate::scene::other_keys::{List, OTHER_KEYS};
+use crate::scene::key::{AnyKey, Form};
+use crate::scene::keys::{every_key, varied};
+use crate::scene::other_keys::List;
 
 /// Characters of a line of comment.
 const WIDTH: usize = 110;
@@ -151,13 +151,11 @@ pub fn template(kind: Kind) -> String {
 /// The sentences of the registry about a key.
 fn told(path: &str, is_left_out: bool) -> Option<String> {
     let path = if path.starts_with("calibrate.free.") { "calibrate.free" } else { varied(path) };
-    let numeric = KEYS.iter().map(|key| (key.path, key.about, key.default, None));
-    let others = OTHER_KEYS.iter().map(|key| (key.path, key.about, key.default, Some(key.form)));
-    let Some((_, about, default, form)) = numeric.chain(others).find(|(known, ..)| *known == path) else {
+    let Some(AnyKey { about, default, form, .. }) = every_key().find(|key| key.path == path) else {
         return List::find(path).map(|list| format!("A list; every item is {}.", list.item));
     };
     let words = match form {
-        Some(Form::Word(words) | Form::WordList(words)) => format!(" There are: {}.", (words.known)().join(", ")),
+        Form::Word(words) | Form::WordList(words) => format!(" There are: {}.", (words.known)().join(", ")),
         _ => String::new(),
     };
     let default = if is_left_out && !default.is_empty() { format!(" Without it: {default}.") } else { String::new() };

@@ -23,9 +23,9 @@ pub struct Key {
     pub set: fn(&mut Scene, f64),
 }
 
-/// A key that is read, but not varied.
+/// A key of any kind, as it is read and described.
 #[derive(Debug, Clone, Copy)]
-pub struct OtherKey {
+pub struct AnyKey {
     /// As in the file, with dots; `[]` stands behind the name of a list of tables.
     pub path: &'static str,
     /// How its value is written.

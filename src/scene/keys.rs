@@ -3,19 +3,20 @@
 //!
 //! An entry gives, in this order: what the key means; its path; its dimension and range; the word that may stand in place
 //! of the number (`or`); the default in words (`=`); and where the value is in a [`Scene`]. There, `field?` is a field that
-//! a scene may lack, and `Law.field` a field of that law, which only a scene under that law has.
+//! a scene may lack, and `Law.field` a field of that law, which only a scene under that law has. In the same way,
+//! `flow Form.field` is a number of a flow curve of that form, and `damping Kind` the number of damping of that kind.
 
 use super::Scene;
-use super::key::{Form, Key};
+use super::key::{AnyKey, Form, Key};
 use super::other_keys::OTHER_KEYS;
 use super::quantity::{
     ACCELERATION, AREA_FACTOR, DENSITY, DROP_HEIGHT, EXPONENT, FACTOR, HARDENING_EXPONENT, HARDENING_RATE,
     HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, LENGTH, MASS, MODULUS, POISSONS_RATIO, SATURATION, SHARE, SPEED,
     SPHERE_MODULUS, STRENGTH, TOLERANCE, TRANSITION_RATIO, VISCOUS,
 };
-use super::strength::{exponent, rate, saturation, slope};
 use crate::impact::Damping;
 use crate::law::{LawChoice, UnloadingExponent};
+use crate::strength::flow::FlowCurve;
 
 /// Reads a key from a scene.
 type Get = fn(&Scene) -> Option<f64>;
@@ -58,6 +59,30 @@ macro_rules! place {
     };
     ({ scene.$($field:ident).+ ? }) => {
         (|scene| scene.$($field).+, |scene, value| scene.$($field).+ = Some(value))
+    };
+    ({ flow $form:ident.$number:ident }) => {
+        (
+            |scene| match scene.law.flow() {
+                Some(FlowCurve::$form { $number, .. }) => Some(*$number),
+                _ => None,
+            },
+            |scene, value| {
+                scene.change_flow(|flow| {
+                    if let FlowCurve::$form { $number, .. } = flow {
+                        *$number = value;
+                    }
+                });
+            },
+        )
+    };
+    ({ damping $kind:ident }) => {
+        (
+            |scene| match scene.forces.damping {
+                Some(Damping::$kind(value)) => Some(value),
+                _ => None,
+            },
+            |scene, value| scene.forces.damping = Some(Damping::$kind(value)),
+        )
     };
     ({ $law:ident.$field:ident }) => { place!({ $law, |law| Some(law.$field), |law, value| law.$field = value }) };
     ({ $law:ident.$field:ident ? }) => { place!({ $law, |law| law.$field, |law, value| law.$field = Some(value) }) };
@@ -115,25 +140,13 @@ pub const KEYS: &[Key] = keys! {
     /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
     "half_space.hardness": HARDNESS => { get: |scene| scene.hardness, set: Scene::set_hardness };
     /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
-    "half_space.flow_stress.power.exponent": HARDENING_EXPONENT => {
-        get: |scene| scene.flow_number(exponent),
-        set: |scene, value| scene.set_flow_number(exponent, value)
-    };
+    "half_space.flow_stress.power.exponent": HARDENING_EXPONENT => { flow Power.exponent };
     /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
-    "half_space.flow_stress.voce.saturation": SATURATION => {
-        get: |scene| scene.flow_number(saturation),
-        set: |scene, value| scene.set_flow_number(saturation, value)
-    };
+    "half_space.flow_stress.voce.saturation": SATURATION => { flow Voce.saturation };
     /// Rate c of that flow stress: how fast it rises with plastic strain.
-    "half_space.flow_stress.voce.rate": HARDENING_RATE => {
-        get: |scene| scene.flow_number(rate),
-        set: |scene, value| scene.set_flow_number(rate, value)
-    };
+    "half_space.flow_stress.voce.rate": HARDENING_RATE => { flow Voce.rate };
     /// Slope of a flow stress that rises in a straight line with plastic strain.
-    "half_space.flow_stress.linear.slope": HARDENING_SLOPE => {
-        get: |scene| scene.flow_number(slope),
-        set: |scene, value| scene.set_flow_number(slope, value)
-    };
+    "half_space.flow_stress.linear.slope": HARDENING_SLOPE => { flow Linear.slope };
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported.
     "half_space.density": DENSITY => { scene.half_space.density? };
     /// Speed of the sphere at first touch, towards the half-space.
@@ -143,21 +156,9 @@ pub const KEYS: &[Key] = keys! {
     /// Gravity, towards the half-space; it acts during contact too.
     "gravity.acceleration": ACCELERATION => { get: |scene| scene.forces.gravity, set: Scene::set_gravity };
     /// Coefficient chi of the force F (1 + chi v).
-    "damping.hunt_crossley": HUNT_CROSSLEY => {
-        get: |scene| match scene.forces.damping {
-            Some(Damping::HuntCrossley(chi)) => Some(chi),
-            _ => None,
-        },
-        set: |scene, value| scene.forces.damping = Some(Damping::HuntCrossley(value))
-    };
+    "damping.hunt_crossley": HUNT_CROSSLEY => { damping HuntCrossley };
     /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
-    "damping.viscous": VISCOUS => {
-        get: |scene| match scene.forces.damping {
-            Some(Damping::Viscous(zeta)) => Some(zeta),
-            _ => None,
-        },
-        set: |scene, value| scene.forces.damping = Some(Damping::Viscous(value))
-    };
+    "damping.viscous": VISCOUS => { damping Viscous };
     /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
     /// pressure at the peak. Other numbers than 1.5 are for comparison.
     "law.plm.unloading_exponent": EXPONENT or "pressure-shape" = "1.5" => {
@@ -213,8 +214,11 @@ pub fn varied(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }
 
-/// Every key: its path, and how its value is written.
-pub fn forms() -> impl Iterator<Item = (&'static str, Form)> {
-    let numeric = KEYS.iter().map(|key| (key.path, Form::Number(key.quantity, key.word)));
-    numeric.chain(OTHER_KEYS.iter().map(|key| (key.path, key.form)))
+/// Every key of a scenario; those that may vary come first.
+pub fn every_key() -> impl Iterator<Item = AnyKey> {
+    let numeric = KEYS.iter().map(|key| {
+        let &Key { path, about, default, .. } = key;
+        AnyKey { path, form: Form::Number(key.quantity, key.word), about, default }
+    });
+    numeric.chain(OTHER_KEYS.iter().copied())
 }

@@ -3,7 +3,7 @@
 //!
 //! An entry gives, in this order: what the key means; its path; how its value is written; and the default in words (`=`).
 
-use super::key::{Form, OtherKey};
+use super::key::{AnyKey, Form};
 use super::quantity::{
     DEPTH_RATIO, DEVIATION, ENERGY, FORCE, IMPACTS, INDENTATION, LEEB, LENGTH, LOAD, MODEL_ERROR, MODULUS,
     POISSONS_RATIO, RESTITUTION, SAMPLES, SHOT_SPEED, SPEED, STEPS, STRAIN, STRENGTH, TIME,
@@ -15,7 +15,7 @@ use super::words::{
 /// A list of keys from their entries.
 macro_rules! keys {
     ($($(#[doc = $about:literal])+ $path:literal: $form:ident $(($($what:expr),+))? $(= $default:literal)?;)+) => {
-        &[$(OtherKey {
+        &[$(AnyKey {
             path: $path,
             form: Form::$form$(($($what),+))?,
             about: concat!($($about),+).trim_ascii_start(),
@@ -25,7 +25,7 @@ macro_rules! keys {
 }
 
 /// The keys that do not vary, in the order of the file.
-pub const OTHER_KEYS: &[OtherKey] = keys! {
+pub const OTHER_KEYS: &[AnyKey] = keys! {
     /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
     "sphere.material": Word(&MATERIALS);
     /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.

@@ -53,16 +53,7 @@ const fn not_negative(name: &'static str, dimension: Dimension, example: &'stati
 }
 
 const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
-    Quantity {
-        name,
-        dimension: Dimension::Ratio,
-        low,
-        high,
-        example,
-        hint: "",
-        is_hint_low: false,
-        notation: Notation::Units,
-    }
+    Quantity { low, high, ..positive(name, Dimension::Ratio, example) }
 }
 
 /// A radius or diameter.

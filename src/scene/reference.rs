@@ -2,9 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::key::Form;
-use super::keys::KEYS;
-use super::other_keys::OTHER_KEYS;
+use super::key::{AnyKey, Form, Key};
+use super::keys::every_key;
 use super::quantity::Quantity;
 use super::results::{Described, files};
 use crate::law::LawChoice;
@@ -12,60 +11,31 @@ use crate::materials::Property;
 
 /// All keys as Markdown, a table for every table of a scenario.
 pub fn keys() -> String {
-    let numeric = KEYS.iter().map(|key| Row {
-        path: key.path,
-        written: written(&Form::Number(key.quantity, key.word)),
-        default: key.default,
-        about: key.about,
-        varies: true,
-    });
-    let others = OTHER_KEYS.iter().map(|key| Row {
-        path: key.path,
-        written: written(&key.form),
-        default: key.default,
-        about: key.about,
-        varies: false,
-    });
-    let rows: Vec<Row> = numeric.chain(others).collect();
+    let keys: Vec<AnyKey> = every_key().collect();
     let mut tables: Vec<&str> = Vec::new();
-    for row in &rows {
-        if !tables.contains(&row.table()) {
-            tables.push(row.table());
+    for (table, _) in keys.iter().map(place) {
+        if !tables.contains(&table) {
+            tables.push(table);
         }
     }
     // the tables in the order of the registry, those of the laws together
-    tables.sort_by_key(|table| rows.iter().position(|row| row.path.split('.').next() == table.split('.').next()));
+    tables.sort_by_key(|table| keys.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
     let mut text = String::new();
     for table in tables {
         let _ = writeln!(text, "### {}\n\n| key | value | default | meaning |\n|---|---|---|---|", heading(table));
-        for row in rows.iter().filter(|row| row.table() == table) {
-            let axis = if row.varies { " \u{2195}" } else { "" };
-            let default = if row.default.is_empty() { "\u{2013}" } else { row.default };
-            let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", row.name(), row.written, row.about);
+        for key in keys.iter().filter(|key| place(key).0 == table) {
+            let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
+            let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
+            let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
         }
         text.push('\n');
     }
     text
 }
 
-/// A line of the page.
-struct Row {
-    path: &'static str,
-    written: String,
-    default: &'static str,
-    about: &'static str,
-    varies: bool,
-}
-
-impl Row {
-    /// The table that the key stands in; `sweep` and `monte_carlo` are tables themselves.
-    fn table(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or(self.path, |(table, _)| table)
-    }
-
-    fn name(&self) -> &'static str {
-        self.path.rsplit('.').next().unwrap_or(self.path)
-    }
+/// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.
+fn place(key: &AnyKey) -> (&'static str, &'static str) {
+    key.path.rsplit_once('.').unwrap_or((key.path, key.path))
 }
 
 fn heading(table: &str) -> String {
@@ -89,13 +59,8 @@ pub fn written(form: &Form) -> String {
         Form::Count(quantity) => format!("a whole number {}", quantity.allowed()),
         Form::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
         Form::Pairs(first, second) => {
-            format!(
-                "a list of pairs such as `[[{}, {}]]`: {} and {}",
-                first.example,
-                second.example,
-                number(first),
-                number(second)
-            )
+            let example = format!("[[{}, {}]]", first.example, second.example);
+            format!("a list of pairs such as `{example}`: {} and {}", number(first), number(second))
         }
         Form::Word(words) if (words.known)().len() > MOST_WORDS => {
             format!("one of the [{0}](#{0}) below", words.several)
@@ -112,39 +77,29 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// A part of a page that the program writes.
-struct Part {
-    /// The marks before and after it.
-    marks: [&'static str; 2],
-    /// Its text.
-    text: fn() -> String,
-}
+/// A part of a page that the program writes: its name, and its text.
+type Part = (&'static str, fn() -> String);
 
-const PARTS: [Part; 3] = [
-    Part { marks: ["<!-- keys: written by `plm-impact reference` -->", "<!-- end of keys -->"], text: keys },
-    Part { marks: ["<!-- results: written by `plm-impact reference` -->", "<!-- end of results -->"], text: results },
-    Part {
-        marks: ["<!-- materials: written by `plm-impact reference` -->", "<!-- end of materials -->"],
-        text: materials,
-    },
-];
+const PARTS: [Part; 3] = [("keys", keys), ("results", results), ("materials", materials)];
 
 /// Keys, results and materials as Markdown.
 pub fn page() -> String {
-    PARTS.iter().map(|part| (part.text)()).collect()
+    PARTS.iter().map(|(_, text)| text()).collect()
 }
 
 /// A page with the text between the marks written anew.
 ///
 /// # Errors
 /// The marks that the page lacks.
-pub fn renewed(page: &str) -> Result<String, [&'static str; 2]> {
-    let write = |page: String, Part { marks: [begin, end], text }: &Part| {
-        let (before, rest) = page.split_once(begin)?;
-        let (_, after) = rest.split_once(end)?;
-        Some(format!("{before}{begin}\n\n{}{end}{after}", text()))
+pub fn renewed(page: &str) -> Result<String, [String; 2]> {
+    let write = |page: String, (name, text): &Part| {
+        let begin = format!("<!-- {name}: written by `plm-impact reference` -->");
+        let end = format!("<!-- end of {name} -->");
+        let parts = page.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
+        let Some((before, after)) = parts else { return Err([begin, end]) };
+        Ok(format!("{before}{begin}\n\n{}{end}{after}", text()))
     };
-    PARTS.iter().try_fold(page.to_owned(), |page, part| write(page, part).ok_or(part.marks))
+    PARTS.iter().try_fold(page.to_owned(), write)
 }
 
 /// All results as Markdown, a table for every file, or part of one, that has them.

@@ -3,8 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::key::Form;
-use super::keys::KEYS;
-use super::other_keys::OTHER_KEYS;
+use super::keys::{KEYS, every_key};
 use super::quantity::{Bound, Quantity};
 use super::taken::Body;
 use super::words::{DRAWN, MATERIALS, METHODS, SCALES, Words};
@@ -17,11 +16,10 @@ pub fn schema() -> Value {
     for law in LawChoice::names() {
         insert(&mut root, &format!("law.{law}"), table());
     }
-    for key in KEYS {
-        insert(&mut root, key.path, described(number(key.quantity, key.word), key.about));
-    }
-    for key in OTHER_KEYS {
-        insert(&mut root, key.path, described(of_form(&key.form), key.about));
+    for key in every_key() {
+        let mut schema = of_form(&key.form);
+        schema["description"] = json!(key.about);
+        insert(&mut root, key.path, schema);
     }
     root["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     root["title"] = json!("Scenario of plm-impact");
@@ -30,8 +28,19 @@ pub fn schema() -> Value {
     root
 }
 
+/// A table whose keys are added later.
 fn table() -> Value {
     json!({ "type": "object", "additionalProperties": false, "properties": {} })
+}
+
+/// A table of these keys, of which some are required.
+fn table_of(properties: &Value, required: &[&str]) -> Value {
+    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
+}
+
+/// The two ends of a range.
+fn two_of(value: &Value) -> Value {
+    json!({ "type": "array", "items": value, "minItems": 2, "maxItems": 2 })
 }
 
 /// Puts the schema of a key where its path says; `[]` behind a name is a list of tables.
@@ -57,11 +66,6 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
     }
 }
 
-fn described(mut schema: Value, about: &str) -> Value {
-    schema["description"] = json!(about);
-    schema
-}
-
 fn of_form(form: &Form) -> Value {
     match form {
         Form::Number(quantity, word) => number(quantity, *word),
@@ -77,7 +81,6 @@ fn of_form(form: &Form) -> Value {
         Form::Axes => axes(),
         Form::Variables => variables(),
         Form::Free => free(),
-        // the keys of the table are added later
         Form::WordOrTable(words) => {
             let mut schema = table();
             schema["type"] = json!(["string", "object"]);
@@ -117,15 +120,8 @@ fn axes() -> Value {
     for key in KEYS {
         let value = number(key.quantity, None);
         let space = |name: &str| {
-            json!({
-                "type": "object",
-                "additionalProperties": false,
-                "required": [name, "points"],
-                "properties": {
-                    name: { "type": "array", "items": value, "minItems": 2, "maxItems": 2 },
-                    "points": { "type": "integer", "minimum": 1 }
-                }
-            })
+            let properties = json!({ name: two_of(&value), "points": { "type": "integer", "minimum": 1 } });
+            table_of(&properties, &[name, "points"])
         };
         let list = json!({ "type": "array", "items": value, "minItems": 1 });
         schema["properties"][key.path] = json!({ "anyOf": [list, space("linspace"), space("logspace")] });
@@ -144,12 +140,8 @@ fn free() -> Value {
     let mut schema = table();
     for key in KEYS {
         let end = number(key.quantity, None);
-        schema["properties"][key.path] = json!({
-            "type": "object",
-            "additionalProperties": false,
-            "required": ["from", "to"],
-            "properties": { "from": end, "to": end, "scale": one_of(&SCALES) }
-        });
+        let properties = json!({ "from": end, "to": end, "scale": one_of(&SCALES) });
+        schema["properties"][key.path] = table_of(&properties, &["from", "to"]);
     }
     schema["minProperties"] = json!(1);
     schema["maxProperties"] = json!(2);
@@ -162,12 +154,7 @@ fn variables() -> Value {
     for key in KEYS {
         let value = number(key.quantity, None);
         let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
-        let moments = json!({
-            "type": "object",
-            "additionalProperties": false,
-            "required": ["mean", "sd"],
-            "properties": { "mean": value, "sd": spread }
-        });
+        let moments = table_of(&json!({ "mean": value, "sd": spread }), &["mean", "sd"]);
         schema["properties"][key.path] = json!({
             "type": "object",
             "minProperties": 1,
@@ -176,7 +163,7 @@ fn variables() -> Value {
             "properties": {
                 "normal": moments,
                 "lognormal": moments,
-                "uniform": { "type": "array", "items": value, "minItems": 2, "maxItems": 2 }
+                "uniform": two_of(&value)
             }
         });
     }

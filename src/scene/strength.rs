@@ -51,17 +51,12 @@ impl Scene {
         self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
     }
 
-    /// A number of the flow curve, if a curve of this form is given.
-    pub fn flow_number(&self, number: NumberOf) -> Option<f64> {
-        number(&mut self.law.flow()?.clone()).copied()
-    }
-
-    /// Sets a number of the flow curve. A yield strength from a hardness follows.
-    pub fn set_flow_number(&mut self, number: NumberOf, value: f64) {
+    /// Changes the flow curve, if there is one. A yield strength from a hardness follows.
+    pub fn change_flow(&mut self, change: impl FnOnce(&mut FlowCurve)) {
         if let LawChoice::Plm(plm) = &mut self.law
-            && let Some(place) = plm.flow.as_mut().and_then(number)
+            && let Some(flow) = &mut plm.flow
         {
-            *place = value;
+            change(flow);
         }
         self.soften_or_harden();
     }
@@ -74,19 +69,3 @@ impl Scene {
         }
     }
 }
-
-/// A number of a flow curve of one form.
-pub type NumberOf = fn(&mut FlowCurve) -> Option<&mut f64>;
-
-/// The functions that give the numbers of flow curves.
-macro_rules! numbers {
-    ($($form:ident: $number:ident;)+) => {$(
-        pub(super) fn $number(flow: &mut FlowCurve) -> Option<&mut f64> {
-            match flow {
-                FlowCurve::$form { $number, .. } => Some($number),
-                _ => None,
-            }
-        }
-    )+};
-}
-numbers! { Power: exponent; Voce: saturation; Voce: rate; Linear: slope; }

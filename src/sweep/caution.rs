@@ -6,7 +6,7 @@ use std::mem::discriminant;
 use crate::impact::{Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::Variable;
-use crate::plan::{Cases, Plan, label};
+use crate::plan::{Cases, Plan};
 use crate::scene::Scene;
 
 /// The largest number of corners that are computed: those of thirteen axes of numbers.
@@ -14,37 +14,32 @@ const MOST_CORNERS: usize = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
-/// One value of a key.
-struct Choice<'a> {
-    text: String,
-    put: Box<dyn Fn(&mut Scene) + 'a>,
-}
-
 /// The worst warning of each kind with the corner where it was found, and the largest peak indentation over the radius
 /// of the sphere.
 pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
-    let choices: Vec<Vec<Choice>> = match &plan.cases {
-        Cases::Grid(axes) => axes.iter().map(ends).collect(),
+    let tails: Vec<Axis> = match &plan.cases {
+        Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
     };
-    let corners = choices.iter().fold(1, |product: usize, choices| product.saturating_mul(choices.len()));
+    let axes = if plan.is_monte_carlo() { &tails } else { plan.axes() };
+    let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
+    let corners = ends.iter().map(Vec::len).fold(1, usize::saturating_mul);
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for corner in 0..corners.min(MOST_CORNERS) {
         let mut rest = corner;
-        let chosen = choices.iter().map(|choices| {
-            let choice = &choices[rest % choices.len()];
-            rest /= choices.len();
-            choice
-        });
-        let chosen: Vec<&Choice> = chosen.collect();
         let mut scene = plan.scene.clone();
-        for choice in &chosen {
-            (choice.put)(&mut scene);
+        let mut chosen = Vec::with_capacity(axes.len());
+        for (axis, ends) in axes.iter().zip(&ends) {
+            let place = ends[rest % ends.len()];
+            rest /= ends.len();
+            axis.put(place, &mut scene);
+            chosen.push((axis, place));
         }
         let Some(impact) = impact(&scene) else { continue };
         deepest = deepest.max(impact.peak_indentation / scene.sphere.radius);
         for warning in impact.warnings {
-            let place = || chosen.iter().map(|choice| choice.text.as_str()).collect::<Vec<_>>().join(", ");
+            let text = |(axis, place): &(&Axis, u64)| format!("{} = {}", axis.path(), axis.label(*place));
+            let place = || chosen.iter().map(text).collect::<Vec<_>>().join(", ");
             match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
                 None => worst.push((warning, place())),
                 Some(known) if is_worse(doubt(&warning), doubt(&known.0)) => *known = (warning, place()),
@@ -55,8 +50,8 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     (worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect(), deepest)
 }
 
-/// The smallest and the largest value of an axis, or all its words.
-fn ends(axis: &Axis) -> Vec<Choice<'_>> {
+/// The places of the smallest and the largest value of an axis, or of all its words.
+fn ends(axis: &Axis) -> Vec<u64> {
     let mut places: Vec<u64> = match &axis.setting {
         // a list may be in any order
         Setting::Number { values: Values::List(values), .. } => {
@@ -66,26 +61,17 @@ fn ends(axis: &Axis) -> Vec<Choice<'_>> {
             smallest.into_iter().chain(largest).map(|(place, _)| place).collect()
         }
         Setting::Number { .. } => vec![0, axis.len() - 1],
-        Setting::Method(_) => vec![0],
-        Setting::Law(_) | Setting::Material(..) => (0..axis.len()).collect(),
+        // the method changes no warning
+        Setting::Words { .. } if axis.path() == "solver.method" => vec![0],
+        Setting::Words { .. } => (0..axis.len()).collect(),
     };
     places.dedup();
-    let choice = |place| Choice {
-        text: format!("{} = {}", axis.path(), label(axis, place)),
-        put: Box::new(move |scene: &mut Scene| axis.put(place, scene)) as Box<dyn Fn(&mut Scene)>,
-    };
-    places.into_iter().map(choice).collect()
+    places
 }
 
-fn tails(variable: &Variable) -> Vec<Choice<'_>> {
-    let choice = |share| {
-        let (key, value) = (variable.key, variable.value(share));
-        Choice {
-            text: format!("{} = {}", key.path, key.quantity.human(value)),
-            put: Box::new(move |scene: &mut Scene| (key.set)(scene, value)) as Box<dyn Fn(&mut Scene)>,
-        }
-    };
-    TAILS.into_iter().map(choice).collect()
+/// The values of a random key in the tails of its distribution, as an axis.
+fn tails(variable: &Variable) -> Axis {
+    Axis::of_number(variable.key, Values::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 
 /// The impact of one corner; `None` if it has no result, which the status in the table says.

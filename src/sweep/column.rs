@@ -2,7 +2,7 @@
 
 use super::evaluator::Failure;
 use crate::impact::Essentials;
-use crate::plan::axis::{Setting, Values};
+use crate::plan::axis::{Setting, Values, Word};
 use crate::plan::{Cases, Plan};
 use crate::scene::results::Column as ResultColumn;
 
@@ -31,9 +31,7 @@ pub(super) fn columns(plan: &Plan) -> Vec<Column> {
             .zip(axes)
             .map(|(place, axis)| match &axis.setting {
                 Setting::Number { values, .. } => Column::Number(place, values.clone()),
-                Setting::Method(_) | Setting::Law(_) | Setting::Material(..) => {
-                    Column::Name(place, axis.words().unwrap_or_default())
-                }
+                Setting::Words { words, .. } => Column::Name(place, words.iter().map(Word::name).collect()),
             })
             .collect(),
     };

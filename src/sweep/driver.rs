@@ -7,7 +7,7 @@ use std::path::Path;
 use super::SweepError;
 use super::count::Count;
 use super::evaluator::{Evaluator, Rows};
-use super::job::{Job, Progress, Written};
+use super::job::{Job, Written};
 use super::ordered::{Made, fill};
 use super::pace::Pace;
 use super::seal::Sealed;
@@ -28,20 +28,15 @@ impl Job<'_> {
         for place in [&table, &sidecar_path(&table)] {
             remove_stale(place).map_err(SweepError::file("cannot be written", place))?;
         }
-        let written = |tally: Tally, resumed| Written {
-            table: table.clone(),
-            tally,
-            resumed,
-            is_whole: self.shard.is_none(),
-            _lock: lock,
-        };
+        let is_whole = self.shard.is_none();
+        let written = |tally, resumed| Written { table: table.clone(), tally, resumed, is_whole, _lock: lock };
         let shard = self.shard.unwrap_or(Shard::WHOLE);
         let sidecar = Sidecar::new(self.plan, self.source, self.format, shard);
         if self.format == Format::Parquet {
             let (tally, resumed) = self.run_parquet(&table, &sidecar)?;
             return Ok(written(tally, resumed));
         }
-        let layout = Layout::new(self.total(), shard);
+        let layout = Layout::new(self.plan.count(), shard);
         let text = TextTable::new(self.plan, self.format);
         let part = part_path(&table);
         let old = Sidecar::read(&table)?;
@@ -133,11 +128,6 @@ impl Job<'_> {
         Ok(Some(tally))
     }
 
-    fn total(&self) -> u64 {
-        // a plan of more than 2^63 cases is refused while the scenario is read
-        self.plan.count().unwrap_or(u64::MAX)
-    }
-
     /// Computes the rows after those of `tally` and appends them.
     fn append(
         &self,
@@ -149,7 +139,7 @@ impl Job<'_> {
     ) -> Result<(), SweepError> {
         let evaluator = Evaluator::new(self.plan);
         let (total, resumed) = (layout.rows(), tally.rows);
-        let report = |rows| (self.progress)(Progress { rows: resumed + rows, total, resumed });
+        let report = |rows| (self.progress)(resumed + rows, total);
         let pace = Pace::new(self.is_cancelled, &report);
         let make = |rows: Range<u64>| {
             let is_end = rows.end == total;
@@ -184,7 +174,7 @@ impl Job<'_> {
             return Ok((tally, resumed));
         }
         sidecar.write(table)?;
-        let written = super::parquet::write(self, table, self.total());
+        let written = super::parquet::write(self, table);
         if written.is_err() {
             let path = sidecar_path(table);
             remove(&path).map_err(SweepError::file("cannot be removed", &path))?;

@@ -136,16 +136,8 @@ impl<'a> Evaluator<'a> {
         let mut evaluator = Self { plan, derives_strength, contacts: Vec::new(), strides, lockstep: None };
         if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
-            let solver = &plan.scene.solver;
-            let sweeps_solver = match &plan.cases {
-                Cases::Grid(axes) => axes.iter().any(Axis::is_of_solver),
-                Cases::MonteCarlo { variables, .. } => {
-                    variables.iter().any(|variable| variable.key.path.starts_with("solver."))
-                }
-            };
-            if has_lanes(plan) && !sweeps_solver {
-                evaluator.lockstep = Some(*solver);
-            }
+            let sweeps_solver = plan.paths().iter().any(|path| path.starts_with("solver."));
+            evaluator.lockstep = (has_lanes(plan) && !sweeps_solver).then_some(plan.scene.solver);
         }
         evaluator
     }
@@ -158,10 +150,8 @@ impl<'a> Evaluator<'a> {
     /// The contact of one combination.
     fn combination(&self, index: u64) -> Result<Contact, Failure> {
         let mut scene = self.plan.scene.clone();
-        if let Cases::Grid(axes) = &self.plan.cases {
-            for (axis, stride) in axes.iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
-                axis.put(index / stride % axis.len(), &mut scene);
-            }
+        for (axis, stride) in self.plan.axes().iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
+            axis.put(index / stride % axis.len(), &mut scene);
         }
         contact(&scene)
     }
@@ -343,7 +333,7 @@ mod tests {
             let text = format!("{given}\n{more}\n[sweep]\n{axes}");
             let plan = Scenario::from_text("listed", &text, &[]).unwrap().plan().unwrap().unwrap();
             let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
-            let count = plan.count().unwrap();
+            let count = plan.count();
             let evaluator = Evaluator::new(&plan);
             let (mut grid, mut listed) = (Rows::default(), Rows::default());
             evaluator.rows(0..count, &mut grid);

@@ -1,4 +1,4 @@
-//! The request for a table, its progress, and the finished table.
+//! The request for a table, and the finished table.
 
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -25,8 +25,9 @@ pub struct Job<'a> {
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
     pub source: &'a Source,
-    /// Called with the progress after every piece of rows.
-    pub progress: &'a (dyn Fn(Progress) + Sync),
+    /// Called after every piece of rows: with the number of rows computed, including those of an earlier run, and the
+    /// number of all rows of this shard.
+    pub progress: &'a (dyn Fn(u64, u64) + Sync),
     /// Set to stop within a fraction of a second, unless a single row takes longer.
     pub is_cancelled: &'a AtomicBool,
 }
@@ -41,17 +42,6 @@ impl Job<'_> {
     pub fn files(&self) -> Vec<String> {
         self.partition.as_ref().map_or_else(|| vec![self.name()], Partition::files)
     }
-}
-
-/// The progress of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
-    /// Rows computed, including the rows of an earlier run.
-    pub rows: u64,
-    /// All rows of this shard.
-    pub total: u64,
-    /// Rows of an earlier run.
-    pub resumed: u64,
 }
 
 /// A finished table, locked until it is dropped.
@@ -72,9 +62,6 @@ pub struct Written {
 impl Written {
     /// To be called when the summary and the pictures are written too: removes the sidecar of a whole table. Until then
     /// the same command keeps the table and writes only what is missing beside it.
-    ///
-    /// # Errors
-    /// [`SweepError::File`].
     pub fn close(&self) -> Result<(), SweepError> {
         if self.is_whole {
             let path = sidecar_path(&self.table);

@@ -11,12 +11,11 @@ use self::reader::Reader;
 use super::SweepError;
 use super::seal::Seal;
 use super::shard::{Layout, Shard};
-use super::sidecar::{OTHER_MACHINE, Sidecar, Tally, part_path, sidecar_path};
+use super::sidecar::{OTHER_MACHINE, SIDECAR, Sidecar, Tally, part_path, sidecar_path};
 use super::table::{Format, TextTable};
 use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
 use crate::plan::{Plan, Source};
 
-const SIDECAR: &str = ".sidecar.json";
 /// The summary, which the command writes beside a merged table.
 const SUMMARY: &str = "summary.json";
 
@@ -205,10 +204,7 @@ fn check_place(out: &Path, shards: &[Finished]) -> Result<(), SweepError> {
 fn write(sidecar: &Sidecar, plan: &Plan, shards: &[Finished], out: &mut NewFile) -> Result<Tally, SweepError> {
     let is_json = sidecar.format == Format::Json;
     let table = TextTable::new(plan, sidecar.format);
-    let layout = |index| {
-        // a plan of more than 2^63 cases is refused while the scenario is read
-        Layout::new(plan.count().unwrap_or(u64::MAX), Shard { index, count: sidecar.shards })
-    };
+    let layout = |index| Layout::new(plan.count(), Shard { index, count: sidecar.shards });
     // 64 MB for all shards together; 100 MB for the largest number of shards, with the least buffer for each
     let buffer = ((64 << 20) / shards.len()).clamp(1 << 10, 1 << 20);
     let readers = (0..).zip(shards).map(|(index, shard)| Reader::open(&shard.table, &table, &layout(index), buffer));

@@ -23,7 +23,7 @@ use super::SweepError;
 use super::column::OK;
 use super::count::Count;
 use super::evaluator::{Evaluator, Failure};
-use super::job::{Job, Progress};
+use super::job::Job;
 use super::ordered::{Made, fill};
 use super::pace::Pace;
 use super::shard::{Layout, Shard};
@@ -43,7 +43,8 @@ fn row_group(total: u64) -> u64 {
 
 /// Writes the table of a job; its files appear when all of them are complete. A Parquet file ends with its table of
 /// contents, so an unfinished file cannot be resumed.
-pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepError> {
+pub(super) fn write(job: &Job, table: &Path) -> Result<Tally, SweepError> {
+    let total = job.plan.count();
     let unwritable = SweepError::file("cannot be written", table);
     let failed = |error: ParquetError| unwritable(io::Error::other(error));
     let (names, columns) = named(job.plan, job.partition.as_ref().map(|partition| partition.place));
@@ -64,7 +65,7 @@ pub(super) fn write(job: &Job, table: &Path, total: u64) -> Result<Tally, SweepE
         None => Layout::new(total, Shard::WHOLE),
     };
 
-    let report = |rows| (job.progress)(Progress { rows, total, resumed: 0 });
+    let report = |rows| (job.progress)(rows, total);
     let encoder = Encoder {
         pace: Pace::new(job.is_cancelled, &report),
         evaluator: Evaluator::new(job.plan),

@@ -4,8 +4,8 @@
 
 use super::SweepError;
 use super::shard::{Layout, Shard};
+use crate::plan::Plan;
 use crate::plan::axis::Axis;
-use crate::plan::{Cases, Plan};
 
 /// How a table is divided into files.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -22,18 +22,16 @@ pub struct Partition {
 
 impl Partition {
     /// The division by the axis of this key. The values of the axis have to be words: laws, methods or materials.
-    ///
-    /// # Errors
-    /// [`SweepError::PartitionBy`].
     pub fn of(plan: &Plan, key: &str) -> Result<Self, SweepError> {
-        let axes = if let Cases::Grid(axes) = &plan.cases { axes.as_slice() } else { &[] };
-        let found = axes.iter().enumerate().find(|(_, axis)| axis.path() == key);
-        let Some((place, axis, words)) = found.and_then(|(place, axis)| Some((place, axis, axis.words()?))) else {
-            let of_words = axes.iter().filter(|axis| axis.words().is_some()).map(Axis::path).collect();
+        let axes = plan.axes();
+        let of_words = axes.iter().enumerate().filter(|(_, axis)| !axis.words().is_empty());
+        let Some((place, axis)) = of_words.clone().find(|(_, axis)| axis.path() == key) else {
+            let of_words = of_words.map(|(_, axis)| axis.path()).collect();
             return Err(SweepError::PartitionBy { key: key.to_owned(), of_words });
         };
         let stride = axes[place + 1..].iter().map(Axis::len).product();
-        Ok(Self { place, column: axis.column(), values: words.iter().map(|word| encoded(word)).collect(), stride })
+        let values = axis.words().iter().map(|word| encoded(&word.name())).collect();
+        Ok(Self { place, column: axis.column(), values, stride })
     }
 
     /// The name of the folder that holds the table.

@@ -64,9 +64,6 @@ impl Shard {
     }
 
     /// Reads `i/n`.
-    ///
-    /// # Errors
-    /// [`ShardError`].
     pub fn parse(text: &str) -> Result<Self, ShardError> {
         let form = || ShardError::Form(text.to_owned());
         let (index, count) = text.split_once('/').ok_or_else(form)?;
@@ -75,9 +72,6 @@ impl Shard {
     }
 
     /// Reads `VARIABLE/n`, with the variable looked up by `environment`.
-    ///
-    /// # Errors
-    /// [`ShardError`].
     pub fn parse_with_variable(text: &str, environment: impl Fn(&str) -> Option<String>) -> Result<Self, ShardError> {
         let (variable, count) = text.split_once('/').ok_or_else(|| ShardError::Form(text.to_owned()))?;
         let index = environment(variable).ok_or_else(|| ShardError::Unset(variable.to_owned()))?;

@@ -134,15 +134,15 @@ impl Sidecar {
     }
 
     /// Writes it beside a table.
-    ///
-    /// # Errors
-    /// [`SweepError::File`].
     pub fn write(&self, table: &Path) -> Result<(), SweepError> {
         let path = sidecar_path(table);
         let text = serde_json::to_vec_pretty(self).map_err(io::Error::from);
         text.and_then(|text| replace(&path, &text)).map_err(SweepError::file("cannot be written", &path))
     }
 }
+
+/// The end of the name of a sidecar, behind the name of its table.
+pub const SIDECAR: &str = ".sidecar.json";
 
 /// The path of a table while it is unfinished.
 pub fn part_path(table: &Path) -> PathBuf {
@@ -151,7 +151,7 @@ pub fn part_path(table: &Path) -> PathBuf {
 
 /// The path of the sidecar of a table.
 pub fn sidecar_path(table: &Path) -> PathBuf {
-    with_suffix(table, ".sidecar.json")
+    with_suffix(table, SIDECAR)
 }
 
 /// The name of a shard's table, or of an undivided one.

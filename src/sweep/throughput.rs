@@ -27,9 +27,6 @@ pub struct Throughput {
 }
 
 /// Measures a plan, writing its tables into `directory`.
-///
-/// # Errors
-/// [`SweepError`] if a table cannot be written.
 pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Result<Throughput, SweepError> {
     let mut best = Throughput { compute: 0.0, csv: 0.0, parquet: None };
     for _ in 0..rounds {
@@ -46,7 +43,7 @@ pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Resu
 /// Rows per second of computing only.
 #[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
-    let total = plan.count().unwrap_or(0);
+    let total = plan.count();
     let started = Instant::now();
     let layout = Layout::new(total, Shard::WHOLE);
     let evaluator = Evaluator::new(plan);
@@ -64,11 +61,8 @@ pub fn compute_rate(plan: &Plan) -> f64 {
 }
 
 /// Rows per second of computing and writing a file.
-///
-/// # Errors
-/// [`SweepError`] if the table cannot be written.
 #[allow(clippy::cast_precision_loss)]
-pub fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Result<f64, SweepError> {
+fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Result<f64, SweepError> {
     let started = Instant::now();
     let job = Job {
         plan,
@@ -77,7 +71,7 @@ pub fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> R
         partition: None,
         directory,
         source: &Source::default(),
-        progress: &|_| (),
+        progress: &|_, _| (),
         is_cancelled: &AtomicBool::new(false),
     };
     let written = job.run()?;

@@ -3,8 +3,7 @@
 
 use crate::common::command::{Desk, text};
 use plm_impact::scenario::Kind;
-use plm_impact::scene::keys::KEYS;
-use plm_impact::scene::other_keys::OTHER_KEYS;
+use plm_impact::scene::keys::every_key;
 use plm_impact::scene::schema::schema;
 
 /// A scenario in which all optional lines are active, without other comments.
@@ -44,10 +43,7 @@ fn every_kind_runs_as_it_is_and_with_all_that_can_be_put_in() {
 
 #[test]
 fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
-    let about = |path: &str| {
-        let numeric = KEYS.iter().map(|key| (key.path, key.about));
-        numeric.chain(OTHER_KEYS.iter().map(|key| (key.path, key.about))).find(|(known, _)| *known == path)
-    };
+    let about = |path: &str| every_key().map(|key| (key.path, key.about)).find(|(known, _)| *known == path);
     let mut told = 0;
     for (kind, _) in Kind::ALL {
         let scenario = text(&Desk::with("").call(&["init", kind, "--out", "-"]).stdout);

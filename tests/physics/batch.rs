@@ -206,7 +206,7 @@ fn rows_with_damping_are_those_of_one_impact_at_a_time() {
 fn rows(text: &str) -> Rows {
     let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();
     let mut rows = Rows::default();
-    Evaluator::new(&plan).rows(0..plan.count().unwrap(), &mut rows);
+    Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
     rows
 }
 
