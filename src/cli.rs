@@ -73,7 +73,7 @@ enum Command {
 }
 
 /// Does what the command line says.
-pub fn run() -> anyhow::Result<()> {
+pub fn run() -> Result<(), Error> {
     let Cli { command, error_format } = parse()?;
     error_format.begin();
     match command {
@@ -85,7 +85,7 @@ pub fn run() -> anyhow::Result<()> {
         Command::Export(arguments) => export::export(&arguments),
         Command::Laws => terminal::print(&plm_impact::report::laws::list()),
         Command::Materials(arguments) => materials::materials(&arguments),
-        Command::Schema => terminal::print(&(serde_json::to_string_pretty(&schema())? + "\n")),
+        Command::Schema => terminal::print(&format!("{:#}\n", schema())),
         Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),

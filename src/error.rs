@@ -26,20 +26,10 @@ pub enum Error {
     Scenario(#[from] ScenarioError),
     /// The scenario is well-formed, but its impact has no result.
     #[error("{scenario}: {reason}")]
-    Impact {
-        /// The scenario file.
-        scenario: String,
-        /// Why.
-        reason: ImpactError,
-    },
+    Impact { scenario: String, reason: ImpactError },
     /// The scenario is well-formed, but its indentation has no result.
     #[error("{scenario}: {reason}")]
-    Indentation {
-        /// The scenario file.
-        scenario: String,
-        /// Why.
-        reason: String,
-    },
+    Indentation { scenario: String, reason: String },
     /// A report could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -63,19 +53,18 @@ pub enum Error {
     /// A shard that does not exist.
     #[error("--shard: {0}")]
     Shard(ShardError),
+    /// A table could not be written as CSV.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+    /// A failure that has nothing to do with the input: of a thread, a signal, standard output.
+    #[error("{0}")]
+    Other(String),
     /// An option or an argument that is wrong.
     #[error("{0}")]
     Option(String),
     /// A table with rows that have no result.
     #[error("{failures} of {rows} cases have no result: see the column status of {}", .table.display())]
-    FailedCases {
-        /// Rows without a result.
-        failures: u64,
-        /// All rows.
-        rows: u64,
-        /// The table.
-        table: PathBuf,
-    },
+    FailedCases { failures: u64, rows: u64, table: PathBuf },
     /// A fit gave no coefficients.
     #[error(transparent)]
     Fit(#[from] FitError),
@@ -84,33 +73,16 @@ pub enum Error {
     Calibrate(#[from] CalibrateError),
     /// Measurements that contradict the law.
     #[error("{scenario}: {reason}")]
-    Contradicted {
-        /// The scenario file.
-        scenario: String,
-        /// Why.
-        reason: String,
-    },
+    Contradicted { scenario: String, reason: String },
     /// A validation could not be made.
     #[error(transparent)]
     Validation(#[from] ValidationError),
     /// A validation that missed tolerances.
     #[error("{missed} of {checks} checks missed their tolerance: see {}", .table.display())]
-    Missed {
-        /// Checks beyond their tolerance.
-        missed: usize,
-        /// All checks.
-        checks: usize,
-        /// The table.
-        table: PathBuf,
-    },
+    Missed { missed: usize, checks: usize, table: PathBuf },
     /// Warnings under `--strict`.
     #[error("{scenario}: {count} warning(s), which --strict makes errors; nothing was written")]
-    Strict {
-        /// The scenario file.
-        scenario: String,
-        /// How many.
-        count: usize,
-    },
+    Strict { scenario: String, count: usize },
 }
 
 impl From<ShardError> for Error {
@@ -152,6 +124,8 @@ impl Error {
             | Self::Impact { reason: ImpactError::Integration(_), .. }
             | Self::Report(_)
             | Self::Plot(_)
+            | Self::Csv(_)
+            | Self::Other(_)
             | Self::FailedCases { .. }
             | Self::Strict { .. } => 1,
             Self::Validation(error) => {

@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::bench::{hard_cases, measure, problems, report};
 use plm_impact::error::Error;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, Scratch};
+use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::throughput::throughput;
+
+use super::terminal::other;
 
 /// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
 #[derive(Debug, Args)]
@@ -31,29 +33,28 @@ pub struct Arguments {
 /// The report in Markdown.
 const PAGE: &str = "README.md";
 
-pub fn bench(arguments: &Arguments) -> anyhow::Result<()> {
-    let directory =
-        OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force).map_err(Error::from)?;
+pub fn bench(arguments: &Arguments) -> Result<(), Error> {
+    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force)?;
     super::output::say_what_is_replaced(&directory);
-    directory.check([PAGE, "speed_vs_error.csv"]).map_err(Error::from)?;
+    directory.check([PAGE, "speed_vs_error.csv"])?;
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
-    for problem in problems::problems().context("problems")? {
+    for problem in problems::problems().map_err(other("problems"))? {
         super::terminal::note(format_args!("measuring {}: {}", problem.name, problem.about));
         let measurements = measure::measure(&problem, arguments.quick, rounds, burst);
         all.push((problem, measurements));
     }
-    let cases = hard_cases::hard_cases().context("hard cases")?;
+    let cases = hard_cases::hard_cases().map_err(other("hard cases"))?;
     super::terminal::note(format_args!("measuring tables"));
     let rates = table_rates(&directory, arguments.quick)?;
-    let text = report::page(&all, &cases, rates).context("hard cases")?;
+    let text = report::page(&all, &cases, rates).map_err(other("hard cases"))?;
     let mut files = vec![report::csv(&all)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
     }
     let path = directory.path().to_owned();
-    directory.write(&files).map_err(Error::from)?;
+    directory.write(&files)?;
     super::terminal::print(&text)?;
     super::terminal::note(format_args!("wrote {} files to {}", files.len(), path.display()));
     Ok(())
@@ -74,14 +75,14 @@ const NINE: &str =
     r#"output.columns=["contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m"]"#;
 
 /// How fast tables are computed and written: a row of the report for each table.
-fn table_rates(directory: &OutputDirectory, is_quick: bool) -> anyhow::Result<Vec<Vec<String>>> {
-    let scratch = Scratch::new(directory, "throughput").map_err(Error::from)?;
-    let tables = OutputDirectory::shared(scratch.path()).map_err(Error::from)?;
-    let measure = |columns: Option<&str>| -> anyhow::Result<Vec<String>> {
+fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<Vec<Vec<String>>, Error> {
+    let scratch = Scratch::new(directory, "throughput")?;
+    let tables = OutputDirectory::shared(scratch.path())?;
+    let measure = |columns: Option<&str>| -> Result<Vec<String>, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
-        let plan = scenario.plan()?.context("the table of the bench is a sweep")?;
+        let plan = table::plan(&scenario)?;
         let rates = super::threads::with(None, || throughput(&plan, &tables, if is_quick { 1 } else { 7 }))??;
         let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
         let count = plan.column_names().len().to_string();

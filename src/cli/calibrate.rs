@@ -2,7 +2,6 @@
 
 use std::path::{PathBuf, absolute};
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::run::{Run, way};
@@ -11,6 +10,7 @@ use plm_impact::scene::words::LAWS;
 
 use super::output::Output;
 use super::scenario::ScenarioArguments;
+use super::terminal::other;
 
 /// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
 ///
@@ -51,9 +51,9 @@ pub struct Arguments {
     output: Output,
 }
 
-pub fn calibrate(arguments: &Arguments) -> anyhow::Result<()> {
-    let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(Error::from)?;
-    scenario.wanted().map_err(Error::from)?;
+pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load_with(&arguments.settings()?)?;
+    scenario.wanted()?;
     match way(Kind::Calibrate).run {
         Run::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
         Run::Table => Ok(()),
@@ -66,11 +66,11 @@ fn all(law: &str) -> Result<(), String> {
 
 impl Arguments {
     /// The options as keys of the scenario.
-    fn settings(&self) -> anyhow::Result<Vec<String>> {
+    fn settings(&self) -> Result<Vec<String>, Error> {
         let mut settings = Vec::new();
         if let Some(data) = &self.data {
             // a path of the command line is not relative to the scenario
-            let path = absolute(data).with_context(|| data.display().to_string())?;
+            let path = absolute(data).map_err(other(data.display()))?;
             settings.push(format!("calibrate.data={}", quoted(&path.to_string_lossy())));
         }
         let numbers = [

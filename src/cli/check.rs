@@ -15,8 +15,8 @@ pub struct Arguments {
     scenario: ScenarioArguments,
 }
 
-pub fn check(arguments: &Arguments) -> anyhow::Result<()> {
-    let scenario = arguments.scenario.load().map_err(Error::from)?;
+pub fn check(arguments: &Arguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load()?;
     let outcome = plm_impact::run::check(&scenario)?;
     super::output::warn(&outcome.warnings);
     super::terminal::print(&outcome.text)

@@ -2,6 +2,7 @@
 
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
+use plm_impact::error::Error;
 
 /// Print the completions of a shell
 #[derive(Debug, Args)]
@@ -13,10 +14,10 @@ pub struct Arguments {
     shell: Shell,
 }
 
-pub fn completions(Arguments { shell }: &Arguments, mut program: Command) -> anyhow::Result<()> {
+pub fn completions(Arguments { shell }: &Arguments, mut program: Command) -> Result<(), Error> {
     let mut text = Vec::new();
     generate(*shell, &mut program, env!("CARGO_PKG_NAME"), &mut text);
     // for bash a program with a hyphen in its name has two names, until https://github.com/clap-rs/clap/issues/6421 is solved
     let [wrong, right] = ["__subcmd__", "__"].map(|hyphen| env!("CARGO_PKG_NAME").replace('-', hyphen));
-    super::terminal::print(&String::from_utf8(text)?.replace(&wrong, &right))
+    super::terminal::print(&String::from_utf8_lossy(&text).replace(&wrong, &right))
 }

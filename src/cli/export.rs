@@ -1,6 +1,5 @@
 //! `plm-impact export`
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::export::{Equal, Request, Target, export as lines};
@@ -31,16 +30,16 @@ pub struct Arguments {
     equal_peak_force: bool,
 }
 
-pub fn export(arguments: &Arguments) -> anyhow::Result<()> {
+pub fn export(arguments: &Arguments) -> Result<(), Error> {
     let request = Request {
         target: arguments.to.1,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
         speeds: arguments.speeds.as_deref().map(speeds).transpose()?,
         equal: if arguments.equal_peak_force { Equal::PeakForce } else { Equal::ContactTime },
     };
-    let scenario = arguments.scenario.load().map_err(Error::from)?;
+    let scenario = arguments.scenario.load()?;
     let text = lines(&scenario, &request, &super::output::command_line())?;
-    super::terminal::print(&text).context("standard output")
+    super::terminal::print(&text)
 }
 
 fn speed(option: &str, text: &str) -> Result<f64, Error> {

@@ -41,35 +41,33 @@ pub struct Arguments {
     fit_knots: bool,
 }
 
-pub fn fit_plm(arguments: &Arguments) -> anyhow::Result<()> {
-    let request = |message: String| Error::from(FitError::Request(message));
+pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
+    let request = |message: String| Error::Fit(FitError::Request(message));
     let (directory, file_name) = place(&arguments.out).map_err(request)?;
     let curves: Result<Vec<LoadingCurve>, FitError> =
         arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
-    let curves = curves.map_err(Error::from)?;
+    let curves = curves?;
     let is_out = |path: &PathBuf| {
         path.canonicalize().ok().is_some_and(|path| arguments.out.canonicalize().is_ok_and(|out| out == path))
     };
     if arguments.curves.iter().any(is_out) {
-        return Err(
-            request(format!("--out {}: is one of the curves; name another file", arguments.out.display())).into()
-        );
+        return Err(request(format!("--out {}: is one of the curves; name another file", arguments.out.display())));
     }
     let built_in = PlmCoefficients::built_in();
     let start = match &arguments.knots[..] {
         [] => built_in.clone(),
-        knots => fit::knots::with_knots(built_in, knots).map_err(Error::from)?,
+        knots => fit::knots::with_knots(built_in, knots)?,
     };
-    let directory = OutputDirectory::shared(directory).map_err(Error::from)?;
-    let _lock = directory.lock(Path::new(&file_name)).map_err(Error::from)?;
-    may_replace(&arguments.out, arguments.force).map_err(Error::from)?;
+    let directory = OutputDirectory::shared(directory)?;
+    let _lock = directory.lock(Path::new(&file_name))?;
+    may_replace(&arguments.out, arguments.force)?;
     let plan = Plan { start, has_knots: arguments.fit_knots };
-    let fitted = fit::fit(&curves, &plan).map_err(Error::from)?;
+    let fitted = fit::fit(&curves, &plan)?;
     let default_name = || format!("PLM, {}", Path::new(&file_name).with_extension("").display());
     let name = arguments.name.clone().unwrap_or_else(default_name);
     let coefficients = report::coefficients(&fitted, &name, &super::output::command_line());
-    let text = report::toml(&coefficients).map_err(Error::from)?;
-    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }]).map_err(Error::from)?;
+    let text = report::toml(&coefficients)?;
+    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
     super::terminal::print(&report::table(&fitted, &of_built_in))?;
     super::terminal::note(format_args!("wrote {}", arguments.out.display()));

@@ -4,13 +4,13 @@ use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::{Kind, template};
 
 use super::names::one_of;
 use super::scenario::STANDARD_INPUT;
+use super::terminal::other;
 
 /// Write a scenario to begin with, in which a comment explains every key
 ///
@@ -28,7 +28,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> anyhow::Result<()> {
+pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> Result<(), Error> {
     let text = template(*found);
     let out = out.clone().unwrap_or_else(|| format!("{kind}.toml").into());
     if out == Path::new(STANDARD_INPUT) {
@@ -40,7 +40,7 @@ pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> anyhow::Resul
         _ => Error::Option(format!("{name}: cannot be written: {reason}; name another file with --out")),
     })?;
     let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(&out)));
-    written.with_context(|| format!("{name}: cannot be written"))?;
+    written.map_err(other(format!("{name}: cannot be written")))?;
     super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
     Ok(())
 }

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use anyhow::Context as _;
 use plm_impact::error::Error;
 use plm_impact::sweep::SweepError;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
+
+use super::terminal::other;
 
 /// A shell adds the number of the signal to this for the exit code.
 const ENDED_BY: usize = 128;
@@ -28,29 +29,29 @@ pub struct Interrupt {
 
 impl Interrupt {
     /// Listens from now on.
-    pub fn listen() -> anyhow::Result<Self> {
+    pub fn listen() -> Result<Self, Error> {
         let interrupt = Self { is_set: Arc::default(), code: Arc::default(), is_over: Arc::default() };
         for signal in [SIGINT, SIGTERM] {
-            let code = ENDED_BY + usize::try_from(signal)?;
+            let code = ENDED_BY + signal.unsigned_abs() as usize;
             let listened = flag::register_conditional_default(signal, Arc::clone(&interrupt.is_over));
             let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&interrupt.code), code));
-            listened.and_then(|_| flag::register(signal, Arc::clone(&interrupt.is_set))).context("signals")?;
+            listened.and_then(|_| flag::register(signal, Arc::clone(&interrupt.is_set))).map_err(other("signals"))?;
         }
         Ok(interrupt)
     }
 
     /// From now on the process ends a second after a signal, even if a single row or a picture takes longer.
-    pub fn end_the_slow(&self) -> anyhow::Result<()> {
+    pub fn end_the_slow(&self) -> Result<(), Error> {
         let code = Arc::clone(&self.code);
         let end = move || {
             while code.load(Ordering::Relaxed) == 0 {
                 std::thread::sleep(LOOK);
             }
             std::thread::sleep(PATIENCE);
-            let exit_code = super::terminal::error(&stopped(GOES_ON.to_owned(), &code).into());
+            let exit_code = super::terminal::error(&stopped(GOES_ON.to_owned(), &code));
             std::process::exit(exit_code.into());
         };
-        std::thread::Builder::new().spawn(end).map(drop).context("signals")
+        std::thread::Builder::new().spawn(end).map(drop).map_err(other("signals"))
     }
 
     /// The error of a sweep, with the exit code of the signal.

@@ -14,15 +14,15 @@ pub struct Arguments {
     command: Option<String>,
 }
 
-pub fn man(Arguments { command }: &Arguments, mut program: Command) -> anyhow::Result<()> {
+pub fn man(Arguments { command }: &Arguments, mut program: Command) -> Result<(), Error> {
     program.build();
     let page = match command {
         None => program,
         Some(name) => program.find_subcommand(name).cloned().ok_or_else(|| unknown(name, &program))?,
     };
     let mut text = Vec::new();
-    Man::new(page).render(&mut text)?;
-    super::terminal::print(&String::from_utf8(text)?)
+    Man::new(page).render(&mut text).map_err(super::terminal::other("manual page"))?;
+    super::terminal::print(&String::from_utf8_lossy(&text))
 }
 
 fn unknown(name: &str, program: &Command) -> Error {

@@ -15,7 +15,7 @@ pub struct Arguments {
     name: Option<String>,
 }
 
-pub fn materials(Arguments { name }: &Arguments) -> anyhow::Result<()> {
+pub fn materials(Arguments { name }: &Arguments) -> Result<(), Error> {
     let text = match name {
         None => list(),
         Some(name) => one(find(name).ok_or_else(|| unknown(name))?),

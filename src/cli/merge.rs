@@ -35,17 +35,17 @@ pub struct Arguments {
     pictures: PictureArguments,
 }
 
-pub fn merge(arguments: &Arguments) -> anyhow::Result<()> {
+pub fn merge(arguments: &Arguments) -> Result<(), Error> {
     let parent = output::folder(&arguments.out);
-    let mut directory = OutputDirectory::shared(parent).map_err(Error::from)?;
+    let mut directory = OutputDirectory::shared(parent)?;
     let merged = merge::merge(&arguments.inputs, &mut directory, &arguments.out, arguments.force, plan_of);
-    let merged = merged.map_err(Error::from)?;
+    let merged = merged?;
     let warnings = table::warnings(&merged.plan);
     super::output::warn(&warnings);
     // the shards are of this version, or they would not have been merged
     let provenance = Provenance::new(merged.sidecar.scenario_sha256.clone(), &super::output::command_line());
     let files = table::files(&merged.plan, &merged.tally, &warnings, &provenance, arguments.pictures.format)?;
-    directory.write(&files).map_err(Error::from)?;
+    directory.write(&files)?;
     if !arguments.quiet {
         super::terminal::print(&report::sweep::lines(&merged.tally))?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();

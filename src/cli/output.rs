@@ -61,7 +61,7 @@ impl Output {
         file: &Path,
         scenario: Scenario,
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
-    ) -> anyhow::Result<()> {
+    ) -> Result<(), Error> {
         let directory = self.prepare(file, &scenario)?;
         let pictures = self.pictures.format;
         let (scenario, outcome) = watched(self.quiet, move |progress| {
@@ -72,15 +72,15 @@ impl Output {
         warn(&warnings);
         heed(&scenario, warnings.len(), self.strict)?;
         let out = directory.path().to_owned();
-        directory.write(&files).map_err(Error::from)?;
+        directory.write(&files)?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
         let name = || scenario.document.name().to_owned();
-        contradiction.map_or(Ok(()), |reason| Err(Error::Contradicted { scenario: name(), reason }.into()))
+        contradiction.map_or(Ok(()), |reason| Err(Error::Contradicted { scenario: name(), reason }))
     }
 
     /// Prints the table of a run and notes where its files are, or prints the summary alone.
-    pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> anyhow::Result<()> {
+    pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> Result<(), Error> {
         if self.json {
             let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
             super::terminal::print(&String::from_utf8_lossy(summary))?;
@@ -98,10 +98,10 @@ impl Output {
     }
 
     /// The same, ready to be written to.
-    pub fn prepare(&self, file: &Path, scenario: &Scenario) -> anyhow::Result<OutputDirectory> {
-        let hash = scenario.sha256().map_err(Error::from)?;
+    pub fn prepare(&self, file: &Path, scenario: &Scenario) -> Result<OutputDirectory, Error> {
+        let hash = scenario.sha256()?;
         let origin = Origin::File(file, &hash);
-        let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force).map_err(Error::from)?;
+        let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force)?;
         say_what_is_replaced(&directory);
         Ok(directory)
     }

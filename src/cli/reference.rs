@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context as _;
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scene::reference;
+
+use super::terminal::other;
 
 /// Print the tables of all keys and results, or write them into a page between its marks
 #[derive(Debug, Args)]
@@ -18,14 +19,14 @@ pub struct Arguments {
     page: Option<PathBuf>,
 }
 
-pub fn reference(arguments: &Arguments) -> anyhow::Result<()> {
+pub fn reference(arguments: &Arguments) -> Result<(), Error> {
     let Some(page) = &arguments.page else {
         return super::terminal::print(&reference::page());
     };
     let name = page.display();
-    let text = std::fs::read_to_string(page).with_context(|| format!("{name}: cannot be read"))?;
+    let text = std::fs::read_to_string(page).map_err(other(format!("{name}: cannot be read")))?;
     let renewed = reference::renewed(&text).map_err(|[begin, end]| {
         Error::Option(format!("{name}: has no marks to write between; put in \"{begin}\" and \"{end}\""))
     })?;
-    std::fs::write(page, renewed).with_context(|| format!("{name}: cannot be written"))
+    std::fs::write(page, renewed).map_err(other(format!("{name}: cannot be written")))
 }

@@ -21,9 +21,9 @@ pub struct Arguments {
     sweep: super::sweep::Options,
 }
 
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let scenario = arguments.scenario.load().map_err(Error::from)?;
-    match way(scenario.kind().map_err(Error::from)?).run {
+pub fn run(arguments: &Arguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load()?;
+    match way(scenario.kind()?).run {
         Run::Once { what, run } => {
             arguments.sweep.refuse_for(what)?;
             arguments.output.once(arguments.scenario.name(), scenario, run)

@@ -79,7 +79,7 @@ impl Options {
 }
 
 /// Writes the table of a scenario; for an undivided one also summary and pictures.
-pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario) -> anyhow::Result<()> {
+pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario) -> Result<(), Error> {
     let plan = &table::plan(scenario)?;
     let warnings = table::warnings(plan);
     warn(&warnings);
@@ -88,20 +88,19 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     let directory = &match shard {
         None => output.prepare(file, scenario)?,
         // every shard is checked by itself
-        Some(_) => OutputDirectory::shared(&output.directory(file)).map_err(Error::from)?,
+        Some(_) => OutputDirectory::shared(&output.directory(file))?,
     };
-    let partition =
-        options.partition_by.as_ref().map(|key| Partition::of(plan, key)).transpose().map_err(Error::from)?;
+    let partition = options.partition_by.as_ref().map(|key| Partition::of(plan, key)).transpose()?;
     let format = options.format(partition.is_some())?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
-        return Err(Error::Option(message.to_owned()).into());
+        return Err(Error::Option(message.to_owned()));
     }
     let interrupt = Interrupt::listen()?;
     interrupt.end_the_slow()?;
     let bar = bar(output.quiet, "{human_pos}/{human_len} rows, {per_sec}, {eta} left");
-    let source = scenario.source().map_err(Error::from)?;
+    let source = scenario.source()?;
     let job = Job {
         plan,
         shard,
@@ -118,7 +117,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     if shard.is_none() {
         let drawn = PICTURES.map(|name| format!("{name}.{}", pictures.name()));
         let files = job.files().into_iter().chain(drawn).collect::<Vec<_>>();
-        directory.check(files.iter().map(String::as_str).chain([SUMMARY])).map_err(Error::from)?;
+        directory.check(files.iter().map(String::as_str).chain([SUMMARY]))?;
     }
     let written = super::threads::with(options.threads, || job.run());
     bar.finish_and_clear();
@@ -127,8 +126,8 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     if shard.is_none() {
         let provenance = Provenance::new(source.sha256(), &super::output::command_line());
         files = table::files(plan, &written.tally, &warnings, &provenance, pictures)?;
-        directory.write(&files).map_err(Error::from)?;
-        written.close().map_err(Error::from)?;
+        directory.write(&files)?;
+        written.close()?;
     }
     let resumed = match written.resumed {
         0 => String::new(),
@@ -141,9 +140,9 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
 }
 
 /// Rows without a result make exit code 1.
-pub fn finish(tally: &Tally, table: PathBuf) -> anyhow::Result<()> {
+pub fn finish(tally: &Tally, table: PathBuf) -> Result<(), Error> {
     if tally.failures == 0 {
         return Ok(());
     }
-    Err(Error::FailedCases { failures: tally.failures, rows: tally.rows, table }.into())
+    Err(Error::FailedCases { failures: tally.failures, rows: tally.rows, table })
 }

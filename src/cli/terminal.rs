@@ -1,11 +1,11 @@
 //! What is written to the terminal: results to standard output, errors, warnings and notes to standard error, in colour
 //! where a terminal shows it, or for programs as JSON.
 
+use std::error::Error as _;
 use std::fmt::Display;
 use std::io::{self, Write as _};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::Context as _;
 use clap::ValueEnum;
 use clap::builder::styling::{AnsiColor, Style};
 use plm_impact::error::{Details, Error};
@@ -28,18 +28,24 @@ impl ErrorFormat {
     }
 }
 
-/// Writes the error that ends the program; gives the exit code.
-pub fn error(error: &anyhow::Error) -> u8 {
-    let known = error.downcast_ref::<Error>();
-    let exit_code = known.map_or(1, Error::exit_code);
+/// Writes the error that ends the program, with its causes; gives the exit code.
+pub fn error(error: &Error) -> u8 {
+    let causes = std::iter::successors(error.source(), |&cause| cause.source());
+    let text = causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"));
+    let exit_code = error.exit_code();
     if is_json() {
-        let details = known.map(Error::details).unwrap_or_default();
-        let message = details.message.clone().unwrap_or_else(|| format!("{error:#}"));
+        let details = error.details();
+        let message = details.message.clone().unwrap_or(text);
         say_json("error", Some(exit_code), Details { message: Some(message), ..details });
     } else {
-        say(Some((AnsiColor::Red, "error")), &format!("{error:#}"));
+        say(Some((AnsiColor::Red, "error")), &text);
     }
     exit_code
+}
+
+/// Makes an error of the system into one that says what failed, for `map_err`.
+pub fn other<E: Display>(what: impl Display) -> impl FnOnce(E) -> Error {
+    move |reason| Error::Other(format!("{what}: {reason}"))
 }
 
 /// Writes a warning.
@@ -105,10 +111,10 @@ fn harmless(text: &str) -> String {
 }
 
 /// Prints a result; a reader that has seen enough (`| head`) is no failure.
-pub fn print(text: &str) -> anyhow::Result<()> {
+pub fn print(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(harmless(text).as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result.context("standard output"),
+        result => result.map_err(other("standard output")),
     }
 }

@@ -40,14 +40,13 @@ pub struct Arguments {
     pictures: PictureArguments,
 }
 
-pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
-    let own = arguments.coefficients.as_deref().map(load).transpose().map_err(Error::from)?;
+pub fn validate(arguments: &Arguments) -> Result<(), Error> {
+    let own = arguments.coefficients.as_deref().map(load).transpose()?;
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
     let measured = arguments.experiments.as_deref().map(|path| experiments::load(path, &coefficients));
-    let measured = measured.transpose().map_err(Error::from)?.unwrap_or_default();
-    let directory =
-        OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force).map_err(Error::from)?;
+    let measured = measured.transpose()?.unwrap_or_default();
+    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     super::output::say_what_is_replaced(&directory);
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
@@ -72,14 +71,14 @@ pub fn validate(arguments: &Arguments) -> anyhow::Result<()> {
     let tables = files.len();
     files.extend(pictures);
     let out = directory.path().to_owned();
-    directory.write(&files).map_err(Error::from)?;
+    directory.write(&files)?;
     super::terminal::print(&said)?;
     let names: Vec<&str> = files[..tables].iter().map(|file| file.name.as_str()).collect();
     let pictures = files.len() - tables;
     super::terminal::note(format_args!("wrote {} and {pictures} pictures to {}", names.join(", "), out.display()));
     match check::count(&checks, Verdict::Miss) {
         0 => Ok(()),
-        missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.csv") }.into()),
+        missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.csv") }),
     }
 }
 

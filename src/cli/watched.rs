@@ -6,11 +6,12 @@ use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 
-use anyhow::Context as _;
 use indicatif::{ProgressBar, ProgressStyle};
+use plm_impact::error::Error;
 use plm_impact::progress::Counter;
 
 use super::interrupt::{Interrupt, LOOK};
+use super::terminal::other;
 
 /// Bytes of the stack of a thread, as many as that of a program.
 const STACK: usize = 8 << 20;
@@ -20,17 +21,17 @@ const SOON: u32 = 10;
 /// Does the work on a thread of its own, and abandons it when a signal comes.
 ///
 /// # Errors
-/// [`Error::Stopped`](plm_impact::error::Error::Stopped); and where the system gives neither thread nor signals.
+/// [`Error::Stopped`]; and where the system gives neither thread nor signals.
 pub fn watched<T: Send + 'static>(
     is_quiet: bool,
     work: impl FnOnce(&Counter) -> T + Send + 'static,
-) -> anyhow::Result<T> {
+) -> Result<T, Error> {
     let interrupt = Interrupt::listen()?;
     let progress = Arc::new(Counter::default());
     let (sender, receiver) = channel();
     let counter = Arc::clone(&progress);
     let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
-    let worker = worker.context("thread")?;
+    let worker = worker.map_err(other("thread"))?;
     let bar = bar(is_quiet, "{human_pos}/{human_len} done, {elapsed}");
     for look in 0_u32.. {
         match receiver.recv_timeout(LOOK) {
@@ -43,7 +44,7 @@ pub fn watched<T: Send + 'static>(
         }
         if let Some(stopped) = interrupt.nothing_written() {
             bar.finish_and_clear();
-            return Err(stopped.into());
+            return Err(stopped);
         }
         let (done, total) = progress.read();
         if look > SOON && total > 1 {
@@ -52,7 +53,8 @@ pub fn watched<T: Send + 'static>(
         }
     }
     // it ended without a result: by a panic
-    worker.join().map_or_else(|panic| resume_unwind(panic), |()| anyhow::bail!("the work ended without a result"))
+    worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+    Err(Error::Other("the work ended without a result".to_owned()))
 }
 
 /// A bar on a terminal, with a text after it.
