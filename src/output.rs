@@ -30,9 +30,7 @@ pub use new_file::{NewFile, PART, folder, refuse_special, remove, remove_stale, 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFile {
-    /// Its name in the directory.
     pub name: String,
-    /// Its content.
     pub bytes: Vec<u8>,
 }
 
@@ -41,16 +39,10 @@ pub struct OutputFile {
 pub enum OutputError {
     /// The file system refuses.
     #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
-    Unwritable {
-        /// File or directory.
-        path: PathBuf,
-        /// Why.
-        reason: io::Error,
-    },
+    Unwritable { path: PathBuf, reason: io::Error },
     /// Another process is writing it.
     #[error("{}: {holder} is writing it; wait for its end, or name another --out", .path.display())]
     Busy {
-        /// The table or directory.
         path: PathBuf,
         /// The other process, and since when it writes.
         holder: String,
@@ -60,17 +52,13 @@ pub enum OutputError {
         "{}: exists, but not as this program wrote it; move it, name another --out, or replace it with --force",
         .path.display()
     )]
-    Foreign {
-        /// The file.
-        path: PathBuf,
-    },
+    Foreign { path: PathBuf },
     /// The directory holds other results.
     #[error(
         "{}: holds results of {other}, and these are of {own}; name another --out, or replace them with --force",
         .path.display()
     )]
     Taken {
-        /// The directory.
         path: PathBuf,
         /// Scenario, shards or command of the results that are there; a path as seen from the directory.
         other: String,

@@ -20,14 +20,7 @@ pub enum Cases {
     /// All combinations of the axes; the first varies slowest.
     Grid(Vec<Axis>),
     /// Random samples.
-    MonteCarlo {
-        /// Number of samples.
-        samples: u64,
-        /// Seed of the random numbers.
-        seed: u64,
-        /// The random keys.
-        variables: Vec<Variable>,
-    },
+    MonteCarlo { samples: u64, seed: u64, variables: Vec<Variable> },
 }
 
 /// A sweep: a scene and what is changed in it.

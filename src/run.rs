@@ -19,7 +19,6 @@ pub use outcome::{Order, Outcome, texts};
 pub struct Way {
     /// Checks a scenario; writes nothing.
     pub check: fn(&Scenario) -> Result<Outcome, Error>,
-    /// Runs a scenario.
     pub run: Run,
 }
 
@@ -30,7 +29,6 @@ pub enum Run {
     Once {
         /// What the scenario is, for messages: "one impact".
         what: &'static str,
-        /// Runs a scenario.
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     },
     /// Row after row, by [`crate::sweep::Job`].

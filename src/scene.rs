@@ -25,9 +25,7 @@ pub const DEFAULT_SAMPLES: usize = 400;
 /// The scene that a scenario describes: bodies, speed, law, solver. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    /// The sphere.
     pub sphere: Sphere,
-    /// The half-space.
     pub half_space: HalfSpace,
     /// Mass \[kg\] of all that moves with the sphere, if the scene names it in place of a density.
     pub mass: Option<f64>,

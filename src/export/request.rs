@@ -40,22 +40,18 @@ impl Target {
 /// Which quantity of the law, besides e, the two springs reproduce.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Equal {
-    /// The contact time.
     #[default]
     ContactTime,
-    /// The peak force.
     PeakForce,
 }
 
 /// The request of a user.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
-    /// The code that the lines are for.
     pub target: Target,
     /// Impact speed \[m/s\]; `None` for the speed of the scenario.
     pub speed: Option<f64>,
     /// First and last speed of a table \[m/s\]; `None` for a tenth to ten times the impact speed.
     pub speeds: Option<(f64, f64)>,
-    /// Which quantity of the law, besides e, the two springs reproduce.
     pub equal: Equal,
 }

@@ -50,14 +50,12 @@ impl Property {
 pub struct Written {
     /// The number as text, such as "63 HRC".
     pub text: String,
-    /// The value in SI units.
     pub value: f64,
 }
 
 /// A property of a material, with its value and its sources.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Known {
-    /// The property.
     pub property: Property,
     /// The value that is used.
     pub taken: Written,

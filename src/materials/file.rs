@@ -17,24 +17,10 @@ pub enum MaterialsError {
     Form(#[from] toml::de::Error),
     /// A value is not a number that is allowed.
     #[error("{material}.{property}: {message}")]
-    Number {
-        /// The material.
-        material: String,
-        /// The property.
-        property: &'static str,
-        /// What is wrong with the value.
-        message: String,
-    },
+    Number { material: String, property: &'static str, message: String },
     /// A source has no entry in `[sources]`.
     #[error("{material}.{property}: no source is called \"{source_name}\"")]
-    Source {
-        /// The material.
-        material: String,
-        /// The property.
-        property: &'static str,
-        /// The name of the source.
-        source_name: String,
-    },
+    Source { material: String, property: &'static str, source_name: String },
 }
 
 /// The file as it is written.

@@ -15,23 +15,13 @@ pub enum Values {
     /// As listed.
     List(Vec<f64>),
     /// Evenly spaced, both ends included; may fall.
-    Linear {
-        /// First value.
-        from: f64,
-        /// Last value.
-        to: f64,
-        /// How many.
-        points: u64,
-    },
+    Linear { from: f64, to: f64, points: u64 },
     /// Evenly spaced in the logarithm, both ends included; may fall. Made by [`Values::logarithmic`].
     Logarithmic {
-        /// First value.
         from: f64,
-        /// Last value.
         to: f64,
         /// Logarithms to base 10 of the first and the last value.
         decades: (f64, f64),
-        /// How many.
         points: u64,
     },
 }
@@ -73,12 +63,7 @@ impl Values {
 #[derive(Debug, Clone)]
 pub enum Setting {
     /// A numeric key.
-    Number {
-        /// Its key.
-        key: &'static Key,
-        /// Its values.
-        values: Values,
-    },
+    Number { key: &'static Key, values: Values },
     /// A key that takes words.
     Words {
         /// Its path.

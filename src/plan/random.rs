@@ -14,12 +14,7 @@ use crate::scene::Key;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
     /// Even between two ends.
-    Uniform {
-        /// One end.
-        from: f64,
-        /// The other.
-        to: f64,
-    },
+    Uniform { from: f64, to: f64 },
     /// A normal distribution.
     Normal {
         /// Mean before truncation.

@@ -76,32 +76,30 @@ impl Scenario {
         let varies = |key: &str| self.entries.varies(key);
         let has_hardness = self.entries.has(HARDNESS) || varies(HARDNESS);
         let Some(flow) = self.flow()? else { return Ok(()) };
-        let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
+        let refuse = |message: &str| Err(self.document.refuse(FLOW, message));
         if !matches!(law, LawChoice::Plm(_)) {
-            let message = format!("the law {} has no hardening: leave the table out, or take the law plm", law.name());
-            return refuse(FLOW, &message);
+            let name = law.name();
+            return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
         }
         if varies("law") {
-            let message = "only the law plm has hardening: leave the table out, or the axis \"law\"";
-            return refuse(FLOW, message);
+            return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        if strength.is_none() {
-            let message = "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0";
-            return refuse(FLOW, message);
-        }
+        let Some(strength) = strength else {
+            return refuse(
+                "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0",
+            );
+        };
         if has_hardness && !matches!(flow, FlowCurve::Power { .. }) {
-            let message = "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness";
-            return refuse(FLOW, message);
+            return refuse(
+                "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness",
+            );
         }
         if flow.last_strain().is_some() && (varies(YIELD_STRENGTH) || varies(HARDNESS)) {
-            let message =
-                "a curve through points begins at one yield strength, which then cannot vary; take power or voce";
-            return refuse(FLOW, message);
+            return refuse(
+                "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
+            );
         }
-        if let Some(strength) = strength {
-            flow.starts_from(strength).map_err(|error| self.document.refuse(FLOW, error.to_string()))?;
-        }
-        Ok(())
+        flow.starts_from(strength).or_else(|error| refuse(&error.to_string()))
     }
 
     /// The yield strength \[Pa\] of a half-space whose keys stand in this table, of a scene without an impact.

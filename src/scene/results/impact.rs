@@ -6,9 +6,7 @@ use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
 pub struct Single<'a> {
-    /// The contact.
     pub contact: &'a Contact,
-    /// Its results.
     pub impact: &'a Impact,
 }
 

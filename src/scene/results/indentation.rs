@@ -43,9 +43,7 @@ pub fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
 /// One step of an indentation.
 #[derive(Debug, Clone, Copy)]
 pub struct Stepped<'a> {
-    /// Its number, from 1.
     pub number: usize,
-    /// Its results.
     pub step: &'a Step,
     /// All of the half-space.
     pub tested: &'a Tested,

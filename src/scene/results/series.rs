@@ -9,11 +9,8 @@ use crate::units::rounded::quantity;
 /// A series of impacts.
 #[derive(Debug, Clone, Copy)]
 pub struct Series<'a> {
-    /// The contact.
     pub contact: &'a Contact,
-    /// What the scenario asks for.
     pub repeat: &'a Repeat,
-    /// The impacts that were run.
     pub sequence: &'a Sequence,
     /// Warnings about the scene and the impacts.
     pub warnings: &'a [String],
@@ -182,22 +179,15 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
     }
 }
 
-/// A row of the trace of a series.
+/// A row of the trace of a series, in SI; see [`trace`].
 #[derive(Debug, Clone, Copy)]
 pub struct TraceRow {
-    /// Number of the impact, from 1; 0 before the first.
     pub impact: usize,
-    /// Time \[s\].
     pub time: f64,
-    /// Height of the lowest point of the sphere \[m\].
     pub height: f64,
-    /// Speed towards the half-space \[m/s\].
     pub speed: f64,
-    /// Force \[N\].
     pub force: f64,
-    /// Branch of the law, or `flight`.
     pub branch: &'static str,
-    /// The event, or empty.
     pub event: &'static str,
 }
 

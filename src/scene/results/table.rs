@@ -1,51 +1,35 @@
-//! The results of a whole table, beside its rows.
+//! The results of a whole table, beside its rows. The entries below say what the fields of the types are.
 
 use super::entry::{File, Reported, file, results};
 
 /// Counts and statistics of the rows of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Totals {
-    /// Number of rows.
     pub rows: u64,
-    /// Rows without a result.
     pub failures: u64,
-    /// Rows that the law has no answer for.
     pub outside_law: u64,
-    /// The restitutions of random cases.
     pub restitution: Option<Distribution>,
 }
 
 /// Statistics of the restitutions of random cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distribution {
-    /// Number of restitutions.
     pub samples: u64,
-    /// Their mean.
     pub mean: f64,
-    /// Their standard deviation, with n − 1 in the denominator.
     pub standard_deviation: f64,
-    /// 5 % of them are smaller.
     pub quantile_05: f64,
-    /// Half of them are smaller.
     pub quantile_50: f64,
-    /// 5 % of them are larger.
     pub quantile_95: f64,
-    /// 0 where the quantiles are exact, else the width of the bins that they come from.
     pub quantile_resolution: f64,
 }
 
 /// A random key, as it was drawn.
 #[derive(Debug, Clone)]
 pub struct Drawn {
-    /// Its path.
     pub key: &'static str,
-    /// The name of its distribution.
     pub distribution: &'static str,
-    /// Mean and standard deviation before truncation, or the two ends; SI.
     pub parameters: [f64; 2],
-    /// The allowed range, in words.
     pub truncated_to: String,
-    /// Share of the distribution that lies in it.
     pub kept: f64,
 }
 
