@@ -27,6 +27,9 @@ pub use manifest::MANIFEST;
 use manifest::{Manifest, Record, relative};
 pub use new_file::{NewFile, PART, folder, refuse_special, remove, remove_stale, replace, sync_folder, with_suffix};
 
+/// The name of the summary of any run.
+pub const SUMMARY: &str = "summary.json";
+
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFile {
@@ -310,7 +313,7 @@ fn refuse_lock(path: &Path, error: LockError) -> OutputError {
 /// Whether a directory without a list holds results of this program: its summary or report says so.
 fn has_marks(directory: &Path) -> bool {
     let has = |name: &str, mark: &str| fs::read_to_string(directory.join(name)).is_ok_and(|text| text.contains(mark));
-    has("summary.json", "\"command\": \"plm-impact ")
+    has(SUMMARY, "\"command\": \"plm-impact ")
         || has("validation.md", "# Validation\n")
         || has("report.md", "# Speed against error\n")
 }

@@ -36,6 +36,8 @@ pub struct Plan {
 
 /// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
+/// The key of that hardness.
+pub const HARDNESS: &str = "half_space.hardness";
 
 /// The largest number of cases. Any tool can hold so large a case number.
 pub const MOST_CASES: u64 = 1 << 63;
@@ -72,7 +74,7 @@ impl Plan {
         let varies = |path: &str| paths.contains(&path);
         let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
         let has_curve = self.scene.law.flow().is_some();
-        let of_metal = || varies("half_space.hardness") || varies(Body::HalfSpace.material());
+        let of_metal = || varies(HARDNESS) || varies(Body::HalfSpace.material());
         self.scene.hardness.is_some() && (of_metal() || has_curve && of_curve())
     }
 

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::{Origin, OutputDirectory, OutputFile};
-use plm_impact::run::table::SUMMARY;
+use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::run::{Order, Outcome, heed};
 use plm_impact::scenario::Scenario;
 

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::output::OutputDirectory;
+use plm_impact::output::{OutputDirectory, SUMMARY};
 use plm_impact::plot::sweep::PICTURES;
 use plm_impact::provenance::Provenance;
 use plm_impact::report;
 use plm_impact::run::heed;
-use plm_impact::run::table::{self, SUMMARY};
+use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::sidecar::Tally;
 use plm_impact::sweep::{Format, Job, Partition, Shard};

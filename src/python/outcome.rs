@@ -10,7 +10,7 @@ use super::rows::{failure, of_plan, say_failures};
 use super::table::{Column, Table};
 use super::work::interruptible;
 use crate::error::Error;
-use crate::output::OutputFile;
+use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::progress::Counter;
@@ -116,8 +116,7 @@ impl Outcome {
     /// The results: `summary.json` as a dict.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let summary =
-            self.files.iter().find(|file| file.name == table::SUMMARY).map_or(&b"null"[..], |file| &file.bytes);
+        let summary = self.files.iter().find(|file| file.name == SUMMARY).map_or(&b"null"[..], |file| &file.bytes);
         py.import("json")?.call_method1("loads", (PyBytes::new(py, summary),))
     }
 

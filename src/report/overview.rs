@@ -5,6 +5,7 @@ use super::resolved::{self, Entry};
 use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::Pair;
+use crate::plan::HARDNESS;
 use crate::scene::Scene;
 use crate::strength::hardness;
 use crate::units::aligned::aligned;
@@ -58,7 +59,7 @@ fn given(scene: &Scene) -> Vec<Row> {
                 row("law.validity", about.validity.to_owned());
                 row("law.confidence", about.confidence.to_owned());
             }
-            "half_space.hardness" => {
+            HARDNESS => {
                 let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
                 row(&entry.key, format!("{}, {} HV", entry.text, four_digits(vickers)));
             }

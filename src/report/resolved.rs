@@ -8,6 +8,7 @@ use crate::impact::Method;
 use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, Plm};
+use crate::plan::HARDNESS;
 use crate::scenario::Scenario;
 use crate::scene::taken::Taken;
 use crate::scene::{KEYS, Key, Scene};
@@ -154,7 +155,7 @@ pub(super) const SPHERE: [&str; 3] = ["sphere.radius", "sphere.youngs_modulus", 
 
 /// The keys of the strength of a half-space, besides its yield strength.
 pub(super) const STRENGTH: [&str; 5] = [
-    "half_space.hardness",
+    HARDNESS,
     "half_space.flow_stress.power.exponent",
     "half_space.flow_stress.voce.saturation",
     "half_space.flow_stress.voce.rate",

@@ -7,6 +7,7 @@ use toml_edit::{DocumentMut, Item, Table, value};
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::calibrate::{Calibration, Measurements};
 use crate::error::Error;
+use crate::output::SUMMARY;
 use crate::plot::calibrate::pictures;
 use crate::progress::Counter;
 use crate::provenance::PROGRAM;
@@ -27,7 +28,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let found = measured.calibrate(order.progress)?;
     let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, order.command)?;
     let mut files = vec![
-        file("summary.json", report::summary(&measured, &found, &provenance)?),
+        file(SUMMARY, report::summary(&measured, &found, &provenance)?),
         file("calibrated.toml", calibrated(scenario, &measured, &found)),
         file("residuals.csv", report::residuals(&found)?),
     ];

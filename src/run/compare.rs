@@ -2,6 +2,7 @@
 
 use super::outcome::{Order, Outcome, file, texts};
 use crate::error::Error;
+use crate::output::SUMMARY;
 use crate::plot;
 use crate::provenance::Provenance;
 use crate::report::compare as report;
@@ -22,7 +23,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);
     let mut files = vec![
-        file("summary.json", report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
+        file(SUMMARY, report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
         file("comparison.csv", report::csv(&rows)?),
     ];
     files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison)?)]))?);

@@ -3,6 +3,7 @@
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
+use crate::output::SUMMARY;
 use crate::plot;
 use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
@@ -71,7 +72,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
     let provenance = provenance(scenario, &scene, impact.method, order.command)?;
     let mut files = vec![
-        file("summary.json", summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
+        file(SUMMARY, summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
         file("trace.csv", trace(&impact)?),
     ];
     files.extend(order.pictures.files(|| {

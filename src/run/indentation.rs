@@ -3,6 +3,8 @@
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::indentation::{IndentationError, StaticContact, Tested};
+use crate::output::SUMMARY;
+use crate::plan::HARDNESS;
 use crate::plot;
 use crate::report::inputs::Inputs;
 use crate::report::{indentation as report, strength};
@@ -50,7 +52,7 @@ pub fn compute(
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, None)?;
-    let is_precise = scene.law.flow().is_some() || scenario.number_of("half_space.hardness").is_some();
+    let is_precise = scene.law.flow().is_some() || scenario.number_of(HARDNESS).is_some();
     let strength = tested.iter().find_map(|one| {
         let steps = one.indentation.steps.iter().map(|step| step.memory.indentation);
         let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;
@@ -65,7 +67,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command)?;
     let mut files = vec![
-        file("summary.json", report::summary(&tested, &warnings, &inputs, &provenance)?),
+        file(SUMMARY, report::summary(&tested, &warnings, &inputs, &provenance)?),
         file("trace.csv", report::trace(&tested)?),
     ];
     files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested)?)]))?);

@@ -4,6 +4,7 @@ use super::impact::{can_be_traced, held, provenance};
 use super::outcome::{Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
+use crate::output::SUMMARY;
 use crate::plot;
 use crate::progress::Counter;
 use crate::repeat::{Repeat, Sequence};
@@ -58,7 +59,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let provenance = provenance(scenario, &scene, sequence.method, order.command)?;
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
-        file("summary.json", summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),
+        file(SUMMARY, summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, scene.samples)?),
     ];

@@ -2,7 +2,7 @@
 
 use super::outcome::{Outcome, file, texts};
 use crate::error::Error;
-use crate::output::OutputFile;
+use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::plot::sweep::pictures;
@@ -14,9 +14,6 @@ use crate::report::sweep::summary;
 use crate::scenario::Scenario;
 use crate::sweep::caution::at_corners;
 use crate::sweep::sidecar::Tally;
-
-/// The name of a table's summary.
-pub const SUMMARY: &str = "summary.json";
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;

@@ -2,13 +2,12 @@
 
 use std::path::PathBuf;
 
-use super::flow::HARDNESS;
 use super::{Kind, NEEDED, Scenario, ScenarioError};
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
-use crate::plan::{Cases, Plan, YIELD_STRENGTH};
+use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::{Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
 

@@ -2,7 +2,7 @@
 
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
-use crate::plan::YIELD_STRENGTH;
+use crate::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::csv_text::{CsvText, Refusal};
@@ -12,9 +12,6 @@ pub(super) const FLOW: &str = "half_space.flow_stress";
 
 /// The key of a file with the points of a curve.
 pub(super) const TABLE: &str = "half_space.flow_stress.table";
-
-/// The key in place of a yield strength.
-pub(super) const HARDNESS: &str = "half_space.hardness";
 
 /// The forms of a curve, each with the numbers it needs.
 const FORMS: [(&str, &[&str]); 5] = [

@@ -28,15 +28,14 @@ impl Entries {
         let mut all = Vec::new();
         for body in Body::ALL {
             let drawn = self.draws(body);
+            let refuse = |span, message| Fault { span, message }.of(format!("monte_carlo.{}", body.material()));
             let Some(material) = self.material(body) else {
-                if let Some(span) = drawn {
-                    let message = format!(
-                        "the body has no material to draw from: add material = \"steel-s235\", or another, to [{}]",
-                        body.table()
-                    );
-                    return Err(Fault { span, message }.of(format!("monte_carlo.{}", body.material())));
-                }
-                continue;
+                let Some(span) = drawn else { continue };
+                let message = format!(
+                    "the body has no material to draw from: add material = \"steel-s235\", or another, to [{}]",
+                    body.table()
+                );
+                return Err(refuse(span, message));
             };
             let left: Vec<_> = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
             for word in self.axes.iter_mut().flatten().flat_map(Axis::words_mut) {
@@ -67,7 +66,7 @@ impl Entries {
                         "the values that are taken from {} have no ranges, so there is nothing to draw: leave the key out",
                         material.name
                     );
-                    return Err(Fault { span, message }.of(format!("monte_carlo.{}", body.material())));
+                    return Err(refuse(span, message));
                 }
                 self.draw(body, variables);
             }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::key::{AnyKey, Form, Key};
 use super::keys::every_key;
 use super::quantity::Quantity;
-use super::results::{Described, files};
+use super::results::files;
 use crate::law::LawChoice;
 use crate::materials::Property;
 
@@ -80,7 +80,7 @@ fn quoted(words: &[String]) -> String {
 /// A part of a page that the program writes: its name, and its text.
 type Part = (&'static str, fn() -> String);
 
-const PARTS: [Part; 3] = [("keys", keys), ("results", results), ("materials", materials)];
+const PARTS: [Part; 3] = [("keys", keys), ("results", files), ("materials", materials)];
 
 /// Keys, results and materials as Markdown.
 pub fn page() -> String {
@@ -100,20 +100,6 @@ pub fn renewed(page: &str) -> Result<String, [String; 2]> {
         Ok(format!("{before}{begin}\n\n{}{end}{after}", text()))
     };
     PARTS.iter().try_fold(page.to_owned(), write)
-}
-
-/// All results as Markdown, a table for every file, or part of one, that has them.
-pub fn results() -> String {
-    files().iter().fold(String::new(), |mut text, (title, results)| {
-        let _ = writeln!(text, "### {title}\n\n| name | meaning | when it is there |\n|---|---|---|");
-        for Described { name, about, condition, is_column } in results {
-            let mark = if *is_column { " \u{25a6}" } else { "" };
-            let condition = if condition.is_empty() { "always" } else { condition };
-            let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
-        }
-        text.push('\n');
-        text
-    })
 }
 
 /// All materials as Markdown.

@@ -18,10 +18,10 @@ pub mod indentation;
 pub mod series;
 pub mod table;
 
-pub use entry::{Column, Described, Fields, File, Needs, Reported, fields};
+pub use entry::{Column, Fields, Needs, Reported, fields};
 
-/// The files, or parts of them, that hold results, in the order of the reference page.
-pub fn files() -> Vec<File> {
+/// All results as Markdown, a table for every file, or part of one, that has them.
+pub fn files() -> String {
     [impact::files(), series::files(), indentation::files(), compare::files(), table::files()].concat()
 }
 

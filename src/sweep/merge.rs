@@ -13,11 +13,8 @@ use super::seal::Seal;
 use super::shard::{Layout, Shard};
 use super::sidecar::{OTHER_MACHINE, SIDECAR, Sidecar, Tally, part_path, sidecar_path};
 use super::table::{Format, TextTable};
-use crate::output::{Lock, NewFile, Origin, OutputDirectory, remove_stale};
+use crate::output::{Lock, NewFile, Origin, OutputDirectory, SUMMARY, remove_stale};
 use crate::plan::{Plan, Source};
-
-/// The summary, which the command writes beside a merged table.
-const SUMMARY: &str = "summary.json";
 
 /// A merged table, locked until it is dropped.
 #[derive(Debug)]

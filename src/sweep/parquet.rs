@@ -51,7 +51,7 @@ pub(super) fn write(job: &Job, table: &Path) -> Result<Tally, SweepError> {
     let schema = schema(&names, &columns).map_err(failed)?;
     let descriptor = SchemaDescriptor::new(schema.clone());
     let properties = properties(&columns, &descriptor);
-    let _folders = Folders::make(job)?;
+    let _folders = folders(job)?;
     let begin = |name: &String| {
         let place = job.directory.path().join(name);
         let file = remove_stale(&place).and_then(|()| NewFile::create(&place)).map_err(&unwritable)?;
@@ -104,28 +104,21 @@ pub(super) fn write(job: &Job, table: &Path) -> Result<Tally, SweepError> {
     Ok(tally)
 }
 
-/// The folders of a divided table. Dropping it removes those that stayed empty.
-struct Folders {
-    _of_values: Vec<OutputDirectory>,
-    /// The folder of the table, dropped after the folders in it.
-    _table: Option<OutputDirectory>,
-}
-
-impl Folders {
-    /// Makes the folders that do not exist yet.
-    fn make(job: &Job) -> Result<Self, SweepError> {
-        if job.partition.is_none() {
-            return Ok(Self { _of_values: Vec::new(), _table: None });
-        }
-        let table = job.directory.path().join(job.name());
-        if let Some(stray) = stray(job).map_err(SweepError::file("cannot be read", &table))? {
-            return Err(SweepError::Stray(stray));
-        }
-        let make = |name: &Path| OutputDirectory::shared(&job.directory.path().join(name));
-        let table = make(Path::new(&job.name()))?;
-        let of_values = job.files().iter().map(|file| make(folder(Path::new(file)))).collect::<Result<_, _>>()?;
-        Ok(Self { _of_values: of_values, _table: Some(table) })
+/// Makes the folders of a divided table that do not exist yet: those of the values, and last the one that they are in.
+/// Dropping them removes those that stayed empty.
+fn folders(job: &Job) -> Result<Vec<OutputDirectory>, SweepError> {
+    if job.partition.is_none() {
+        return Ok(Vec::new());
     }
+    let table = job.directory.path().join(job.name());
+    if let Some(stray) = stray(job).map_err(SweepError::file("cannot be read", &table))? {
+        return Err(SweepError::Stray(stray));
+    }
+    let table = OutputDirectory::shared(&table)?;
+    let of_value = |file: &String| OutputDirectory::shared(folder(&job.directory.path().join(file)));
+    let mut folders = job.files().iter().map(of_value).collect::<Result<Vec<_>, _>>()?;
+    folders.push(table);
+    Ok(folders)
 }
 
 /// A file in the folder of a divided table that does not belong to it: of a value that the axis had in an earlier run,

@@ -239,11 +239,11 @@ pub fn read_rows(path: &Path, table: &TextTable, layout: &Layout, plan: &Plan) -
         reader.read_until(b'\n', &mut line).map_err(&failed)?;
         let Some(complete) = line.strip_suffix(b"\n") else { return Ok(read) };
         let (expected, row) = (layout.case(read.tally.rows), read.tally.rows + 1);
-        let found = table.read(complete, row == rows).filter(|row| row.case == expected).ok_or_else(|| {
+        let (_, count) = table.read(complete, row == rows).filter(|(case, _)| *case == expected).ok_or_else(|| {
             let problem = format!("row {row} is damaged, or is not case {expected}; delete it to start over");
             SweepError::Damaged { path: path.to_owned(), problem }
         })?;
-        read.tally.push(found.count);
+        read.tally.push(count);
         read.sum.update(&line);
     }
     // one byte more than the end of a table has, so that anything appended is noticed

@@ -163,20 +163,11 @@ impl TextTable {
     }
 }
 
-/// The part of a row that resuming and merging need.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
-    /// Case number.
-    pub case: u64,
-    /// How the row counts.
-    pub count: Count,
-}
-
 impl TextTable {
-    /// Reads a line without its line end; `None` if it is not a row of this table. `is_end` says that it is the last
+    /// Reads a line without its line end: its case, and how the row counts; `None` if it is not a row of this table. `is_end` says that it is the last
     /// row of the file. Checks the number of fields, their characters, the case, e and the status, but not the other
     /// numbers.
-    pub fn read(&self, line: &[u8], is_end: bool) -> Option<Line> {
+    pub fn read(&self, line: &[u8], is_end: bool) -> Option<(u64, Count)> {
         let line = match (self.is_json, is_end) {
             (true, true) => line.strip_suffix(b"\"}")?,
             (true, false) => line.strip_suffix(b"\"},")?,
@@ -211,6 +202,6 @@ impl TextTable {
         } else {
             Count::Restitution(restitution.parse().ok()?)
         };
-        Some(Line { case, count })
+        Some((case, count))
     }
 }

@@ -1,6 +1,6 @@
 //! The results of a comparison of unloading laws: its peak, and a row for every law.
 
-use super::entry::{File, Reported, file, results};
+use super::entry::{Reported, file, results};
 use crate::compare::{Comparison, Origin};
 use crate::reference::unloading::Unloaded;
 
@@ -108,10 +108,8 @@ pub fn peak() -> Vec<Reported<Comparison>> {
     }
 }
 
-/// The files with these results.
-pub(super) fn files() -> Vec<File> {
-    vec![
-        file("Comparison: the peak in `summary.json`", &peak()),
-        file("Comparison: every law in `summary.json`, and `comparison.csv`", &row()),
-    ]
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Comparison: the peak in `summary.json`", &peak())
+        + &file("Comparison: every law in `summary.json`, and `comparison.csv`", &row())
 }

@@ -1,5 +1,7 @@
 //! What an entry of the registry of results is, and how values are written as JSON.
 
+use std::fmt::Write as _;
+
 use serde::ser::{Serialize, SerializeMap as _, Serializer};
 use serde_json::Value;
 
@@ -24,29 +26,15 @@ pub struct Reported<T> {
     pub column: Option<Column>,
 }
 
-/// What the reference page says of a result.
-#[derive(Debug, Clone, Copy)]
-pub struct Described {
-    /// Its name, with the unit.
-    pub name: &'static str,
-    /// What it is, in one sentence.
-    pub about: &'static str,
-    /// The condition under which it is there; empty if it is always there.
-    pub condition: &'static str,
-    /// Whether it is a column of tables too.
-    pub is_column: bool,
-}
-
-/// A file, or a part of one, with its results.
-pub type File = (&'static str, Vec<Described>);
-
-/// The results of a file, for the reference page.
-pub(super) fn file<T>(title: &'static str, results: &[Reported<T>]) -> File {
-    let described = |result: &Reported<T>| {
-        let Reported { name, about, condition, column, .. } = *result;
-        Described { name, about, condition, is_column: column.is_some() }
-    };
-    (title, results.iter().map(described).collect())
+/// The results of a file, or of a part of one, as Markdown for the reference page.
+pub(super) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
+    let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
+    for Reported { name, about, condition, column, .. } in results {
+        let mark = if column.is_some() { " \u{25a6}" } else { "" };
+        let condition = if condition.is_empty() { "always" } else { condition };
+        let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
+    }
+    text + "\n"
 }
 
 /// What a scene must have for a column to be there.

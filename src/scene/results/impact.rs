@@ -1,6 +1,6 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
-use super::entry::{File, Reported, file, results};
+use super::entry::{Reported, file, results};
 use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, UnderForces};
 
 /// One impact.
@@ -173,10 +173,8 @@ pub fn event_name(event: Option<Event>) -> &'static str {
     }
 }
 
-/// The files with these results.
-pub(super) fn files() -> Vec<File> {
-    vec![
-        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
-        file("One impact: `trace.csv`", &trace()),
-    ]
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results())
+        + &file("One impact: `trace.csv`", &trace())
 }

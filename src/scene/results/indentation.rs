@@ -1,6 +1,6 @@
 //! The results of an indentation: those of every half-space, of every step, and the columns of the trace.
 
-use super::entry::{File, Reported, file, results};
+use super::entry::{Reported, file, results};
 use crate::indentation::{Step, Target, Tested};
 
 /// The results of one half-space, in the order of `summary.json`.
@@ -137,11 +137,9 @@ pub fn trace<'a>() -> Vec<Reported<Traced<'a>>> {
     }
 }
 
-/// The files with these results.
-pub(super) fn files() -> Vec<File> {
-    vec![
-        file("Indentation: every half-space in `summary.json`", &half_space()),
-        file("Indentation: every step of a half-space", &step()),
-        file("Indentation: `trace.csv`", &trace()),
-    ]
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Indentation: every half-space in `summary.json`", &half_space())
+        + &file("Indentation: every step of a half-space", &step())
+        + &file("Indentation: `trace.csv`", &trace())
 }

@@ -1,6 +1,6 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
-use super::entry::{File, Reported, file, results};
+use super::entry::{Reported, file, results};
 use crate::impact::Contact;
 use crate::math::power::max_or_nan;
 use crate::repeat::{Drive, End, Hit, Repeat, Sequence};
@@ -211,11 +211,9 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
     }
 }
 
-/// The files with these results.
-pub(super) fn files() -> Vec<File> {
-    vec![
-        file("Repeated impacts: `summary.json`", &results()),
-        file("Repeated impacts: `impacts.csv`", &impacts()),
-        file("Repeated impacts: `trace.csv`", &trace()),
-    ]
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Repeated impacts: `summary.json`", &results())
+        + &file("Repeated impacts: `impacts.csv`", &impacts())
+        + &file("Repeated impacts: `trace.csv`", &trace())
 }

@@ -1,6 +1,6 @@
 //! The results of a whole table, beside its rows. The entries below say what the fields of the types are.
 
-use super::entry::{File, Reported, file, results};
+use super::entry::{Reported, file, results};
 
 /// Counts and statistics of the rows of a table.
 #[derive(Debug, Clone, Copy)]
@@ -75,7 +75,7 @@ pub fn drawn() -> Vec<Reported<Drawn>> {
     }
 }
 
-/// The files with these results.
-pub(super) fn files() -> Vec<File> {
-    vec![file("Tables: `summary.json`", &totals()), file("Tables: every random key in `summary.json`", &drawn())]
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Tables: `summary.json`", &totals()) + &file("Tables: every random key in `summary.json`", &drawn())
 }

@@ -67,8 +67,8 @@ impl<'a> Reader<'a> {
         self.read += 1;
         let line = self.line.strip_suffix(b"\n");
         let row = line.and_then(|line| self.table.read(line, self.read == self.rows));
-        match row.filter(|row| row.case == case) {
-            Some(row) => Ok((row.count, &self.line)),
+        match row.filter(|(read, _)| *read == case) {
+            Some((_, count)) => Ok((count, &self.line)),
             None => Err(damaged(self.path, &format!("row {}, which should be case {case},", self.read))),
         }
     }
