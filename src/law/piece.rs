@@ -80,12 +80,11 @@ impl Piece {
     /// The same at a distance from the start of the piece.
     pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
         match self.shape {
-            Shape::Power { stiffness, exponent } => stiffness * exponent * power(distance, exponent - 1.0),
+            Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
+                stiffness * exponent * power(distance + self.shape.lead(), exponent - 1.0)
+            }
             Shape::Straight { slope, .. } => slope,
             Shape::Smooth(smooth) => smooth.slope(self.start, distance),
-            Shape::LatePower { stiffness, exponent, lead } => {
-                stiffness * exponent * power(distance + lead, exponent - 1.0)
-            }
         }
     }
 
@@ -108,13 +107,14 @@ impl Piece {
 
     /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
-        self.start
-            + match self.shape {
-                Shape::Power { stiffness, exponent } => pow(force / stiffness, 1.0 / exponent),
-                Shape::Straight { slope, .. } => (force - self.force) / slope,
-                Shape::LatePower { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
-                Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
+        let distance = match self.shape {
+            Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
+                pow(force / stiffness, 1.0 / exponent) - self.shape.lead()
             }
+            Shape::Straight { slope, .. } => (force - self.force) / slope,
+            Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
+        };
+        self.start + distance
     }
 
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].

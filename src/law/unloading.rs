@@ -207,18 +207,8 @@ impl Unloading {
         }
         match self.curve {
             None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            Some(curve) => self.force_on(&curve, recovered),
+            Some(ref curve) => curve.value(self.peak.residual(), recovered),
         }
-    }
-
-    #[cold]
-    fn force_on(&self, curve: &Smooth, recovered: f64) -> f64 {
-        curve.value(self.peak.residual(), recovered)
-    }
-
-    #[cold]
-    fn stored_on(&self, curve: &Smooth, recovered: f64) -> f64 {
-        curve.work(self.peak.residual(), 0.0, recovered.max(0.0))
     }
 
     /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
@@ -240,7 +230,7 @@ impl Unloading {
         match self.curve {
             None => self.force(x) * (x - self.peak.residual()) * work_share(self.exponent),
             Some(_) if x == self.peak.indentation => self.capacity(),
-            Some(curve) => self.stored_on(&curve, x - self.peak.residual()),
+            Some(ref curve) => curve.work(self.peak.residual(), 0.0, (x - self.peak.residual()).max(0.0)),
         }
     }
 
@@ -255,7 +245,7 @@ impl Unloading {
     pub(crate) fn force_after(&self, recovered: f64) -> f64 {
         match self.curve {
             None => self.stiffness() * power(recovered, self.exponent),
-            Some(curve) => self.force_on(&curve, recovered),
+            Some(ref curve) => curve.value(self.peak.residual(), recovered),
         }
     }
 
@@ -280,7 +270,7 @@ impl Unloading {
     pub(crate) fn stored_after(&self, recovered: f64, force: f64) -> f64 {
         match self.curve {
             None => force * recovered * work_share(self.exponent),
-            Some(curve) => self.stored_on(&curve, recovered),
+            Some(ref curve) => curve.work(self.peak.residual(), 0.0, recovered.max(0.0)),
         }
     }
 
