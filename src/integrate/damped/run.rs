@@ -36,7 +36,7 @@ const PART: f64 = 0.05;
 /// Without a least share the error was up to 3000 times the estimate there, and the ledger of one impact in 10⁵ closed to
 /// 40 times the tolerance. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
 /// of smooth motions stay as they are.
-pub(in crate::integrate) fn least_share(tolerance: f64) -> f64 {
+pub fn least_share(tolerance: f64) -> f64 {
     2.0 * (PART * tolerance).sqrt().sqrt()
 }
 
@@ -53,32 +53,32 @@ enum Aim {
 
 /// The judgement of a step by the error control.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Verdict {
+pub struct Verdict {
     /// The error over its limit; at most 1 if the step is accepted.
-    pub(in crate::integrate) error: f64,
+    pub error: f64,
     /// The length of the next one in units of this one's: 0.9 error^(−1/8), before it is bounded.
-    pub(in crate::integrate) pace: f64,
+    pub pace: f64,
 }
 
 impl Verdict {
     /// Of a step that is not under error control.
-    pub(in crate::integrate) const NONE: Self = Self { error: 0.0, pace: 1.0 };
+    pub const NONE: Self = Self { error: 0.0, pace: 1.0 };
 
     #[inline(always)]
-    pub(in crate::integrate) fn of(step: &Step, h: f64, least: f64) -> Self {
+    pub fn of(step: &Step, h: f64, least: f64) -> Self {
         let error = step.error(h, least);
         Self { error, pace: Self::pace(error) }
     }
 
     #[inline(always)]
-    pub(in crate::integrate) fn pace(error: f64) -> f64 {
+    pub fn pace(error: f64) -> f64 {
         0.9 * pow(error, -0.125)
     }
 }
 
 /// What follows from a step.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) enum Progress {
+pub enum Progress {
     /// Another step from the same node is to be taken.
     Again,
     /// The node is the end of a step of this length.
@@ -89,22 +89,22 @@ pub(in crate::integrate) enum Progress {
 
 /// What ends a leg, as numbers for one run or for lanes.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Limits<T> {
+pub struct Limits<T> {
     /// +1 outward, −1 back.
-    pub(in crate::integrate) direction: T,
+    pub direction: T,
     /// y where the piece ends.
-    pub(in crate::integrate) end: T,
+    pub end: T,
     /// 1 where the contact force may vanish, else 0.
-    pub(in crate::integrate) lifts_off: T,
+    pub lifts_off: T,
     /// 1 where the motion may come to rest, else 0.
-    pub(in crate::integrate) rests: T,
+    pub rests: T,
 }
 
 impl<T: Lane> Limits<T> {
     /// 1 if the step has surely passed no event, so that the motion goes on if the step is accepted; else 0. The arguments are
     /// the contact force and its derivative before and after the step.
     #[inline(always)]
-    pub(in crate::integrate) fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
+    pub fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
         let (zero, one) = (self.end.all(0.0), self.end.all(1.0));
         let moves = zero.if_less(self.direction * next.node[1], one, zero);
         let is_short = zero.if_less(self.direction * (self.end - next.node[0]), moves, zero);
@@ -117,16 +117,16 @@ impl<T: Lane> Limits<T> {
 
 /// A leg on its way, in the variables of its piece.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Run {
-    pub(in crate::integrate) node: Quad,
-    pub(in crate::integrate) rates: Quad,
+pub struct Run {
+    pub node: Quad,
+    pub rates: Quad,
     /// Of the next step.
-    pub(in crate::integrate) length: f64,
-    pub(in crate::integrate) inverse_sizes: [f64; 3],
+    pub length: f64,
+    pub inverse_sizes: [f64; 3],
     /// See [`least_share`].
-    pub(in crate::integrate) least: f64,
+    pub least: f64,
     tolerance: f64,
-    pub(in crate::integrate) work: Work,
+    pub work: Work,
     aim: Aim,
     end: f64,
     /// +1 outward, −1 back.
@@ -136,12 +136,7 @@ pub(in crate::integrate) struct Run {
 
 impl Run {
     /// A run at its first node; `None` for an outward leg without speed, which has turned already.
-    pub(in crate::integrate) fn begin<P: Dragged>(
-        piece: P,
-        path: &Path,
-        begun: &State,
-        tolerance: f64,
-    ) -> Option<Self> {
+    pub fn begin<P: Dragged>(piece: P, path: &Path, begun: &State, tolerance: f64) -> Option<Self> {
         let sizes = &path.sizes;
         let (end, direction) = (P::y_at(path.leg.end()), path.leg.direction());
         let size = P::y_at(sizes.distance);
@@ -169,12 +164,12 @@ impl Run {
 
     /// Whether the next step is under error control: others need no verdict.
     #[inline(always)]
-    pub(in crate::integrate) fn is_marching(&self) -> bool {
+    pub fn is_marching(&self) -> bool {
         matches!(self.aim, Aim::March)
     }
 
     /// The limits that a step must not pass if the motion is to go on, as numbers.
-    pub(in crate::integrate) fn limits(&self) -> Limits<f64> {
+    pub fn limits(&self) -> Limits<f64> {
         Limits {
             direction: self.direction,
             end: self.end,
@@ -185,7 +180,7 @@ impl Run {
 
     /// Takes over from the lanes after so many steps, all of which were accepted and passed no event.
     #[inline(always)]
-    pub(in crate::integrate) fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
+    pub fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
         (self.node, self.rates, self.length) = (node, rates, length);
         self.work.steps += steps;
         self.work.force_evaluations += EVALUATIONS * steps;
@@ -193,12 +188,7 @@ impl Run {
 
     /// Decides what follows from a step of [`Run::length`] from the node.
     #[inline]
-    pub(in crate::integrate) fn tell<P: Dragged>(
-        &mut self,
-        piece: P,
-        next: &Step,
-        verdict: Verdict,
-    ) -> Result<Progress, IntegrationError> {
+    pub fn tell<P: Dragged>(&mut self, piece: P, next: &Step, verdict: Verdict) -> Result<Progress, IntegrationError> {
         self.work.force_evaluations += EVALUATIONS;
         match self.aim {
             Aim::March => self.marched(piece, next, verdict),
@@ -393,6 +383,6 @@ impl Run {
 
 /// The next step after one of length `h` that was accepted.
 #[inline(always)]
-pub(in crate::integrate) fn longer<T: Lane>(h: T, pace: T) -> T {
+pub fn longer<T: Lane>(h: T, pace: T) -> T {
     h * pace.min(pace.all(5.0))
 }

@@ -8,12 +8,12 @@ use crate::integrate::lanes::Lane;
 /// Without drag: g = −(a + b y + c y⁴). A term that the piece of a lane lacks has the coefficient zero. The result has the
 /// same bits as with [`super::straight::Straight`] and [`super::power::Power`].
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Mixed<T> {
-    pub(in crate::integrate) a: T,
-    pub(in crate::integrate) b: T,
-    pub(in crate::integrate) c: T,
+pub struct Mixed<T> {
+    pub a: T,
+    pub b: T,
+    pub c: T,
     /// 1 on a straight piece, 0 on a Hertz piece.
-    pub(in crate::integrate) is_straight: T,
+    pub is_straight: T,
 }
 
 impl<T: Lane> Field<T> for Mixed<T> {
@@ -42,17 +42,17 @@ impl<T: Lane> Field<T> for Mixed<T> {
 
 /// With drag.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedMixed<const M: u8, T> {
-    pub(in crate::integrate) straight: DraggedStraight<T>,
-    pub(in crate::integrate) hertz: DraggedHertz<M, T>,
+pub struct DraggedMixed<const M: u8, T> {
+    pub straight: DraggedStraight<T>,
+    pub hertz: DraggedHertz<M, T>,
     /// 1 on a straight piece, 0 on a Hertz piece.
-    pub(in crate::integrate) is_straight: T,
+    pub is_straight: T,
 }
 
 impl<const M: u8, T: Lane> DraggedMixed<M, T> {
     /// As [`super::Dragged::contact`], of whichever piece a lane is on.
     #[inline(always)]
-    pub(in crate::integrate) fn contact(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+    pub fn contact(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
         let (straight, hertz) = (self.straight.contact_force(node, rates), self.hertz.contact_force(node, rates));
         let zero = node[0].all(0.0);
         (zero.if_less(self.is_straight, straight.0, hertz.0), zero.if_less(self.is_straight, straight.1, hertz.1))

@@ -8,8 +8,8 @@ use crate::math::power::power_turn;
 
 /// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Power<const HERTZ: bool, const PULLED: bool> {
-    pub(in crate::integrate) c: f64,
+pub struct Power<const HERTZ: bool, const PULLED: bool> {
+    pub c: f64,
     m: f64,
     /// γ; not used if there is none.
     pull: f64,
@@ -17,7 +17,7 @@ pub(in crate::integrate) struct Power<const HERTZ: bool, const PULLED: bool> {
 
 impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(k: f64, n: f64, pull: f64) -> Self {
+    pub fn new(k: f64, n: f64, pull: f64) -> Self {
         Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
     }
 
@@ -89,7 +89,7 @@ impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
 
 /// Any power law with drag, r = d^(1/m); the drag holds χ and c = η √(k n).
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedPower<const M: u8> {
+pub struct DraggedPower<const M: u8> {
     k: f64,
     n: f64,
     drag: Drag,
@@ -98,22 +98,22 @@ pub(in crate::integrate) struct DraggedPower<const M: u8> {
 
 /// The same for n = 3/2.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedHertz<const M: u8, T = f64> {
-    pub(in crate::integrate) k: T,
-    pub(in crate::integrate) drag: Drag<T>,
-    pub(in crate::integrate) pull: T,
+pub struct DraggedHertz<const M: u8, T = f64> {
+    pub k: T,
+    pub drag: Drag<T>,
+    pub pull: T,
 }
 
 impl<const M: u8> DraggedPower<M> {
     /// The piece k d^n with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(k: f64, n: f64, path: &Path) -> Self {
+    pub fn along(k: f64, n: f64, path: &Path) -> Self {
         Self { k, n, drag: Drag { eta: path.drag.eta * (k * n).sqrt(), ..path.drag }, pull: path.pull }
     }
 }
 
 impl<const M: u8> DraggedHertz<M> {
     /// The piece k d^1.5 with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(k: f64, path: &Path) -> Self {
+    pub fn along(k: f64, path: &Path) -> Self {
         let DraggedPower { drag, pull, .. } = DraggedPower::<M>::along(k, 1.5, path);
         Self { k, drag, pull }
     }

@@ -7,10 +7,10 @@ use crate::math::smooth::{Jet, Smooth};
 
 /// A formula of d without drag, y = d: g = −c f(start + y).
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct OfDistance {
-    pub(in crate::integrate) force: Smooth,
-    pub(in crate::integrate) start: f64,
-    pub(in crate::integrate) c: f64,
+pub struct OfDistance {
+    pub force: Smooth,
+    pub start: f64,
+    pub c: f64,
 }
 
 impl Field<f64> for OfDistance {
@@ -41,9 +41,9 @@ impl Variables for OfDistance {
 
 /// A formula of √d without drag, which is odd: g = −c y f(y), y = √d, with c twice its factor.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct OfRoot {
-    pub(in crate::integrate) force: Smooth,
-    pub(in crate::integrate) c: f64,
+pub struct OfRoot {
+    pub force: Smooth,
+    pub c: f64,
 }
 
 impl Field<f64> for OfRoot {
@@ -73,7 +73,7 @@ impl Variables for OfRoot {
 /// A formula with drag, d = r^m: m = 1 for a formula of d; for one of √d m = 2, or 4 where the drag goes with √f', that is
 /// with d^¼.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedCurve<const M: u8> {
+pub struct DraggedCurve<const M: u8> {
     force: Smooth,
     start: f64,
     factor: f64,
@@ -83,7 +83,7 @@ pub(in crate::integrate) struct DraggedCurve<const M: u8> {
 
 impl<const M: u8> DraggedCurve<M> {
     /// The formula with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
+    pub fn along(force: Smooth, start: f64, factor: f64, path: &Path) -> Self {
         Self { force, start, factor, drag: path.drag, pull: path.pull }
     }
 

@@ -6,14 +6,14 @@ use crate::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Straight<const PULLED: bool> {
-    pub(in crate::integrate) a: f64,
-    pub(in crate::integrate) b: f64,
+pub struct Straight<const PULLED: bool> {
+    pub a: f64,
+    pub b: f64,
 }
 
 impl<const PULLED: bool> Straight<PULLED> {
     #[inline(always)]
-    pub(in crate::integrate) fn new(at_start: f64, slope: f64, pull: f64) -> Self {
+    pub fn new(at_start: f64, slope: f64, pull: f64) -> Self {
         Self { a: at_start - pull, b: slope }
     }
 }
@@ -50,16 +50,16 @@ impl<const PULLED: bool> Variables for Straight<PULLED> {
 
 /// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where the drag holds χ and c = η √b.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct DraggedStraight<T = f64> {
-    pub(in crate::integrate) a: T,
-    pub(in crate::integrate) b: T,
-    pub(in crate::integrate) drag: Drag<T>,
-    pub(in crate::integrate) pull: T,
+pub struct DraggedStraight<T = f64> {
+    pub a: T,
+    pub b: T,
+    pub drag: Drag<T>,
+    pub pull: T,
 }
 
 impl DraggedStraight {
     /// The piece a + b d with the pull and the drag of a path.
-    pub(in crate::integrate) fn along(a: f64, b: f64, path: &Path) -> Self {
+    pub fn along(a: f64, b: f64, path: &Path) -> Self {
         Self { a, b, drag: Drag { eta: path.drag.eta * b.sqrt(), ..path.drag }, pull: path.pull }
     }
 }
