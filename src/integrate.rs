@@ -159,18 +159,6 @@ impl Drag {
     }
 }
 
-impl<T> From<[T; 2]> for Drag<T> {
-    fn from([chi, eta]: [T; 2]) -> Self {
-        Self { chi, eta }
-    }
-}
-
-impl<T> From<Drag<T>> for [T; 2] {
-    fn from(Drag { chi, eta }: Drag<T>) -> Self {
-        [chi, eta]
-    }
-}
-
 impl<T: lanes::Lane> Drag<T> {
     /// χ g + η √g', the drag per speed.
     #[inline(always)]
@@ -232,6 +220,11 @@ impl Path {
     /// Whether this state counts as rest.
     pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
         self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= rest.within && speed.abs() <= rest.below)
+    }
+
+    /// Whether a place is the place of rest, within this share of its distance. A turn there counts as rest.
+    pub(crate) fn is_next_to_rest(&self, distance: f64, share: f64) -> bool {
+        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= share * rest.distance)
     }
 
     /// The distance of a landing: exactly the end's, or where the motion came to.

@@ -282,12 +282,7 @@ impl Run {
     /// Whether a turning point found at y is false, because a sphere at rest there would be pushed on. Under strong drag a
     /// creep is slower than the error that a loose tolerance allows, and a step may end with a speed of the wrong sign.
     fn is_false_turn<P: Dragged>(&self, piece: P, y: f64) -> bool {
-        self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.is_next_to_rest(P::distance_at(y))
-    }
-
-    /// Whether a place is the place of rest within the tolerance. A turn there counts as rest.
-    fn is_next_to_rest(&self, distance: f64) -> bool {
-        self.path.rest.is_some_and(|rest| (distance - rest.distance).abs() <= self.tolerance * rest.distance)
+        self.direction * piece.rates(y, 0.0)[1] > 0.0 && !self.path.is_next_to_rest(P::distance_at(y), self.tolerance)
     }
 
     /// Repeats an accepted step of length `h` with half its length.

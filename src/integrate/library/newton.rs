@@ -6,7 +6,7 @@ use ode_solvers::System;
 
 use super::driver::{Library, Node};
 use crate::integrate::cubic::dips;
-use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path, Rest};
+use crate::integrate::{Crossing, IntegrationError, Landing, Leg, Path};
 use crate::math::root::Bracket;
 
 /// The landing on a crossing, and the state there.
@@ -90,10 +90,8 @@ impl Equations<'_> {
 
     /// Whether a sphere at rest in this place would be pushed further along the leg. Then it cannot have turned there.
     fn is_pushed_on(&self, d: f64) -> bool {
-        // right beside its place of rest, a turn is accepted: the creep ends there anyway
-        let distance = d * self.path.sizes.distance;
-        let is_next = |rest: &Rest| (distance - rest.distance).abs() <= LOOSEST_CREEP * rest.distance;
-        self.path.leg.direction() * self.accelerations(d, 0.0).0 > 0.0 && !self.path.rest.as_ref().is_some_and(is_next)
+        let pushes = self.path.leg.direction() * self.accelerations(d, 0.0).0 > 0.0;
+        pushes && !self.path.is_next_to_rest(d * self.path.sizes.distance, LOOSEST_CREEP)
     }
 
     /// Whether a speed of the wrong sign is only an error of the speed, as in a creep slower than that error. This is so if

@@ -82,7 +82,7 @@ impl<const M: u8> Lanes for Damped<M> {
             return Started::Landed(Landing::Turning);
         };
         put(&mut rows.piece, lane, numbers);
-        put(&mut rows.drag, lane, drag.into());
+        put(&mut rows.drag, lane, [drag.chi, drag.eta]);
         rows.pull[lane] = path.pull;
         rows.put(lane, &run);
         put(&mut rows.inverse_sizes, lane, run.inverse_sizes);

@@ -81,7 +81,8 @@ impl<const M: u8> Kernel for Stepping<'_, M> {
     #[inline(always)]
     fn run<S: Simd>(&mut self, at: At<S>) {
         let rows = &mut *self.0;
-        let (drag, pull) = (Drag::from(at.load_all(&rows.drag)), at.load(&rows.pull));
+        let ([chi, eta], pull) = (at.load_all(&rows.drag), at.load(&rows.pull));
+        let drag = Drag { chi, eta };
         let [a, b, k, is_straight] = at.load_all(&rows.piece);
         let (straight, hertz) = (DraggedStraight { a, b, drag, pull }, DraggedHertz::<M, _> { k, drag, pull });
         let motion = DraggedMixed { straight, hertz, is_straight };
