@@ -132,21 +132,6 @@ pub struct Drag<T = f64> {
 impl Drag {
     pub const NONE: Self = Self { chi: 0.0, eta: 0.0 };
 
-    /// g χ d'.
-    pub(crate) const fn of_force(chi: f64) -> Self {
-        Self { chi, ..Self::NONE }
-    }
-
-    /// η √g' d'.
-    pub const fn of_stiffness(eta: f64) -> Self {
-        Self { eta, ..Self::NONE }
-    }
-
-    /// χ, if there is no other resistance.
-    pub(crate) fn of_force_alone(self) -> Option<f64> {
-        (self == Self::of_force(self.chi)).then_some(self.chi)
-    }
-
     /// Whether the contact force can vanish before the restoring force does.
     pub(crate) fn lifts_off(self) -> bool {
         self.eta > 0.0
@@ -200,11 +185,6 @@ pub struct Path {
 }
 
 impl Path {
-    /// A way that only the restoring force acts on.
-    pub const fn free(restoring: Restoring, leg: Leg, sizes: Sizes) -> Self {
-        Self { restoring, leg, sizes, pull: 0.0, drag: Drag::NONE, rest: None }
-    }
-
     /// g(d), and the drag at this speed.
     pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64) {
         let force = self.restoring.at(distance);
@@ -357,7 +337,7 @@ mod tests {
 
     #[test]
     fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
-        let viscous = Drag::of_stiffness(0.2);
+        let viscous = Drag { chi: 0.0, eta: 0.2 };
         assert_eq!(viscous.at(1.0, || -1e-17), 0.0);
         assert!(viscous.at(1.0, || f64::NAN).is_nan());
         // η √g'

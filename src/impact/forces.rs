@@ -55,8 +55,8 @@ impl Damping {
     /// The resistance, as integrators know it.
     pub(super) fn drag(self) -> Drag {
         match self {
-            Self::HuntCrossley(chi) => Drag::of_force(chi),
-            Self::Viscous(zeta) => Drag::of_stiffness(2.0 * zeta),
+            Self::HuntCrossley(chi) => Drag { chi, eta: 0.0 },
+            Self::Viscous(zeta) => Drag { chi: 0.0, eta: 2.0 * zeta },
         }
     }
 
@@ -89,7 +89,7 @@ impl Forces {
     /// with that of Hunt and Crossley and no gravity.
     pub(crate) fn have_closed_form(&self) -> bool {
         let drag = self.damping.map_or(Drag::NONE, Damping::drag);
-        drag.of_force_alone().is_some_and(|chi| chi == 0.0 || self.gravity.is_none())
+        drag.eta == 0.0 && (drag.chi == 0.0 || self.gravity.is_none())
     }
 }
 

@@ -10,7 +10,8 @@ use plm_impact::law::Law;
 fn spring(integrator: &mut dyn Integrator, omega: f64, zeta: f64, u: f64) -> (State, State, Landing) {
     let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
     let sizes = Sizes { distance: u / omega, speed: u };
-    let path = |leg| Path { drag: Drag::of_stiffness(2.0 * zeta), ..Path::free(restoring, leg, sizes) };
+    let drag = Drag { chi: 0.0, eta: 2.0 * zeta };
+    let path = |leg| Path { restoring, leg, sizes, pull: 0.0, drag, rest: None };
     let mut state = State { time: 0.0, distance: 0.0, speed: u, loss: 0.0 };
     assert_eq!(integrator.traverse(&path(Leg::Outward(f64::INFINITY)), &mut state, None), Ok(Landing::Turning));
     let turned = state;

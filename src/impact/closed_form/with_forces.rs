@@ -18,6 +18,7 @@
 use crate::impact::outcome::{Fate, Outcome};
 use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
+use crate::integrate::Drag;
 use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
@@ -159,11 +160,11 @@ fn has_closed_loading(law: &Law) -> bool {
 
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
 pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
-    let chi = forces.drag().of_force_alone().filter(|chi| *chi == 0.0 || forces.weight == 0.0)?;
-    let (speeds, weight) = (Speeds { chi }, forces.weight);
-    if !has_closed_loading(law) {
+    let (Drag { chi, eta }, weight) = (forces.drag(), forces.weight);
+    if eta != 0.0 || chi != 0.0 && weight != 0.0 || !has_closed_loading(law) {
         return None;
     }
+    let speeds = Speeds { chi };
     let kinetic = speeds.energy(q) / ACCELERATION;
     let (last, distance) = peak(law, kinetic, weight);
     let unloading = law.unloading(law.state_at(last, distance));
