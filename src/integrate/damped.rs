@@ -6,7 +6,7 @@
 //!
 //! **One or many.** A step is judged in one place, whether steps are taken one by one or in lock step (see `lockstep`).
 
-use super::dop853::{self, EVALUATIONS, Step};
+use super::dop853::{self, EVALUATIONS};
 use super::piece::power::{DraggedHertz, DraggedPower};
 use super::piece::smooth::DraggedCurve;
 use super::piece::straight::DraggedStraight;
@@ -32,12 +32,6 @@ impl Damped {
     }
 }
 
-/// One step from a node with its rates, of this length.
-#[inline(always)]
-fn step<P: Dragged>(piece: P, run: &Run, node: &Quad, rates: &Quad, length: f64) -> Step {
-    dop853::step(piece, node, rates, length, &run.inverse_sizes)
-}
-
 /// Takes every sample that is due before `end`, the time at the end of a step of this length. Each sample is the end of a
 /// shorter step of its own.
 fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Quad, &Quad), length: f64, end: f64) {
@@ -48,7 +42,7 @@ fn sample<P: Dragged>(piece: P, run: &mut Run, samples: &mut Sampler, start: (&Q
         let mut h = length * if node[0] == 0.0 { pow(part, 1.0 / f64::from(P::ROOT)) } else { part };
         let mut at = *node;
         for _ in 0..30 {
-            let next = step(piece, run, node, rates, h);
+            let next = dop853::step(piece, node, rates, h, &run.inverse_sizes);
             run.work.force_evaluations += EVALUATIONS;
             at = next.node;
             let miss = at[2] - time;
@@ -73,7 +67,7 @@ pub(super) fn finish<P: Dragged>(
 ) -> Result<(Landing, State), IntegrationError> {
     loop {
         let (node, rates) = (run.node, run.rates);
-        let next = step(piece, run, &node, &rates, run.length);
+        let next = dop853::step(piece, &node, &rates, run.length, &run.inverse_sizes);
         let verdict = if run.is_marching() { Verdict::of(&next, run.length, run.least) } else { Verdict::NONE };
         let (length, end, landed) = match run.tell(piece, &next, verdict)? {
             Progress::Again => continue,

@@ -12,17 +12,15 @@ use ode_solvers::System;
 use super::driver::{Library, Node};
 use crate::integrate::{IntegrationError, Landing, Leg, Path};
 
-/// Independent variable of a landing.
-#[derive(Clone, Copy)]
-enum Along {
-    Distance,
-    Speed,
-}
+/// What a landing has as its independent variable, as its place in (d, u).
+const DISTANCE: usize = 0;
+const SPEED: usize = 1;
 
 /// The equations in variables of size one: y = (d, u) along the time, y = (d, u, t) along another variable.
 struct Equations<'a> {
     path: &'a Path,
-    along: Along,
+    /// [`DISTANCE`] or [`SPEED`]; not used along the time.
+    along: usize,
     /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
     nodes: Option<&'a mut Vec<Node>>,
 }
@@ -55,10 +53,7 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _along: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
         let g = scaled_deceleration(self.path, y[0]);
         let rates = Vector3::new(y[1], -g, 1.0);
-        *dy = match self.along {
-            Along::Distance => rates / y[1],
-            Along::Speed => rates / -g,
-        };
+        *dy = rates / rates[self.along];
     }
 }
 
@@ -71,7 +66,7 @@ pub(super) fn run(
     /// Longer than any leg: a quarter period is about 1.5 in units of size one.
     const LONG: f64 = 1e3;
     let mut nodes = vec![start];
-    let equations = Equations { path, along: Along::Distance, nodes: Some(&mut nodes) };
+    let equations = Equations { path, along: DISTANCE, nodes: Some(&mut nodes) };
     library.drive(equations, library.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
     let last = nodes.last().copied().unwrap_or(start);
     let (landing, [t, d, u, _]) = land(library, path, last)?;
@@ -80,24 +75,19 @@ pub(super) fn run(
 
 /// The state at `time`, from a node before it.
 pub(super) fn after(library: &mut Library, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
-    let equations = Equations { path, along: Along::Distance, nodes: None };
+    let equations = Equations { path, along: DISTANCE, nodes: None };
     let end = library.drive(equations, library.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
     Ok([time, end[0], end[1], node[3]])
 }
 
 /// The state where the distance or the speed reaches `to`.
-fn reach(library: &mut Library, path: &Path, along: Along, node: Node, to: f64) -> Result<Node, IntegrationError> {
+fn reach(library: &mut Library, path: &Path, along: usize, node: Node, to: f64) -> Result<Node, IntegrationError> {
     let [t, d, u, loss] = node;
-    let from = match along {
-        Along::Distance => d,
-        Along::Speed => u,
-    };
-    let end =
-        library.drive(Equations { path, along, nodes: None }, library.tolerance, from, to, Vector3::new(d, u, t))?;
-    Ok(match along {
-        Along::Distance => [end[2], to, end[1], loss],
-        Along::Speed => [end[2], end[0], to, loss],
-    })
+    let equations = Equations { path, along, nodes: None };
+    let end = library.drive(equations, library.tolerance, [d, u][along], to, Vector3::new(d, u, t))?;
+    let mut at = [end[2], end[0], end[1], loss];
+    at[1 + along] = to;
+    Ok(at)
 }
 
 /// From a node before the end of the leg to that end.
@@ -106,16 +96,16 @@ fn land(library: &mut Library, path: &Path, node: Node) -> Result<(Landing, Node
     let end = match path.leg {
         Leg::Outward(end) => end / path.sizes.distance,
         Leg::Back(end) => {
-            return Ok((Landing::End, reach(library, path, Along::Distance, node, end / path.sizes.distance)?));
+            return Ok((Landing::End, reach(library, path, DISTANCE, node, end / path.sizes.distance)?));
         }
     };
     // u² at the end of the piece, by the work of a straight line from here to there
     let g = 0.5 * (scaled_deceleration(path, d) + scaled_deceleration(path, end));
     let left = u * u - 2.0 * g * (end - d);
     if end.is_finite() && left > 0.25 * u * u {
-        return Ok((Landing::End, reach(library, path, Along::Distance, node, end)?));
+        return Ok((Landing::End, reach(library, path, DISTANCE, node, end)?));
     }
-    let turn = reach(library, path, Along::Speed, node, 0.0)?;
+    let turn = reach(library, path, SPEED, node, 0.0)?;
     if turn[1] < end {
         return Ok((Landing::Turning, turn));
     }
@@ -123,7 +113,7 @@ fn land(library: &mut Library, path: &Path, node: Node) -> Result<(Landing, Node
     let mut square = 2.0 * g_end * (turn[1] - end);
     let mut landed = turn;
     for _ in 0..8 {
-        landed = reach(library, path, Along::Speed, node, square.sqrt())?;
+        landed = reach(library, path, SPEED, node, square.sqrt())?;
         let miss = landed[1] - end;
         if miss.abs() <= 4.0 * f64::EPSILON * end {
             break;

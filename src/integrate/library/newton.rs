@@ -251,15 +251,14 @@ pub(super) fn run(
     const STRETCH: f64 = 0.25;
     let mut log = Log { nodes: vec![start], is_at_rest: false };
     let mut last = start;
-    let mut landed = None;
     for _ in 0..MOST_ATTEMPTS {
         let equations = Equations { path, log: Some(&mut log) };
         let [t, d, u, loss] = last;
         library.drive(equations, tolerance(library, path), t, LONG, Vector3::new(d, u, loss))?;
         last = log.nodes.last().copied().unwrap_or(start);
-        landed = if log.is_at_rest { Some((Landing::Rest, last)) } else { library.land(path, last)? };
-        if landed.is_some() {
-            break;
+        let landed = if log.is_at_rest { Some((Landing::Rest, last)) } else { library.land(path, last)? };
+        if let Some((landing, end)) = landed {
+            return Ok((log.nodes, landing, end));
         }
         let further = library.after(path, last, STRETCH)?;
         let equations = Equations { path, log: None };
@@ -268,13 +267,12 @@ pub(super) fn run(
         {
             let at = library.between(&equations, event, last, STRETCH)?;
             if event != Crossing::Turning || !equations.is_pushed_on(at[1]) {
-                landed = Some(landing_on(event, at));
-                break;
+                let (landing, end) = landing_on(event, at);
+                return Ok((log.nodes, landing, end));
             }
         }
         log.nodes.push(further);
         last = further;
     }
-    let (landing, end) = landed.ok_or(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })?;
-    Ok((log.nodes, landing, end))
+    Err(IntegrationError::TooManySteps { steps: MOST_ATTEMPTS })
 }
