@@ -12,9 +12,11 @@
 mod machine;
 mod specimen;
 
+use std::mem::discriminant;
+
 use thiserror::Error;
 
-use crate::impact::{Warning, of_peak};
+use crate::impact::{Warning, of_dent, of_peak};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
@@ -290,20 +292,14 @@ impl StaticContact {
 
     /// Adds the warnings that no step before this one had.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
-        let mut doubt = |warning| doubts.push(Doubt { step: number, warning });
-        let ratio = |step: &Step| step.memory.contact_radius / self.indenter.radius;
-        let limit = self.law.widest_contact();
-        if ratio(step) > limit && before.is_none_or(|before| ratio(before) <= limit) {
-            doubt(Warning::DeepDent { ratio: ratio(step), limit });
-        }
-        if let Some(strength) = self.indenter.yield_strength {
-            let yields = |step: &Step| step.memory.mean_pressure > 1.1 * strength;
-            if yields(step) && !before.is_some_and(yields) {
-                doubt(Warning::SphereYields { pressure: step.memory.mean_pressure, strength });
-            }
-        }
-        if step.plastic_work < 0.0 {
-            doubt(Warning::PlasticGain { work: step.plastic_work });
-        }
+        let (radius, strength) = (self.indenter.radius, self.indenter.yield_strength);
+        let of_step = |step: &Step| {
+            let Memory { contact_radius, mean_pressure, .. } = step.memory;
+            of_dent(&self.law, contact_radius / radius, mean_pressure, strength)
+        };
+        let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| discriminant(&warning)).collect();
+        let gain = (step.plastic_work < 0.0).then_some(Warning::PlasticGain { work: step.plastic_work });
+        let new = of_step(step).filter(|warning| !known.contains(&discriminant(warning))).chain(gain);
+        doubts.extend(new.map(|warning| Doubt { step: number, warning }));
     }
 }

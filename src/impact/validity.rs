@@ -15,20 +15,20 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     stated.into_iter().chain(curve)
 }
 
+/// The warnings for a dent of this radius, over that of the sphere, which this mean pressure has made.
+pub(crate) fn of_dent(law: &Law, ratio: f64, pressure: f64, strength: Option<f64>) -> impl Iterator<Item = Warning> {
+    let limit = law.widest_contact();
+    let deep = (ratio > limit).then_some(Warning::DeepDent { ratio, limit });
+    let yields = strength.filter(|strength| pressure > 1.1 * strength);
+    deep.into_iter().chain(yields.map(|strength| Warning::SphereYields { pressure, strength }))
+}
+
 /// All warnings of an impact.
 pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
     let ratio = impact.peak_contact_radius / sphere.radius;
-    let limit = law.widest_contact();
-    if ratio > limit {
-        warnings.push(Warning::DeepDent { ratio, limit });
-    }
-    if let Some(strength) = sphere.yield_strength
-        && impact.peak_mean_pressure > 1.1 * strength
-    {
-        warnings.push(Warning::SphereYields { pressure: impact.peak_mean_pressure, strength });
-    }
+    warnings.extend(of_dent(law, ratio, impact.peak_mean_pressure, sphere.yield_strength));
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
     let transits = impact.duration() / transit;
     if transits < 5.0 && !contact.is_of_a_body() {

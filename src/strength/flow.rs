@@ -1,13 +1,6 @@
 //! Flow curves: the true stress at which a metal yields, as a function of plastic strain.
 //!
-//! ```text
-//! power    σ = σ_Y (1 + E ε/σ_Y)^N
-//! voce     σ = σ_Y (1 + b (1 − exp(−c ε)))
-//! linear   σ = σ_Y + H ε
-//! points   linear from (0, σ_Y) through the points, constant after the last
-//! ```
-//!
-//! σ_Y is the yield strength, the stress at plastic strain 0. E is Young's modulus of the metal.
+//! ε is the plastic strain, σ_Y the yield strength, which is the stress at ε = 0, and E Young's modulus of the metal.
 
 use std::sync::Arc;
 
@@ -45,7 +38,8 @@ pub enum FlowCurve {
         /// H ≥ 0 \[Pa\]: rise of stress per plastic strain.
         slope: f64,
     },
-    /// Measured points in the order of rising strain, see [`FlowCurve::through`].
+    /// Linear from (0, σ_Y) through measured points in the order of rising strain, constant after the last; see
+    /// [`FlowCurve::through`].
     Points(Arc<[FlowPoint]>),
 }
 
