@@ -23,7 +23,7 @@ use std::sync::{Arc, LazyLock};
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::published::{Loading, Recovered, RecoveryRule};
 use super::unloading::exponent_within;
-use super::{Law, Peak, UnloadingExponent, UnloadingShape};
+use super::{ElasticApproach, Law, Peak, UnloadingExponent, UnloadingShape};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
 pub use contact_radius::ContactRadius;
@@ -61,13 +61,12 @@ impl Plm {
     /// The law of these bodies.
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        match &self.flow {
-            None => self.coefficients.law(pair, ratio, self.exponent),
-            Some(flow) => {
-                let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
-                self.coefficients.hardening_law(pair, ratio, rise, self.exponent)
-            }
-        }
+        let perfect = self.coefficients.law(pair, ratio, self.exponent);
+        let Some(flow) = &self.flow else { return perfect };
+        let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
+        let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
+        let loading = hardening.loading(&perfect.loading);
+        Law { loading, elastic: ElasticApproach::Hardening(Box::new(hardening)), ..perfect }
     }
 }
 
@@ -95,21 +94,17 @@ impl ContactLaw for Plm {
 
     fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
         let law = self.of_bodies(bodies);
-        Arc::new(move |peak| {
-            let of_plm = || law.elastic_approach(peak.indentation, peak.force);
-            let elastic_approach = peak.elastic_approach.unwrap_or_else(of_plm);
+        Arc::new(move |at| {
+            let of_plm = || law.elastic_approach(at.indentation, at.force);
+            let elastic_approach = at.elastic_approach.unwrap_or_else(of_plm);
+            let peak = |elastic_approach| Peak { indentation: at.indentation, force: at.force, elastic_approach };
             let exponent = match law.exponent {
                 UnloadingExponent::Paper => 1.5,
                 UnloadingExponent::Fixed(n) => {
-                    let (indentation, force) = (peak.indentation, peak.force);
-                    let elastic_approach = elastic_approach.min(indentation);
                     // what even 3/2 cannot keep within the work is for the bounds of published laws
-                    let peak_state = Peak { indentation, force, elastic_approach };
-                    exponent_within(peak.spent, &peak_state, n).min(n.max(1.5))
+                    exponent_within(at.spent, &peak(elastic_approach.min(at.indentation)), n).min(n.max(1.5))
                 }
-                UnloadingExponent::PressureShape => {
-                    law.pressure_shape(&Peak { indentation: peak.indentation, force: peak.force, elastic_approach })
-                }
+                UnloadingExponent::PressureShape => law.pressure_shape(&peak(elastic_approach)),
             };
             Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
         })

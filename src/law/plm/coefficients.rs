@@ -7,12 +7,10 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::contact_radius::RadiusTable;
-use super::hardening::Hardening;
 use super::lines::{ElasticLine, LineSlopes};
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, UnloadingExponent};
 use crate::material::Pair;
-use crate::strength::flow::Rise;
 
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -191,20 +189,6 @@ impl PlmCoefficients {
         let loading = self.force.curve(kappa_squared);
         let elastic = ElasticApproach::Line(ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio));
         Law { loading, elastic, radius: self.contact_radius.of(kappa_squared, yield_radius_ratio), exponent }
-    }
-
-    /// The same for a half-space whose flow stress rises so.
-    pub(crate) fn hardening_law(
-        &self,
-        pair: &Pair,
-        yield_radius_ratio: f64,
-        rise: Rise,
-        exponent: UnloadingExponent,
-    ) -> Law {
-        let perfect = self.law(pair, yield_radius_ratio, exponent);
-        let hardening = Hardening::new(rise, yield_radius_ratio, self.line_slopes(pair));
-        let loading = hardening.loading(&perfect.loading);
-        Law { loading, elastic: ElasticApproach::Hardening(Box::new(hardening)), ..perfect }
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
