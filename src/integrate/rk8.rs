@@ -29,7 +29,7 @@ use super::landing::{AT_END, Node, Target};
 use super::lanes::Lane;
 use super::nystrom::{self, EVALUATIONS};
 use super::piece::power::Power;
-use super::piece::smooth::{OfDistance, OfRoot};
+use super::piece::smooth::Curve;
 use super::piece::straight::Straight;
 use super::piece::{Field, Variables};
 use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
@@ -88,10 +88,10 @@ impl Rk8 {
             Restoring::Smooth { .. } if PULLED => None,
             Restoring::Smooth { force, start, factor } => Some(match force.variable() {
                 Variable::Indentation => {
-                    self.traverse_field(OfDistance { force, start, c: factor }, path, state, samples)
+                    self.traverse_field(Curve::<false> { force, start, c: factor }, path, state, samples)
                 }
                 Variable::RootOfDistance => {
-                    self.traverse_field(OfRoot { force, c: 2.0 * factor }, path, state, samples)
+                    self.traverse_field(Curve::<true> { force, start, c: 2.0 * factor }, path, state, samples)
                 }
             }),
         }

@@ -63,23 +63,21 @@ const FROM_TURNING: [f64; TERMS] = from_turning(0.4);
 
 /// ₂F₁(½, a; 1 + a; z) = Σ (½)_k/k! · a/(a + k) · z^k.
 const fn from_zero(a: f64) -> [f64; TERMS] {
-    let (mut coefficients, mut term, mut i) = ([1.0; TERMS], 1.0, 1);
-    let mut k = 1.0;
-    while i < TERMS {
-        term *= (k - 0.5) / k;
-        coefficients[i] = term * a / (a + k);
-        (i, k) = (i + 1, k + 1.0);
-    }
-    coefficients
+    coefficients(0.5, a)
 }
 
 /// Σ (1 − a)_k/k! · z^k/(1 + 2k): the time from z to the turning point over 2a√z.
 const fn from_turning(a: f64) -> [f64; TERMS] {
+    coefficients(a, 0.5)
+}
+
+/// (1 − a)_k/k! · b/(b + k).
+const fn coefficients(a: f64, b: f64) -> [f64; TERMS] {
     let (mut coefficients, mut term, mut i) = ([1.0; TERMS], 1.0, 1);
     let mut k = 1.0;
     while i < TERMS {
         term *= (k - a) / k;
-        coefficients[i] = term / (1.0 + 2.0 * k);
+        coefficients[i] = term * b / (b + k);
         (i, k) = (i + 1, k + 1.0);
     }
     coefficients

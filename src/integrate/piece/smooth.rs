@@ -5,68 +5,46 @@ use crate::integrate::{Drag, Path, root_of};
 use crate::math::functions::powi;
 use crate::math::smooth::{Jet, Smooth};
 
-/// A formula of d without drag, y = d: g = −c f(start + y).
+/// A formula without drag. One of d has y = d and g = −c f(start + y). One of √d is odd; it has y = √d and g = −c y f(y),
+/// with c twice its factor.
 #[derive(Debug, Clone, Copy)]
-pub struct OfDistance {
+pub struct Curve<const ROOT: bool> {
     pub force: Smooth,
     pub start: f64,
     pub c: f64,
 }
 
-impl Field<f64> for OfDistance {
-    const IS_TIME: bool = true;
+impl<const ROOT: bool> Field<f64> for Curve<ROOT> {
+    const IS_TIME: bool = !ROOT;
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
     }
     fn g(self, y: f64) -> f64 {
-        -self.c * self.force.at_variable(self.start + y)
+        if ROOT { -self.c * y * self.force.at_variable(y) } else { -self.c * self.force.at_variable(self.start + y) }
     }
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let Jet { slope, curvature, .. } = self.force.jet(self.start + y);
-        (-self.c * slope, -self.c * curvature)
+        let Jet { value, slope, curvature } = self.force.jet(if ROOT { y } else { self.start + y });
+        let (first, second) = if ROOT { (value + y * slope, 2.0 * slope + y * curvature) } else { (slope, curvature) };
+        (-self.c * first, -self.c * second)
     }
 }
 
-impl Variables for OfDistance {
-    const IS_POLYNOMIAL: bool = false;
+impl<const ROOT: bool> Variables for Curve<ROOT> {
+    const IS_POLYNOMIAL: bool = ROOT;
     fn potential(self, y: f64) -> f64 {
-        self.c * self.force.work(self.start, 0.0, y)
+        if ROOT {
+            0.5 * self.c * self.force.work(0.0, 0.0, y * y)
+        } else {
+            self.c * self.force.work(self.start, 0.0, y)
+        }
     }
     fn at_potential(self, potential: f64) -> f64 {
+        if ROOT {
+            return self.force.distance_at_work(0.0, 0.0, 2.0 * potential / self.c).sqrt();
+        }
         // the force so far is about that of a straight line from x = 0
         let before = 0.5 * self.start * self.force.at_variable(self.start);
         self.force.distance_at_work(self.start, before, potential / self.c)
-    }
-}
-
-/// A formula of √d without drag, which is odd: g = −c y f(y), y = √d, with c twice its factor.
-#[derive(Debug, Clone, Copy)]
-pub struct OfRoot {
-    pub force: Smooth,
-    pub c: f64,
-}
-
-impl Field<f64> for OfRoot {
-    const IS_TIME: bool = false;
-    fn scaled(self, factor: f64) -> Self {
-        Self { c: self.c * factor, ..self }
-    }
-    fn g(self, y: f64) -> f64 {
-        -self.c * y * self.force.at_variable(y)
-    }
-    fn derivatives(self, y: f64) -> (f64, f64) {
-        let Jet { value, slope, curvature } = self.force.jet(y);
-        (-self.c * (value + y * slope), -self.c * (2.0 * slope + y * curvature))
-    }
-}
-
-impl Variables for OfRoot {
-    const IS_POLYNOMIAL: bool = true;
-    fn potential(self, y: f64) -> f64 {
-        0.5 * self.c * self.force.work(0.0, 0.0, y * y)
-    }
-    fn at_potential(self, potential: f64) -> f64 {
-        self.force.distance_at_work(0.0, 0.0, 2.0 * potential / self.c).sqrt()
     }
 }
 
