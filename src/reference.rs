@@ -6,9 +6,6 @@
 macro_rules! tables {
     ($($(#[doc = $about:literal])+ $read:ident: $row:ty = $file:literal;)+) => {$(
         $(#[doc = $about])+
-        ///
-        /// # Errors
-        /// [`ReferenceError`](crate::reference::ReferenceError) if the table was damaged.
         pub fn $read() -> Result<Vec<$row>, $crate::reference::ReferenceError> {
             $crate::reference::rows($file, include_str!($file))
         }

@@ -38,9 +38,6 @@ impl Materials {
     }
 
     /// What a law is built for; never `None`, because the half-space yields.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] for a table that was damaged.
     pub fn bodies(&self) -> Result<Option<Bodies>, OutOfFloatRange> {
         // the law in units of the yield point does not depend on the radius
         let half_space = self.half_space();
@@ -110,17 +107,11 @@ fn with_materials<T: serde::de::DeserializeOwned>(
 }
 
 /// All exact impacts.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
 pub fn impacts() -> Result<Vec<(Materials, ExactImpact)>, ReferenceError> {
     with_materials("oracle_hardening.csv", include_str!("oracle_hardening.csv"))
 }
 
 /// All unloadings of the finite elements.
-///
-/// # Errors
-/// [`ReferenceError`] if the table was damaged.
 pub fn unloadings() -> Result<Vec<(Materials, Unloaded)>, ReferenceError> {
     with_materials("fe_hardening.csv", include_str!("fe_hardening.csv"))
 }
