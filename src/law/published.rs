@@ -61,11 +61,6 @@ pub struct Recovered {
 }
 
 impl Recovered {
-    /// Hertz-type unloading, n = 3/2.
-    pub fn hertzian(elastic_approach: f64) -> Self {
-        Self { elastic_approach, shape: UnloadingShape::Power(1.5) }
-    }
-
     /// The branch with this elastic approach.
     fn branch(&self, at: &PeakState, elastic_approach: f64) -> Unloading {
         let &PeakState { indentation, force, .. } = at;
@@ -101,13 +96,12 @@ impl Recovered {
     }
 }
 
-/// The rule of Hertz-type unloading with this elastic approach.
+/// The rule of Hertz-type unloading, n = 3/2, with this elastic approach.
 pub(super) fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
-    Arc::new(move |peak| Recovered::hertzian(elastic_approach(peak)))
+    let shape = UnloadingShape::Power(1.5);
+    Arc::new(move |peak| Recovered { elastic_approach: elastic_approach(peak), shape })
 }
 
-/// a/a_Y at (x, f) of the loading curve.
-pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 /// The unloading from a peak.
 pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
@@ -122,8 +116,8 @@ pub struct Loading {
     pub holds_until: f64,
     /// The range of x that its authors state, if they do.
     pub stated: Option<(f64, f64)>,
-    /// a/a_Y.
-    pub radius: RadiusRule,
+    /// a/a_Y at (x, f) of the loading curve.
+    pub radius: Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>,
 }
 
 impl Loading {

@@ -119,9 +119,6 @@ pub struct Unloading {
     pub(super) curve: Option<Smooth>,
 }
 
-/// n of the power law that gives back as much as unloading from uniform pressure: 3π/4 − 1.
-pub const UNIFORM_PRESSURE_EXPONENT: f64 = 0.75 * std::f64::consts::PI - 1.0;
-
 /// The exponent of a branch that gives back no more than was spent: the one that was `asked` for, or, where that branch
 /// would give back more than the work of loading to the peak, the one that gives back just that work.
 ///
@@ -155,7 +152,8 @@ impl Unloading {
             UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
             UnloadingShape::UniformPressure => {
                 let curve = Smooth::new(&UNIFORM_PRESSURE, [peak.force, peak.elastic_approach, 0.0]);
-                Self { peak, exponent: UNIFORM_PRESSURE_EXPONENT, curve: Some(curve) }
+                // the power law that gives back as much
+                Self { peak, exponent: 0.75 * PI - 1.0, curve: Some(curve) }
             }
             UnloadingShape::ShiftedHertz => {
                 let residual = peak.residual().max(0.0);

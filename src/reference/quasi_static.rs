@@ -52,9 +52,8 @@ fn curves() -> Result<Vec<UnloadingCurve>, ReferenceError> {
         FIGURE_10.iter().filter_map(|(run, cycle)| cycles.iter().find(|row| row.run == *run && row.cycle == *cycle));
     let curve = |peak: &unloading::UnloadingRow| {
         let way = points.iter().filter(|point| point.run == peak.run && point.cycle == peak.cycle);
-        let ends = [(peak.x, peak.f), (peak.residual_share * peak.x, 0.0)];
-        let points =
-            ends[..1].iter().copied().chain(way.map(|point| (point.x, point.f))).chain(ends[1..].iter().copied());
+        let (first, last) = ((peak.x, peak.f), (peak.residual_share * peak.x, 0.0));
+        let points = [first].into_iter().chain(way.map(|point| (point.x, point.f))).chain([last]);
         UnloadingCurve { peak: peak.x, points: points.collect() }
     };
     Ok(peaks.map(curve).collect())
