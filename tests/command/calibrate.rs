@@ -115,6 +115,18 @@ fn two_keys_agree_with_lmfit_and_a_brute_force_plane() {
 }
 
 #[test]
+fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
+    // with as many values as keys there are no residuals to draw
+    let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
+    let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
+    let (desk, _) = calibrated(&text, data, &[], 0);
+    let is_picture = |path: &std::path::Path| path.extension().is_some_and(|extension| extension == "png");
+    let files = std::fs::read_dir(desk.path("o")).unwrap().map(|entry| entry.unwrap().path());
+    let pictures: Vec<_> = files.filter(|path| is_picture(path)).collect();
+    assert_eq!(pictures, [desk.path("o/posterior.png")]);
+}
+
+#[test]
 fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let (desk, summary) = calibrated(&text, &restitutions(), &[], 0);
