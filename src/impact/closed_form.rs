@@ -108,7 +108,7 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,
-        end_indentation: law.residual(peak),
+        end_indentation: law.dent(peak).residual(),
         end_speed: -restitution * speed,
         loss: 0.0,
     }

@@ -192,8 +192,7 @@ impl<'a> Course<'a> {
         State { time: speed / self.path.pull, distance, speed, loss: 0.0 }
     }
 
-    /// Begins a piece of the loading curve: sets the leg along it, the event at its end, and the creep if the sphere may come
-    /// to rest on it.
+    /// Begins a piece of the loading curve: sets the leg along it, and the creep if the sphere may come to rest on it.
     fn set_out(&mut self, index: usize) {
         (self.path.restoring, self.path.leg) = way_out(self.law, index);
         if index == 0 && self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
@@ -222,7 +221,7 @@ impl<'a> Course<'a> {
         None
     }
 
-    /// Goes on from the end of a leg of the loading curve, which is a knot or the begin of a creep.
+    /// Goes on from the end of a leg of the loading curve, which is a knot or the beginning of a creep.
     fn go_on(&mut self, mut piece: usize, is_knot: bool, recorder: Option<&mut Recorder>) {
         let mut event = None;
         if is_knot {
@@ -287,7 +286,7 @@ impl<'a> Course<'a> {
             loading_time,
             contact_time: time,
             fate,
-            end_indentation: distance + self.law.residual(&unloading.peak),
+            end_indentation: distance + self.law.dent(&unloading.peak).residual(),
             end_speed: speed,
             loss: loss / ACCELERATION,
         })

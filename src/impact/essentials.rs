@@ -55,7 +55,7 @@ impl Essentials {
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
             return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
         }
-        let residual = law.residual(&peak);
+        let residual = law.dent(&peak).residual();
         let lost = law.plastic(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy there is none
         let has_share = lost != 0.0 && kinetic_in > 0.0;

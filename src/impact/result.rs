@@ -139,7 +139,8 @@ impl Deref for Impact {
 }
 
 impl Impact {
-    /// The result of an impact that was computed; `exact` is the closed form, where there is one, and `points` the trace. Without warnings.
+    /// The result of an impact that was computed, without warnings. `exact` is the closed form, where there is one, and
+    /// `points` is the trace.
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
@@ -207,7 +208,7 @@ impl Impact {
             residual_radius: (has_dent && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
             peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
-            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(&dent)),
+            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),

@@ -54,7 +54,7 @@ impl ScaledForces {
         if unloading.peak.force < self.weight {
             equilibrium(law, self.weight).0
         } else {
-            law.residual(&unloading.peak) + self.static_approach(unloading)
+            law.dent(&unloading.peak).residual() + self.static_approach(unloading)
         }
     }
 

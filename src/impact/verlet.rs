@@ -150,7 +150,7 @@ pub(crate) fn march(
         let unloading = is_end.then(|| law.unloading(contact.loaded_to(peak.distance)));
         let separates = lifts_off && unloading.is_some_and(|unloading| !forces.captures(&unloading, q));
         if let Some(unloading) = unloading.filter(|_| separates) {
-            let residual = law.residual(&unloading.peak) - contact.touch;
+            let residual = law.dent(&unloading.peak).residual() - contact.touch;
             state = contact.left_at(&before, &state, step, gravity, residual);
         }
         if let Some(sampler) = &mut sampler {
@@ -220,7 +220,7 @@ fn record(
     let mut rows: Vec<_> = samples.chain(events.iter().map(|(state, event)| (*state, Some(*event)))).collect();
     rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
     let (law, drag) = (contact.law, contact.drag);
-    let start = law.residual(&unloading.peak) - contact.touch;
+    let start = law.dent(&unloading.peak).residual() - contact.touch;
     recorder.points.extend(rows.into_iter().map(|(state, event)| {
         if state.time <= peak_time {
             let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);

@@ -135,16 +135,10 @@ impl Law {
         self.branch().map_or(0.0, |branch| branch.peak.residual())
     }
 
-    /// x_r of the dent of an impact that turned at `peak`.
-    #[inline(always)]
-    pub(crate) fn residual(&self, peak: &Peak) -> f64 {
-        // no peak is copied, which takes time in a table
-        self.branch_at(peak.indentation).map_or_else(|| peak.residual(), |branch| branch.peak.residual())
-    }
-
     /// The peak that shaped the dent of an impact that turned at `peak`: the memory, if it turned on the branch.
-    pub fn dent(&self, peak: &Peak) -> Peak {
-        self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
+    #[inline(always)]
+    pub fn dent<'a>(&'a self, peak: &'a Peak) -> &'a Peak {
+        self.branch_at(peak.indentation).map_or(peak, |branch| &branch.peak)
     }
 
     /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.

@@ -173,7 +173,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     }
     let loading_time = loading_time(&law.loading.pieces()[..=last], distance, q, weight, speeds);
 
-    let residual = law.residual(&unloading.peak);
+    let residual = law.dent(&unloading.peak).residual();
     let back = Back { unloading: &unloading, residual, weight, speeds, at_peak: loading_time };
     let Peak { elastic_approach, .. } = unloading.peak;
     let is_captured = forces.captures(&unloading, q);
