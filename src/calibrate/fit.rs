@@ -80,6 +80,11 @@ impl<'a> Fit<'a> {
     pub fn best(&self) -> &Place {
         &self.minima[0]
     }
+
+    /// The best values of the keys, SI.
+    pub fn values(&self) -> Vec<f64> {
+        self.problem.values(&self.best().shares)
+    }
 }
 
 /// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.

@@ -95,7 +95,7 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
     });
     let law = |(name, fit): &(String, Result<Fit, NoAnswer>)| match fit {
         Ok(fit) => {
-            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.problem.values(&fit.best().shares) })
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.values() })
         }
         Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
     };
@@ -200,13 +200,7 @@ pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &(String, Result<Fit, NoAnswer>)| match fit {
         Ok(fit) => {
-            let values = of
-                .fit
-                .problem
-                .values(&fit.best().shares)
-                .into_iter()
-                .zip(&of.keys)
-                .map(|(value, found)| found.free.say(value, 4));
+            let values = fit.values().into_iter().zip(&of.keys).map(|(value, found)| found.free.say(value, 4));
             let numbers = [fit.aic, fit.aic - of.least_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
