@@ -92,6 +92,7 @@ impl Axis {
     }
 }
 
+/// The smallest and the largest of these values; infinite if there are none.
 pub fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }

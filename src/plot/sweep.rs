@@ -4,7 +4,7 @@ use super::axis::extremes;
 use super::of_key;
 use super::style::BLACK;
 use crate::law::Bodies;
-use crate::plan::axis::{Axis, Setting};
+use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
 use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, Look, PlotError, Series};
 use crate::reference::quasi_static;
@@ -100,7 +100,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
     let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
     let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
     // all laws yield at about the same speed, so one guide is enough
-    let is_by_law = axes.get(1).is_some_and(|second| second.path() == "law");
+    let is_by_law = axes.get(1).is_some_and(|second| matches!(second.words(), [Word::Law(_), ..]));
     let (mut series, mut guides) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =

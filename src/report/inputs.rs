@@ -21,7 +21,8 @@ impl Inputs {
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let mut entries = of_scene(&plan.scene);
-        for axis in plan.axes().iter().filter(|axis| ["law", "solver.method"].contains(&axis.path())) {
+        let adds_keys = |axis: &&Axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]);
+        for axis in plan.axes().iter().filter(adds_keys) {
             for place in 0..axis.len() {
                 let mut scene = plan.scene.clone();
                 axis.put(place, &mut scene);

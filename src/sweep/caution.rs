@@ -4,7 +4,7 @@
 use std::mem::discriminant;
 
 use crate::impact::{Impact, Method, Solver, Warning};
-use crate::plan::axis::{Axis, Setting, Values};
+use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan};
 use crate::scene::Scene;
@@ -62,7 +62,7 @@ fn ends(axis: &Axis) -> Vec<u64> {
         }
         Setting::Number { .. } => vec![0, axis.len() - 1],
         // the method changes no warning
-        Setting::Words { .. } if axis.path() == "solver.method" => vec![0],
+        Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => vec![0],
         Setting::Words { .. } => (0..axis.len()).collect(),
     };
     places.dedup();
