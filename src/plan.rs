@@ -57,6 +57,14 @@ impl Plan {
         }
     }
 
+    /// The scene of the case at these places of the axes. It is made anew from the scene of the first case, so that nothing of
+    /// another case stays in it.
+    pub fn scene_at(&self, places: &[u64]) -> Scene {
+        let mut scene = self.scene.clone();
+        put(self.axes(), places, &mut scene);
+        scene
+    }
+
     /// The columns of the swept values, and of a yield strength that follows from them.
     pub fn columns(&self) -> Vec<String> {
         let mut columns: Vec<String> = match &self.cases {
@@ -205,6 +213,16 @@ impl Plan {
 
 fn is_of_damping(path: &str) -> bool {
     path.starts_with("damping.")
+}
+
+/// Puts values of all axes into a scene, whatever the order of the axes: first the law, then materials, which bring numbers of
+/// their own, then the numbers that take the place of those.
+pub fn put(axes: &[Axis], places: &[u64], scene: &mut Scene) {
+    for rank in 0..=2 {
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.rank() == rank) {
+            axis.put(*place, scene);
+        }
+    }
 }
 
 /// The places of a case on the axes.

@@ -164,14 +164,23 @@ impl Axis {
         keeps_contact(self.path())
     }
 
-    /// Puts value `i` into a scene.
+    /// Axes of a lower rank are put into a scene before this one ([`super::put`]).
+    pub(super) fn rank(&self) -> usize {
+        match self.words() {
+            [Word::Law(_), ..] => 0,
+            [Word::Material(_), ..] => 1,
+            _ => 2,
+        }
+    }
+
+    /// Puts value `i` into a scene, in which nothing else has to change. For all axes there is [`super::put`].
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn put(&self, i: u64, scene: &mut Scene) {
         match &self.setting {
             Setting::Number { key, values } => (key.set)(scene, values.at(i)),
             Setting::Words { words, .. } => match &words[i as usize] {
                 Word::Method(method) => scene.solver.method = *method,
-                Word::Law(law) => scene.law = law.clone(),
+                Word::Law(law) => scene.set_law(law.clone()),
                 Word::Material(taken) => scene.put_material(taken),
             },
         }

@@ -5,7 +5,7 @@ use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Word};
-use crate::plan::{Cases, MOST_CASES, Plan};
+use crate::plan::{Cases, MOST_CASES, Plan, put};
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -37,9 +37,7 @@ impl Scenario {
                 }
                 self.refuse_mixture(&axes)?;
                 scene.materials.retain(|taken| axes.iter().all(|axis| axis.path() != taken.body.material()));
-                for axis in &axes {
-                    axis.put(0, &mut scene);
-                }
+                put(&axes, &vec![0; axes.len()], &mut scene);
                 (Cases::Grid(axes), "sweep")
             }
             (None, Some(RandomKeys { samples, seed, variables, .. })) => {

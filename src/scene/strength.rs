@@ -46,6 +46,12 @@ impl Scene {
         self.soften_or_harden();
     }
 
+    /// Sets the law. A yield strength from a hardness depends on its flow curve.
+    pub fn set_law(&mut self, law: LawChoice) {
+        self.law = law;
+        self.soften_or_harden();
+    }
+
     /// Whether more than a yield strength describes the flow stress, or the law does not use it.
     pub fn has_flow(&self) -> bool {
         self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))

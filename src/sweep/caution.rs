@@ -6,7 +6,7 @@ use std::mem::discriminant;
 use crate::impact::{Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
-use crate::plan::{Cases, Plan};
+use crate::plan::{Cases, Plan, put};
 use crate::scene::Scene;
 
 /// The largest number of corners that are computed: those of thirteen axes of numbers.
@@ -27,19 +27,19 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for corner in 0..corners.min(MOST_CORNERS) {
         let mut rest = corner;
-        let mut scene = plan.scene.clone();
-        let mut chosen = Vec::with_capacity(axes.len());
-        for (axis, ends) in axes.iter().zip(&ends) {
+        let place_on = |ends: &Vec<u64>| {
             let place = ends[rest % ends.len()];
             rest /= ends.len();
-            axis.put(place, &mut scene);
-            chosen.push((axis, place));
-        }
+            place
+        };
+        let places: Vec<u64> = ends.iter().map(place_on).collect();
+        let mut scene = plan.scene.clone();
+        put(axes, &places, &mut scene);
         let Some(impact) = impact(&scene) else { continue };
         deepest = deepest.max(impact.peak_indentation / scene.sphere.radius);
         for warning in impact.warnings {
-            let text = |(axis, place): &(&Axis, u64)| format!("{} = {}", axis.path(), axis.label(*place));
-            let place = || chosen.iter().map(text).collect::<Vec<_>>().join(", ");
+            let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
+            let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
             match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
                 None => worst.push((warning, place())),
                 Some(known) if is_worse(doubt(&warning), doubt(&known.0)) => *known = (warning, place()),

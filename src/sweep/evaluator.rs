@@ -100,8 +100,9 @@ pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// Whether the yield strength follows from the swept values ([`Plan::derives_strength`]).
     derives_strength: bool,
-    /// The contact of every combination of the axes that change it. Empty if there are too many combinations.
-    contacts: Vec<Result<Contact, Failure>>,
+    /// The scene and the contact of every combination of the axes that change the contact. Empty if there are too many
+    /// combinations.
+    contacts: Vec<(Scene, Result<Contact, Failure>)>,
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
@@ -147,13 +148,36 @@ impl<'a> Evaluator<'a> {
         self.plan.paths().len() + usize::from(self.derives_strength)
     }
 
-    /// The contact of one combination.
-    fn combination(&self, index: u64) -> Result<Contact, Failure> {
-        let mut scene = self.plan.scene.clone();
-        for (axis, stride) in self.plan.axes().iter().zip(&self.strides).filter(|(_, stride)| **stride > 0) {
-            axis.put(index / stride % axis.len(), &mut scene);
+    /// One combination, at the first places of the other axes.
+    fn combination(&self, index: u64) -> (Scene, Result<Contact, Failure>) {
+        let axes = self.plan.axes().iter().zip(&self.strides);
+        let places: Vec<u64> =
+            axes.map(|(axis, stride)| if *stride == 0 { 0 } else { index / stride % axis.len() }).collect();
+        let scene = self.plan.scene_at(&places);
+        let contact = contact(&scene);
+        (scene, contact)
+    }
+
+    /// The scene at these places. It is made from that of the plan or of its combination, never from that of the row before,
+    /// as a law or a material brings numbers of its own and takes others away.
+    fn put_at(&self, axes: &[Axis], places: &[u64], scene: &mut Scene) {
+        if self.contacts.is_empty() {
+            *scene = self.plan.scene_at(places);
+            return;
         }
-        contact(&scene)
+        // the contact is known: only what else a row needs is copied
+        let known = &self.contacts[self.index(places)].0;
+        (scene.speed, scene.drop_height, scene.forces) = (known.speed, known.drop_height, known.forces);
+        scene.half_space = known.half_space;
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
+            axis.put(*place, scene);
+        }
+    }
+
+    /// Where the combination at these places is in `contacts`.
+    #[allow(clippy::cast_possible_truncation)] // at most 10⁴
+    fn index(&self, places: &[u64]) -> usize {
+        places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum::<u64>() as usize
     }
 
     /// Appends the rows of `cases`.
@@ -170,21 +194,17 @@ impl<'a> Evaluator<'a> {
 
     /// Appends the rows of a grid. Impacts to be integrated in lock step are returned, and their results are not
     /// appended.
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
+    #[allow(clippy::cast_precision_loss)]
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
         let mut places = places(axes, cases.start);
-        let mut scene = self.plan.scene.clone();
-        for (axis, place) in axes.iter().zip(&places) {
-            axis.put(*place, &mut scene);
-        }
-        let mut last: Option<Result<Contact, Failure>> = None;
+        let mut scene = self.plan.scene_at(&places);
+        let mut own: Option<Result<Contact, Failure>> = None;
         let mut pending = Vec::new();
         for _ in cases {
             let contact = if self.contacts.is_empty() {
-                last.get_or_insert_with(|| contact(&scene))
+                own.get_or_insert_with(|| contact(&scene))
             } else {
-                let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
-                let contact = &self.contacts[index as usize];
+                let contact = &self.contacts[self.index(&places)].1;
                 if self.lockstep.is_some() {
                     pending.push((contact, scene.speed));
                 }
@@ -196,15 +216,21 @@ impl<'a> Evaluator<'a> {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
+            let mut is_new = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
-                axis.put(*place, &mut scene);
-                if !axis.keeps_contact() {
-                    last = None;
+                if axis.keeps_contact() {
+                    axis.put(*place, &mut scene);
+                } else {
+                    is_new = true;
                 }
                 if *place > 0 {
                     break;
                 }
+            }
+            if is_new {
+                own = None;
+                self.put_at(axes, &places, &mut scene);
             }
         }
         pending
@@ -223,7 +249,7 @@ impl<'a> Evaluator<'a> {
                 rows.swept.push(value);
             }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            let result = match self.contacts.first() {
+            let result = match self.contacts.first().map(|(_, contact)| contact) {
                 Some(contact) if self.lockstep.is_some() => {
                     pending.push((contact, scene.speed));
                     continue;
@@ -250,7 +276,7 @@ impl<'a> Evaluator<'a> {
                 (key.set)(&mut scene, values[case]);
             }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            if let (true, Some(contact)) = (of_contact.is_empty(), self.contacts.first()) {
+            if let (true, Some((_, contact))) = (of_contact.is_empty(), self.contacts.first()) {
                 if self.lockstep.is_some() {
                     pending.push((contact, scene.speed));
                 } else {

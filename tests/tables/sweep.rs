@@ -170,6 +170,99 @@ fn the_unloading_exponent_can_be_swept() {
     assert!(e[0] > e[1]);
 }
 
+/// What identifies a row of a table whatever the order of the axes: its values by the names of their columns, and its results.
+fn named_rows(bodies: &str, axes: &[&str]) -> Vec<String> {
+    let directory = tempfile::tempdir().unwrap();
+    let output = run(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")), directory.path());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let mut reader = csv::Reader::from_path(directory.path().join("out/table.csv")).unwrap();
+    let names = reader.headers().unwrap().clone();
+    let row = |record: csv::StringRecord| {
+        let mut fields: Vec<String> =
+            names.iter().zip(&record).skip(1).map(|(name, field)| format!("{name}={field}")).collect();
+        fields.sort();
+        fields.join(" ")
+    };
+    let mut rows: Vec<String> = reader.records().map(|record| row(record.unwrap())).collect();
+    rows.sort();
+    rows
+}
+
+#[test]
+fn any_order_of_axes_gives_the_same_rows() {
+    let laws = r#"law = ["plm", "thornton"]"#;
+    let exponents = r#""law.plm.unloading_exponent" = [1.3, 1.5, 1.7]"#;
+    let speeds = r#""impact.speed" = [0.5, 3]"#;
+    let falls = r#""impact.drop_height" = ["1 mm", "10 cm"]"#;
+    let gravities = r#""gravity.acceleration" = [1.62, 9.81]"#;
+    let metals = r#""half_space.material" = ["steel-304-annealed", "aluminium-6061-t6"]"#;
+    let radii = r#""sphere.radius" = [0.002, 0.005]"#;
+    let fallen = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let of_metal = STEEL.split("[half_space]").next().unwrap().to_owned() + "[half_space]\n[impact]\nspeed = 3\n";
+    let hard = STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"180 HV\"");
+    for (bodies, axes) in [
+        (STEEL, [laws, exponents, speeds]),
+        (&fallen, [laws, gravities, falls]),
+        (&of_metal, [laws, metals, radii]),
+        (&hard, [laws, exponents, r#""half_space.youngs_modulus" = ["70 GPa", "210 GPa"]"#]),
+    ] {
+        let [a, b, c] = axes;
+        let wanted = named_rows(bodies, &[a, b, c]);
+        for order in [[a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
+            assert_eq!(named_rows(bodies, &order), wanted, "{order:?}");
+        }
+    }
+    // and each row is that of its own single case
+    let rows = named_rows(STEEL, &[exponents, laws]);
+    let e = |law: &str, exponent: &str| {
+        let set = [format!("law={law}"), format!("law.plm.unloading_exponent={exponent}")];
+        let given = if law == "plm" { &set[..] } else { &set[..1] };
+        let scene = Scenario::from_text("one", STEEL, given).unwrap().resolve().unwrap();
+        format!(" restitution={:?} ", scene.contact().unwrap().closed_form(3.0).unwrap().restitution)
+    };
+    for exponent in ["1.3", "1.5", "1.7"] {
+        let found = |row: &&String| row.contains(&e("plm", exponent)) && row.contains(&format!("exponent={exponent}"));
+        assert_eq!(rows.iter().filter(found).count(), 1, "{exponent}: {rows:?}");
+    }
+}
+
+/// More than 10⁴ contacts are not kept, and each is made where a row needs it.
+#[test]
+fn rows_of_many_contacts_depend_neither_on_threads_nor_on_where_a_piece_begins() {
+    let axes = r#""sphere.radius" = { linspace = [0.001, 0.02], points = 5000 }
+law = ["plm", "thornton"]
+"law.plm.unloading_exponent" = [1.3, 1.4]"#;
+    let text = format!("{STEEL}[law.plm]\nunloading_exponent = 1.5\n[sweep]\n{axes}\n");
+    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
+    let evaluator = Evaluator::new(&plan);
+    let whole = rows(&text);
+    let mut single = Rows::default();
+    (0..plan.count()).for_each(|case| evaluator.rows(case..case + 1, &mut single));
+    assert!(single.results == whole.results);
+    let e = |case: usize| whole.results[case].unwrap().restitution;
+    let contact = |given: &[&str]| {
+        let given: Vec<String> = given.iter().map(|&key| key.to_owned()).collect();
+        Scenario::from_text("one", STEEL, &given).unwrap().resolve().unwrap().contact().unwrap()
+    };
+    let radius = "sphere.radius=0.02";
+    for (case, exponent) in [(19_996, "1.3"), (19_997, "1.4")] {
+        let contact = contact(&[radius, &format!("law.plm.unloading_exponent={exponent}")]);
+        assert_eq!(e(case), contact.closed_form(3.0).unwrap().restitution, "{exponent}");
+    }
+    assert_eq!(e(19_999), contact(&[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
+    let directory = tempfile::tempdir().unwrap();
+    let table = |threads: &str| {
+        let (file, out) = (directory.path().join("s.toml"), directory.path().join(threads));
+        std::fs::write(&file, &text).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
+        let run = command.arg("run").args([&file]).arg("--out").arg(&out).args(["--threads", threads]).output();
+        assert_eq!(run.unwrap().status.code(), Some(0));
+        std::fs::read(out.join("table.csv")).unwrap()
+    };
+    let one = table("1");
+    assert!(one == table("2") && one == table("3"));
+}
+
 #[test]
 fn a_case_without_a_result_is_a_row_with_a_status() {
     let directory = tempfile::tempdir().unwrap();
