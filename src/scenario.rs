@@ -70,7 +70,7 @@ pub struct Scenario {
     pub taken: Vec<Taken>,
     /// The folder of the files that it names.
     directory: PathBuf,
-    /// Texts of such files by their keys, where they are known without the files.
+    /// Texts of such files by their keys.
     texts: BTreeMap<&'static str, String>,
 }
 
@@ -97,13 +97,7 @@ impl Scenario {
     pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
         let text = document::read_text(path, LARGEST_SCENARIO)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
-        Self::new(path.display().to_string(), text, overrides, directory)
-    }
-
-    /// The same, where files that it names are relative to another directory.
-    #[must_use]
-    pub fn in_directory(self, directory: PathBuf) -> Self {
-        Self { directory, ..self }
+        Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
     }
 
     /// Reads a scenario from a text; `name` stands for the file in messages.
@@ -111,14 +105,34 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`], naming line, value, allowed range.
     pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, ScenarioError> {
-        Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new())
+        Self::in_directory(name, text, overrides, PathBuf::new())
     }
 
-    fn new(name: String, text: String, overrides: &[String], directory: PathBuf) -> Result<Self, ScenarioError> {
+    /// The same, where files that it names are relative to a directory.
+    ///
+    /// # Errors
+    /// [`ScenarioError`], naming line, value, allowed range.
+    pub fn in_directory(
+        name: &str,
+        text: &str,
+        overrides: &[String],
+        directory: PathBuf,
+    ) -> Result<Self, ScenarioError> {
+        Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
+    }
+
+    fn new(
+        name: String,
+        text: String,
+        overrides: &[String],
+        directory: PathBuf,
+        texts: BTreeMap<&'static str, String>,
+    ) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
         let (entries, taken) = document.entries()?;
-        let scenario = Self { document, entries, taken, directory, texts: BTreeMap::new() };
+        let mut scenario = Self { document, entries, taken, directory, texts };
         scenario.check_tables()?;
+        scenario.read_files()?;
         Ok(scenario)
     }
 

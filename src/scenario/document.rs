@@ -46,9 +46,9 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Sce
 struct Override {
     /// As given.
     text: String,
-    /// As TOML, behind so many blanks that its places come after those of the file and of the overrides before it.
+    /// As TOML.
     toml: String,
-    /// How many blanks these are.
+    /// Where its places begin: behind those of the file and of the overrides before it. So a place tells its text.
     start: usize,
 }
 
@@ -70,7 +70,7 @@ impl Override {
             Err(_) => format!("{key}={}", toml::Value::from(value.trim())),
         };
         DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        Ok(Self { text: text.to_owned(), toml: format!("{:start$}{toml}", ""), start })
+        Ok(Self { text: text.to_owned(), toml, start })
     }
 }
 
@@ -85,10 +85,12 @@ pub struct Document {
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
+        let mut start = text.len() + 1;
         let mut document = Self { name, text, overrides: Vec::new() };
         for given in overrides {
-            let before = document.overrides.last().map_or(&document.text, |last| &last.toml);
-            document.overrides.push(Override::parse(given, before.len() + 1)?);
+            let given = Override::parse(given, start)?;
+            start += given.toml.len() + 1;
+            document.overrides.push(given);
         }
         document.root()?;
         Ok(document)
@@ -111,7 +113,7 @@ impl Document {
 
     /// The same as TOML.
     pub fn settings(&self) -> impl Iterator<Item = &str> {
-        self.overrides.iter().map(|given| &given.toml[given.start..])
+        self.overrides.iter().map(|given| &*given.toml)
     }
 
     /// Reads every key of the merged tables, and what is taken from materials.
@@ -172,19 +174,47 @@ impl Document {
     }
 
     fn root(&self) -> Result<DeTable<'_>, ScenarioError> {
-        let parse = |toml| {
-            DeTable::parse(toml).map(Spanned::into_inner).map_err(|error| {
-                self.refusal(error.span(), String::new(), error.message().trim_end().replace('\n', "; "))
-            })
+        let parse = |toml, start| match DeTable::parse(toml) {
+            Ok(table) => Ok(moved(table.into_inner(), start)),
+            Err(error) => {
+                Err(self.refusal(error.span(), String::new(), error.message().trim_end().replace('\n', "; ")))
+            }
         };
-        let mut root = parse(&self.text)?;
+        let mut root = parse(&self.text, 0)?;
         for given in &self.overrides {
-            let mut changes = parse(&given.toml)?;
+            let mut changes = parse(&given.toml, given.start)?;
             choose_law(&mut root, &mut changes);
             merge(&mut root, changes);
         }
         Ok(root)
     }
+}
+
+/// A table whose places begin at `start`.
+fn moved(table: DeTable<'_>, start: usize) -> DeTable<'_> {
+    if start == 0 {
+        return table;
+    }
+    table.into_iter().map(|(key, value)| (further(key, start), moved_value(value, start))).collect()
+}
+
+fn moved_value(value: Spanned<DeValue<'_>>, start: usize) -> Spanned<DeValue<'_>> {
+    let mut value = further(value, start);
+    match value.get_mut() {
+        DeValue::Table(table) => *table = moved(std::mem::take(table), start),
+        DeValue::Array(items) => {
+            for item in items.iter_mut() {
+                *item = moved_value(item.clone(), start);
+            }
+        }
+        _ => {}
+    }
+    value
+}
+
+fn further<T>(place: Spanned<T>, by: usize) -> Spanned<T> {
+    let span = place.span();
+    Spanned::new(span.start + by..span.end + by, place.into_inner())
 }
 
 fn merge<'a>(into: &mut DeTable<'a>, from: DeTable<'a>) {

@@ -110,7 +110,7 @@ impl Scenario {
 
     /// The points of the file that the scenario names: `plastic_strain, stress_Pa`.
     fn flow_table(&self) -> Result<Vec<[f64; 2]>, ScenarioError> {
-        let (Some(name), Some(text)) = (self.entries.text(TABLE), self.text_of_file(TABLE)?) else {
+        let (Some(name), Some(text)) = (self.entries.text(TABLE), self.text_of_file(TABLE)) else {
             return Ok(Vec::new());
         };
         let path = self.directory.join(name);
@@ -118,7 +118,7 @@ impl Scenario {
             let line = line.map(|line| format!(":{line}")).unwrap_or_default();
             self.document.refuse(TABLE, format!("{}{line}: {message}", path.display()))
         };
-        let table = CsvText::new(&text).map_err(refused)?;
+        let table = CsvText::new(text).map_err(refused)?;
         if table.header.iter().collect::<Vec<_>>() != COLUMNS {
             return Err(refused((table.line, format!("its columns must be {}", COLUMNS.join(", ")))));
         }

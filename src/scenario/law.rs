@@ -73,8 +73,8 @@ impl Scenario {
     fn coefficients(&self) -> Result<Arc<PlmCoefficients>, ScenarioError> {
         let Some(path) = self.entries.text(COEFFICIENTS) else { return Ok(Plm::default().coefficients) };
         let refuse = |message: String| self.document.refuse(COEFFICIENTS, message);
-        let text = self.text_of_file(COEFFICIENTS)?.unwrap_or_default();
-        let table = PlmCoefficients::from_toml(&text).map_err(|error| {
+        let text = self.text_of_file(COEFFICIENTS).unwrap_or_default();
+        let table = PlmCoefficients::from_toml(text).map_err(|error| {
             refuse(format!("{}: {}", self.directory.join(path).display(), error.to_string().trim_end()))
         })?;
         Ok(Arc::new(table))

@@ -20,8 +20,8 @@ impl Scenario {
         Ok(Source {
             text: self.document.text().to_owned(),
             overrides: self.document.overrides(),
-            coefficients: self.text_of_file(COEFFICIENTS)?,
-            flow_table: self.text_of_file(TABLE)?,
+            coefficients: self.text_of_file(COEFFICIENTS).map(str::to_owned),
+            flow_table: self.text_of_file(TABLE).map(str::to_owned),
         })
     }
 
@@ -30,10 +30,9 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`], naming line, value, allowed range.
     pub fn from_source(name: &str, source: &Source) -> Result<Self, ScenarioError> {
-        let scenario = Self::from_text(name, &source.text, &source.overrides)?;
         let texts = [(COEFFICIENTS, &source.coefficients), (TABLE, &source.flow_table)];
         let texts = texts.into_iter().filter_map(|(key, text)| Some((key, text.clone()?)));
-        Ok(Self { texts: texts.collect(), ..scenario })
+        Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), texts.collect())
     }
 
     /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.
@@ -42,17 +41,24 @@ impl Scenario {
     }
 
     /// The keys that name files, and these files.
-    pub fn files(&self) -> impl Iterator<Item = (&'static str, PathBuf)> {
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, PathBuf)> + '_ {
         [COEFFICIENTS, TABLE].into_iter().filter_map(|key| Some((key, self.directory.join(self.entries.text(key)?))))
     }
 
-    /// The text of the file that this key names, if the scenario gives the key.
-    pub(super) fn text_of_file(&self, key: &'static str) -> Result<Option<String>, ScenarioError> {
-        let Some(path) = self.entries.text(key) else { return Ok(None) };
-        if let Some(text) = self.texts.get(key) {
-            return Ok(Some(text.clone()));
+    /// Reads the files that the scenario names, each once: hash and numbers are of the same text.
+    pub(super) fn read_files(&mut self) -> Result<(), ScenarioError> {
+        for (key, path) in self.files().collect::<Vec<_>>() {
+            if !self.texts.contains_key(key) {
+                let text = read_text(&path, LARGEST_SCENARIO);
+                let text = text.map_err(|error| self.document.refuse(key, error.to_string()))?;
+                self.texts.insert(key, text);
+            }
         }
-        let text = read_text(&self.directory.join(path), LARGEST_SCENARIO);
-        text.map(Some).map_err(|error| self.document.refuse(key, error.to_string()))
+        Ok(())
+    }
+
+    /// The text of the file that this key names, if the scenario gives the key.
+    pub(super) fn text_of_file(&self, key: &'static str) -> Option<&str> {
+        self.texts.get(key).map(String::as_str)
     }
 }

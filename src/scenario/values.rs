@@ -90,16 +90,16 @@ pub(super) fn unexpected(value: &Spanned<DeValue>, expected: &str) -> Fault {
 }
 
 /// A number in SI, or a text with a unit, or the word, which stands for an infinite number.
+#[allow(clippy::cast_precision_loss)] // an integer is read as if it had been written with a decimal point
 pub(super) fn number(quantity: &Quantity, word: Option<&str>, value: &Spanned<DeValue>) -> Result<f64, Fault> {
     let or_word = word.map_or_else(String::new, |word| format!(", or \"{word}\""));
-    let plain = |text: &str, radix| match i64::from_str_radix(text, radix) {
-        #[allow(clippy::cast_precision_loss)] // as if it had been written with a decimal point
-        Ok(number) => Ok(number as f64),
-        Err(_) => text.parse::<f64>(),
-    };
     let read = match value.get_ref() {
-        DeValue::Integer(digits) => plain(digits.as_str(), digits.radix()),
-        DeValue::Float(digits) => digits.as_str().parse(),
+        // hexadecimal digits are not read as decimal ones, however many they are
+        DeValue::Integer(digits) if digits.radix() != 10 => {
+            u128::from_str_radix(digits.as_str(), digits.radix()).map(|number| number as f64).ok()
+        }
+        DeValue::Integer(digits) => digits.as_str().parse().ok(),
+        DeValue::Float(digits) => digits.as_str().parse().ok(),
         DeValue::String(text) if word.is_some_and(|word| word == text.trim()) => return Ok(f64::INFINITY),
         DeValue::String(text) => {
             let or_write = word.map_or_else(String::new, |word| format!("; or write \"{word}\""));
@@ -107,7 +107,7 @@ pub(super) fn number(quantity: &Quantity, word: Option<&str>, value: &Spanned<De
         }
         _ => return Err(unexpected(value, &format!("{} such as {}{or_word}", quantity.name, quantity.example))),
     };
-    let read = read.map_err(|_| unexpected(value, &format!("{} such as {}", quantity.name, quantity.example)))?;
+    let read = read.ok_or_else(|| unexpected(value, &format!("{} such as {}", quantity.name, quantity.example)))?;
     quantity.check(read).map_err(|error| Fault::at(value, error.to_string()))
 }
 

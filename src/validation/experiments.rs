@@ -99,8 +99,8 @@ fn contact(path: &Path, text: &str, coefficients: &PlmCoefficients) -> Result<Co
     let read = || -> Result<_, ScenarioError> {
         // the scenario needs a speed, which is not used: every row has its own
         let speed = "impact.speed=1".to_owned();
-        let scenario = Scenario::from_text(&path.display().to_string(), &scenario.join("\n"), &[speed])?;
-        let scenario = scenario.in_directory(directory);
+        let name = path.display().to_string();
+        let scenario = Scenario::in_directory(&name, &scenario.join("\n"), &[speed], directory)?;
         let mut scene = scenario.resolve()?;
         if let LawChoice::Plm(plm) = &mut scene.law
             && !scenario.document.has("law.plm.coefficients")

@@ -23,6 +23,17 @@ fn a_scenario_beyond_a_mebibyte_is_refused() {
 }
 
 #[test]
+fn a_long_scenario_takes_overrides_and_shows_a_bad_one() {
+    // more than 65 535 bytes, the most blanks that a width of `format!` can make
+    let desk = Desk::with(format!("{STEEL}{}", "# a comment\n".repeat(10_000)));
+    let call = |speed: &str| desk.call(&["check", "s.toml", "--set", "sphere.density=7800", "--set", speed]);
+    let output = call("impact.speed=7 m/s");
+    assert!(output.status.success() && text(&output.stdout).contains("7 m/s"), "{}", text(&output.stderr));
+    let says = text(&call("impact.speed=0").stderr);
+    assert!(says.contains("--set impact.speed=0: impact.speed: 0 m/s is not allowed"), "{says}");
+}
+
+#[test]
 fn one_set_changes_one_key() {
     let desk = Desk::with(STEEL);
     for hidden in ["impact.speed=1\nsphere.radius=1", "impact.speed=1\r\nsphere.radius=1", "impact.speed=\u{1b}[2J1"] {

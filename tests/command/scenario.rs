@@ -291,6 +291,47 @@ fn bad_values_are_shown_with_line_value_range_and_way_out() {
 }
 
 #[test]
+fn whole_numbers_of_any_base_are_read_right_or_refused() {
+    for (speed, want) in [
+        ("7", 7.0),
+        ("0x10", 16.0),
+        ("0b11", 3.0),
+        // beyond 64 bits, and 64 bits whose hexadecimal digits are also decimal ones: 0x99.. = 11 068 046 444 225 730 969
+        ("100000000000000000000", 1e20),
+        ("0x9999999999999999", 11_068_046_444_225_730_969.0),
+    ] {
+        assert_eq!(resolve(STEEL, &[&format!("impact.speed={speed}")]).unwrap().speed, want, "{speed}");
+    }
+    let message = refusal(STEEL, &[&format!("impact.speed=0x{}", "9".repeat(40))]);
+    assert!(message.contains("impact.speed: found `0x999") && message.contains("expected a speed"), "{message}");
+}
+
+#[test]
+fn a_file_that_a_scenario_names_is_read_once() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = |name: &str| directory.path().join(name);
+    let curve = |stress: &str| {
+        std::fs::write(path("flow.csv"), format!("plastic_strain,stress_Pa\n0.01,360e6\n0.1,{stress}\n"))
+    };
+    let text = STEEL.replace("[impact]", "flow_stress.table = \"flow.csv\"\n[impact]");
+    std::fs::write(path("s.toml"), text).unwrap();
+    curve("400e6").unwrap();
+    let read = || Scenario::load(&path("s.toml"), &[]).unwrap();
+    let scenario = read();
+    let (scene, hash) = (scenario.resolve().unwrap(), scenario.sha256().unwrap());
+    curve("500e6").unwrap();
+    // numbers and hash stay those of one text, and another reading gives the new ones
+    assert_eq!(scenario.resolve().unwrap(), scene);
+    assert_eq!(scenario.sha256().unwrap(), hash);
+    assert_ne!(read().resolve().unwrap(), scene);
+    assert_ne!(read().sha256().unwrap(), hash);
+    std::fs::remove_file(path("flow.csv")).unwrap();
+    assert_eq!(scenario.resolve().unwrap(), scene);
+    let message = Scenario::load(&path("s.toml"), &[]).unwrap_err().to_string();
+    assert!(message.contains("half_space.flow_stress.table") && message.contains("cannot be read"), "{message}");
+}
+
+#[test]
 fn errors_of_overrides_say_so() {
     let table = [
         ("sphere.radius=-5 mm", "--set sphere.radius=-5 mm: sphere.radius: \"-5 mm\" = -0.005 m is not allowed"),
