@@ -28,6 +28,9 @@ const WORDS: [&str; 12] = [
     "verdict",
 ];
 
+/// Parts of a summary that say again what was asked.
+const NOT_RESULTS: [&str; 3] = ["inputs", "provenance", "format_version"];
+
 /// One value of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
@@ -36,6 +39,15 @@ pub enum Cell {
     /// A text that is not compared.
     Text,
     Empty,
+}
+
+impl Cell {
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            _ => None,
+        }
+    }
 }
 
 /// The place of a column: the file, and the name of the column. In JSON and TOML the name is the path of the keys, and
@@ -79,7 +91,7 @@ fn table(text: &str, add: &mut impl FnMut(&str, Cell)) {
     for record in reader.records() {
         for (name, value) in headers.iter().zip(&record.unwrap()) {
             let cell = match value.parse() {
-                Ok(number) => Cell::Number(number),
+                Ok(number) => finite(number),
                 Err(_) if value.is_empty() => Cell::Empty,
                 Err(_) => word(name, value),
             };
@@ -92,7 +104,7 @@ fn table(text: &str, add: &mut impl FnMut(&str, Cell)) {
 fn tree(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
     match value {
         Value::Object(keys) => {
-            for (key, value) in keys {
+            for (key, value) in keys.iter().filter(|(key, _)| !NOT_RESULTS.contains(&key.as_str())) {
                 tree(&inside(path, key), value, add);
             }
         }
@@ -102,11 +114,16 @@ fn tree(path: &str, value: &Value, add: &mut impl FnMut(&str, Cell)) {
                 tree(&format!("{path}[]"), entry, add);
             }
         }
-        Value::Number(number) => add(path, Cell::Number(number.as_f64().unwrap())),
+        Value::Number(number) => add(path, finite(number.as_f64().unwrap())),
         Value::String(text) => add(path, word(path, text)),
         Value::Bool(truth) => add(path, Cell::Word(truth.to_string())),
         Value::Null => add(path, Cell::Empty),
     }
+}
+
+/// NaN and infinity are words.
+fn finite(number: f64) -> Cell {
+    if number.is_finite() { Cell::Number(number) } else { Cell::Word(number.to_string()) }
 }
 
 fn inside(path: &str, key: &str) -> String {

@@ -144,7 +144,7 @@ fn run(folder: &str, file: &Path, keys: &[&str]) -> Run {
     let name = [&[format!("{folder}{stem}").as_str()], keys].concat().join(" ");
     let path = file.to_string_lossy();
     let settings = keys.iter().flat_map(|key| ["--set", key]);
-    let arguments = ["run", &path, "--out", "out", "--quiet"].into_iter().chain(settings);
+    let arguments = ["run", &path, "--out", "out", "--quiet", "--pictures", "none"].into_iter().chain(settings);
     Run { name, arguments: arguments.map(str::to_owned).collect() }
 }
 
