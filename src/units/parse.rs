@@ -1,5 +1,9 @@
 //! Reading of a quantity with its unit.
 
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use thiserror::Error;
 
 use super::Dimension;
@@ -12,6 +16,14 @@ pub enum UnitError {
     /// It does not begin with a number.
     #[error("\"{text}\" does not begin with a number; write {} such as {}", .dimension.name(), .dimension.example())]
     NoNumber {
+        /// The text.
+        text: String,
+        /// What was wanted.
+        dimension: Dimension,
+    },
+    /// A number with a mark that is none of a number: `1_000 mm`, `5..0 mm`.
+    #[error("\"{text}\" has a number that cannot be read; write plain digits with one decimal point, such as {}", .dimension.example())]
+    BadNumber {
         /// The text.
         text: String,
         /// What was wanted.
@@ -59,7 +71,10 @@ fn known(unit: &str, dimension: Dimension) -> String {
         _ => dimension.units().map(|unit| unit.name).collect::<Vec<_>>().join(", "),
     };
     let rest = format!("units of {} are {all}", dimension.name());
-    did_you_mean(unit, dimension.units().map(|unit| unit.name), '"', &rest)
+    // "m/sec" and "m s^-1" are near to no name letter by letter
+    let joined = plain_spelling(unit).replace(' ', "").replace("sec", "s");
+    let guess = joined.replace("s-", "/s").replace("m-", "/m").replace("/s1", "/s");
+    did_you_mean(&guess, dimension.units().map(|unit| unit.name), '"', &rest)
 }
 
 /// Reads a quantity with its unit and gives it in SI.
@@ -76,7 +91,8 @@ fn known(unit: &str, dimension: Dimension) -> String {
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     let written = || text.to_owned();
     let no_number = || UnitError::NoNumber { text: written(), dimension };
-    let (number, unit) = split(text.trim());
+    let plain = with_plain_minus(text.trim());
+    let (number, unit) = split(&plain);
     if !number.bytes().any(|byte| byte.is_ascii_digit()) {
         return Err(no_number());
     }
@@ -89,15 +105,23 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
     if unit.starts_with(',') {
         return Err(UnitError::DecimalComma { text: written() });
     }
-    let plain = plain_spelling(unit);
-    let find = |unit: &&Unit| plain_spelling(unit.name) == plain;
-    match (dimension.units().find(find), UNITS.iter().find(find)) {
-        (Some(unit), _) => unit.scale.apply(number).ok_or_else(no_number),
-        (None, Some(other)) => {
-            Err(UnitError::WrongDimension { text: written(), found: other.dimension, wanted: dimension })
-        }
-        (None, None) => Err(UnitError::UnknownUnit { text: written(), unit: unit.to_owned(), dimension }),
+    if unit.starts_with(['.', '_']) {
+        return Err(UnitError::BadNumber { text: written(), dimension });
     }
+    match SPELLINGS.get(&plain_spelling(unit)) {
+        Some(unit) if unit.dimension == dimension => unit.scale.apply(number).ok_or_else(no_number),
+        Some(other) => Err(UnitError::WrongDimension { text: written(), found: other.dimension, wanted: dimension }),
+        None => Err(UnitError::UnknownUnit { text: written(), unit: unit.to_owned(), dimension }),
+    }
+}
+
+/// The units by their plain spelling.
+static SPELLINGS: LazyLock<HashMap<String, &Unit>> =
+    LazyLock::new(|| UNITS.iter().map(|unit| (plain_spelling(unit.name), unit)).collect());
+
+/// The minus of printed text, which tables and pages have, as the minus of a keyboard.
+fn with_plain_minus(text: &str) -> Cow<'_, str> {
+    if text.contains('\u{2212}') { text.replace('\u{2212}', "-").into() } else { text.into() }
 }
 
 impl Scale {
@@ -145,12 +169,13 @@ fn split(text: &str) -> (&str, &str) {
 
 /// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "µm" with either sign, "um".
 fn plain_spelling(unit: &str) -> String {
+    let plain = |c: char| match c {
+        '\u{b5}' | '\u{3bc}' => Some('u'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        '^' => None,
+        c => Some(c),
+    };
     let parts: Vec<&str> = unit.split('/').map(str::trim).collect();
-    parts
-        .join("/")
-        .replace(['\u{b5}', '\u{3bc}'], "u")
-        .replace('²', "2")
-        .replace('³', "3")
-        .replace("**", "")
-        .replace('^', "")
+    parts.join("/").replace("**", "").chars().filter_map(plain).collect()
 }

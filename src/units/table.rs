@@ -38,7 +38,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("µm", Length, -6),
     shown("mm", Length, -3),
     read("cm", Length, Scale::Ten(-2)),
-    read("in", Length, Scale::Times(0.0254)), // international inch, exact
+    read("in", Length, Scale::Times(0.0254)), // international inch and foot, exact
+    read("ft", Length, Scale::Times(0.3048)),
     shown("m", Length, 0),
     shown("km", Length, 3),
     shown("ns", Time, -9),
@@ -50,6 +51,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("mm/s", Speed, -3),
     read("cm/s", Speed, Scale::Ten(-2)),
     read("km/h", Speed, Scale::Over(3.6)),
+    read("ft/s", Speed, Scale::Times(0.3048)),
+    read("mph", Speed, Scale::Times(0.44704)), // 5280 ft an hour, exact
     shown("m/s", Speed, 0),
     shown("km/s", Speed, 3),
     read("mm/s^2", Acceleration, Scale::Ten(-3)),
@@ -67,6 +70,7 @@ pub(super) const UNITS: &[Unit] = &[
     shown("t", Mass, 3),
     shown("kg/m^3", Density, 0),
     shown("g/cm^3", Density, 3),
+    read("g/cc", Density, Scale::Ten(3)),
     read("kg/dm^3", Density, Scale::Ten(3)),
     read("kg/l", Density, Scale::Ten(3)),
     read("t/m^3", Density, Scale::Ten(3)),
@@ -76,6 +80,7 @@ pub(super) const UNITS: &[Unit] = &[
     read("bar", Pressure, Scale::Ten(5)),
     shown("MPa", Pressure, 6),
     read("N/mm^2", Pressure, Scale::Ten(6)),
+    read("ksi", Pressure, Scale::Times(6_894_757.293_168_361)), // 1000 psi
     shown("GPa", Pressure, 9),
     shown("TPa", Pressure, 12),
     read("psi", Pressure, Scale::Times(6_894.757_293_168_361)), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
