@@ -44,5 +44,5 @@ pub use scaled_forces::ScaledForces;
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
-pub(crate) use validity::{of_dent, of_peak};
+pub(crate) use validity::{of_dent, of_half_space, of_peak, of_sphere};
 pub use warning::Warning;

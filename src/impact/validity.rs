@@ -3,8 +3,9 @@
 use super::contact::Contact;
 use super::result::Impact;
 use super::solve::{Method, Solver};
-use super::warning::Warning;
+use super::warning::{HIGH, LARGE, LIGHT, Warning};
 use crate::law::{Law, Peak};
+use crate::material::{HalfSpace, Material};
 use crate::math::power::max_or_nan;
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
@@ -23,11 +24,44 @@ pub(crate) fn of_dent(law: &Law, ratio: f64, pressure: f64, strength: Option<f64
     deep.into_iter().chain(yields.map(|strength| Warning::SphereYields { pressure, strength }))
 }
 
+/// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.
+pub(crate) fn of_sphere(
+    radius: f64,
+    material: &Material,
+    strength: Option<f64>,
+    density: Option<f64>,
+) -> impl Iterator<Item = Warning> + use<> {
+    let large = (radius > LARGE).then_some(Warning::LargeSphere { radius });
+    large.into_iter().chain(of_body(["sphere.yield_strength", "sphere.density"], material, strength, density))
+}
+
+/// The warnings for a half-space whose numbers hardly any body has.
+pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
+    let HalfSpace { material, yield_strength, density } = half_space;
+    of_body(["half_space.yield_strength", "half_space.density"], material, *yield_strength, *density)
+}
+
+fn of_body(
+    [strength_key, density_key]: [&'static str; 2],
+    material: &Material,
+    strength: Option<f64>,
+    density: Option<f64>,
+) -> impl Iterator<Item = Warning> + use<> {
+    let modulus = material.youngs_modulus;
+    let high = strength.filter(|strength| *strength > HIGH * modulus);
+    let high = high.map(|strength| Warning::HighStrength { key: strength_key, strength, modulus });
+    let light = density.filter(|density| *density < LIGHT);
+    high.into_iter().chain(light.map(|density| Warning::LightBody { key: density_key, density }))
+}
+
 /// All warnings of an impact.
 pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
     let ratio = impact.peak_contact_radius / sphere.radius;
+    let density = (!contact.is_of_a_body()).then_some(sphere.density);
+    warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
+    warnings.extend(of_half_space(contact.half_space()));
     warnings.extend(of_dent(law, ratio, impact.peak_mean_pressure, sphere.yield_strength));
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
     let transits = impact.duration() / transit;

@@ -2,7 +2,14 @@
 
 use thiserror::Error;
 
-use crate::units::four_digits;
+use crate::units::{Dimension, four_digits, human};
+
+/// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
+pub(super) const LIGHT: f64 = 100.0;
+/// Larger spheres are doubted: their radius \[m\].
+pub(super) const LARGE: f64 = 1.0;
+/// Higher strengths are doubted, over Young's modulus; whiskers without a flaw reach a tenth.
+pub(super) const HIGH: f64 = 0.1;
 
 /// A warning. Its text says what is doubtful and what to do.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -16,6 +23,35 @@ pub enum Warning {
         ratio: f64,
         /// Largest a/R of the data.
         limit: f64,
+    },
+    /// A strength beyond that of solids, as where a unit is mistaken.
+    #[error(
+        "{key} = {} is more than a tenth of Young's modulus, {}, which hardly any solid reaches: check the units",
+        human(*.strength, Dimension::Pressure), human(*.modulus, Dimension::Pressure)
+    )]
+    HighStrength {
+        /// The key, with dots.
+        key: &'static str,
+        /// Yield strength \[Pa\].
+        strength: f64,
+        /// Young's modulus of the same body \[Pa\].
+        modulus: f64,
+    },
+    /// A density below that of solids, as where a unit is mistaken.
+    #[error(
+        "{key} = {density} kg/m^3 is below {LIGHT} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
+    )]
+    LightBody {
+        /// The key, with dots.
+        key: &'static str,
+        /// Density \[kg/m³\].
+        density: f64,
+    },
+    /// A sphere as large as a house, as where a unit is mistaken.
+    #[error("sphere.radius = {radius} m is above {LARGE} m: check the unit, such as \"5 mm\"")]
+    LargeSphere {
+        /// Its radius \[m\].
+        radius: f64,
     },
     /// A measured flow curve that ends too early.
     #[error(

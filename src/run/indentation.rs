@@ -1,8 +1,11 @@
 //! Slow indentations.
 
+use std::fmt::Display;
+
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::error::Error;
-use crate::indentation::{IndentationError, StaticContact, Tested};
+use crate::impact::{of_half_space, of_sphere};
+use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::output::SUMMARY;
 use crate::plan::HARDNESS;
 use crate::plot;
@@ -36,14 +39,18 @@ pub fn compute(
 ) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
     let (scene, contacts) = prepare(scenario)?;
     let mut warnings = texts(&scene.warnings);
+    let Indenter { radius, material, yield_strength } = scene.indenter;
+    warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|doubt| doubt.to_string()));
     let mut tested = Vec::new();
     for (specimen, contact) in scene.specimens.iter().zip(contacts) {
         let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
         let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
         let corners = specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(refuse)?;
-        let named =
-            |doubt| specimen.name.as_ref().map_or_else(|| format!("{doubt}"), |name| format!("{name}, {doubt}"));
-        warnings.extend(indentation.doubts.iter().map(named));
+        let named = |doubt: &dyn Display| {
+            specimen.name.as_ref().map_or_else(|| doubt.to_string(), |name| format!("{name}, {doubt}"))
+        };
+        warnings.extend(of_half_space(&specimen.half_space).map(|doubt| named(&doubt)));
+        warnings.extend(indentation.doubts.iter().map(|doubt| named(doubt)));
         let (pair, can_yield) = (*contact.pair(), contact.can_yield());
         tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation, corners });
     }

@@ -89,6 +89,9 @@ fn is_worse(new: f64, known: f64) -> bool {
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
         Warning::DeepDent { ratio, .. } => ratio,
+        Warning::HighStrength { strength, modulus, .. } => strength / modulus,
+        Warning::LightBody { density, .. } => -density,
+        Warning::LargeSphere { radius } => radius,
         Warning::BeyondFlowCurve { strain, .. } => strain,
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,

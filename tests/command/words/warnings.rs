@@ -125,3 +125,53 @@ fn tables_and_keys_that_a_kind_of_scene_has_no_use_for_are_refused_by_name() {
         assert!(text(&output.stderr).contains("output: [compare] is given too"), "{}", text(&output.stderr));
     }
 }
+
+#[test]
+fn numbers_that_hardly_any_body_has_are_doubted() {
+    // a radius that was meant in mm, a density in g/cm^3, a strength in MPa
+    let slips = [
+        ("sphere.radius=5", "sphere.radius = 5 m is above 1 m"),
+        ("sphere.density=7.85", "sphere.density = 7.85 kg/m^3 is below 100 kg/m^3"),
+        ("half_space.density=7.85", "half_space.density = 7.85 kg/m^3 is below 100 kg/m^3"),
+        (
+            "half_space.yield_strength=345 GPa",
+            "half_space.yield_strength = 345 GPa is more than a tenth of Young's modulus, 210 GPa",
+        ),
+        (
+            "sphere.yield_strength=22 GPa",
+            "sphere.yield_strength = 22 GPa is more than a tenth of Young's modulus, 210 GPa",
+        ),
+    ];
+    let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "").replace("density = \"7850 kg/m^3\"\n", "");
+    let kinds = [
+        ("impact", STEEL.to_owned()),
+        ("sweep", format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n")),
+        ("repeat", format!("{STEEL}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
+        ("indentation", format!("{still}[indentation]\nsteps = [{{ indentation = \"1 um\" }}]\n")),
+    ];
+    for (kind, scene) in kinds {
+        let desk = Desk::with(scene);
+        // slow indentations take no density, and the impacts of a series no waves
+        let has_key = |set: &str| match kind {
+            "indentation" => !set.contains("density"),
+            "repeat" => !set.contains("half_space.density"),
+            _ => true,
+        };
+        for (set, doubt) in slips.iter().filter(|(set, _)| has_key(set)) {
+            for command in ["check", "run"] {
+                let said = warned(&desk.call(&[command, "s.toml", "--set", set]).stderr);
+                assert!(said.iter().any(|line| line.contains(doubt)), "{command} {kind} {set}: {said:?}");
+            }
+            let strict = desk.call(&[&RUN[..], &["--set", set]].concat());
+            assert_eq!(strict.status.code(), Some(1), "{kind} {set}");
+        }
+        // the largest, the strongest and the lightest that are not doubted
+        for set in ["half_space.yield_strength=21 GPa", "sphere.radius=1", "sphere.density=100"]
+            .iter()
+            .filter(|set| has_key(set))
+        {
+            let said = warned(&desk.call(&["check", "s.toml", "--set", set]).stderr).concat();
+            assert!(!said.contains("check the unit"), "{kind} {set}: {said}");
+        }
+    }
+}
