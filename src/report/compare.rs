@@ -7,7 +7,6 @@ use serde::Serialize;
 use super::ReportError;
 use super::inputs::Inputs;
 use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
-use super::summary::pretty;
 use super::{overview, terminal};
 use crate::compare::{Comparison, Origin};
 use crate::law::LawChoice;
@@ -21,14 +20,11 @@ use crate::units::aligned::aligned;
 use crate::units::rounded::{number, quantity};
 
 #[derive(Serialize)]
-struct Summary<'a> {
+struct Results<'a> {
     #[serde(flatten)]
     peak: Fields,
     laws: Vec<Fields>,
     warnings: &'a [String],
-    inputs: &'a Inputs,
-    #[serde(flatten)]
-    provenance: &'a Provenance,
 }
 
 /// The peak in one line.
@@ -69,7 +65,7 @@ pub fn summary(
 ) -> Result<String, ReportError> {
     let (peak, of_row) = (fields(&results::peak(), comparison), results::row());
     let laws = rows.iter().map(|row| fields(&of_row, row)).collect();
-    pretty(&Summary { peak, laws, warnings, inputs, provenance })
+    super::summary::of(Results { peak, laws, warnings }, inputs, provenance)
 }
 
 /// The inputs of a comparison, without its peak and its laws.

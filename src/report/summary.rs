@@ -24,7 +24,7 @@ struct Summary<'a, R> {
 }
 
 /// A summary as text, with a newline at its end.
-pub fn pretty(summary: &impl Serialize) -> Result<String, ReportError> {
+fn pretty(summary: &impl Serialize) -> Result<String, ReportError> {
     Ok(serde_json::to_string_pretty(summary)? + "\n")
 }
 

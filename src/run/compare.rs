@@ -19,7 +19,8 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
     let inputs = Inputs(report::inputs(scenario, &comparison));
-    let provenance = Provenance::new(scenario.sha256()?, order.command);
+    let scenario_file = Some(scenario.document.name().to_owned());
+    let provenance = Provenance { scenario_file, ..Provenance::new(scenario.sha256()?, order.command) };
     let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);
     let mut files = vec![
