@@ -23,6 +23,9 @@ mod threads;
 mod validate;
 mod watched;
 
+use std::path::Path;
+
+use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
 use plm_impact::scene::schema::schema;
@@ -98,14 +101,20 @@ pub fn run() -> Result<(), Error> {
 /// The command line. A wrong one ends the program at once, unless errors are written as JSON.
 fn parse() -> Result<Cli, Error> {
     Cli::try_parse().map_err(|error| {
-        let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
-        let words = words.join(" ");
-        let asks = ["--error-format=json", "--error-format json"].iter().any(|option| words.contains(option));
-        if !asks || !error.use_stderr() {
-            error.exit()
+        let words: Vec<_> = std::env::args_os().take_while(|word| word != "--").collect();
+        let asks = words.windows(2).any(|pair| pair[0] == "--error-format" && pair[1] == "json");
+        let is_json = asks || words.iter().any(|word| word == "--error-format=json");
+        if is_json && error.use_stderr() {
+            ErrorFormat::Json.begin();
+            return Error::Option(error.to_string().trim_start_matches("error: ").trim_end().to_owned());
         }
-        ErrorFormat::Json.begin();
-        Error::Option(error.to_string().trim_start_matches("error: ").trim_end().to_owned())
+        if error.kind() == ErrorKind::InvalidSubcommand
+            && let Some(file) = words.get(1).filter(|word| Path::new(word).extension().is_some_and(|end| end == "toml"))
+        {
+            let file = file.to_string_lossy();
+            return Error::Option(format!("no command is given for {file}; write `plm-impact run {file}`"));
+        }
+        error.exit()
     })
 }
 

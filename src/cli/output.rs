@@ -82,7 +82,7 @@ impl Output {
     pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> Result<(), Error> {
         if self.json {
             let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
-            super::terminal::print(&String::from_utf8_lossy(summary))?;
+            super::terminal::print_json(&String::from_utf8_lossy(summary))?;
         } else if !self.quiet {
             super::terminal::print(text)?;
             super::terminal::note(where_to);

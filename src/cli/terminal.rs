@@ -94,26 +94,37 @@ struct Said<'a> {
 fn say_json(level: &str, exit_code: Option<u8>, details: Details) {
     // texts and numbers are always JSON
     let object = serde_json::to_string(&Said { level, exit_code, details }).unwrap_or_default();
-    drop(writeln!(io::stderr().lock(), "{object}"));
+    drop(writeln!(io::stderr().lock(), "{}", harmless_json(&object)));
 }
 
 /// The text without control characters, which names of files and keys may hold and which a terminal obeys.
 fn harmless(text: &str) -> String {
+    escaped(text, |c| c.escape_default().to_string())
+}
+
+/// The same for JSON, in which such characters stand in texts alone.
+fn harmless_json(text: &str) -> String {
+    escaped(text, |c| format!("\\u{:04x}", u32::from(c)))
+}
+
+fn escaped(text: &str, escape: fn(char) -> String) -> String {
     let is_obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
-    text.chars().fold(String::with_capacity(text.len()), |mut shown, c| {
-        if is_obeyed(c) {
-            shown.extend(c.escape_default());
-        } else {
-            shown.push(c);
-        }
-        shown
-    })
+    text.chars().map(|c| if is_obeyed(c) { escape(c) } else { c.to_string() }).collect()
 }
 
 /// Prints a result; a reader that has seen enough (`| head`) is no failure.
 pub fn print(text: &str) -> Result<(), Error> {
+    put(&harmless(text))
+}
+
+/// Prints a result that is JSON.
+pub fn print_json(text: &str) -> Result<(), Error> {
+    put(&harmless_json(text))
+}
+
+fn put(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout().lock();
-    match stdout.write_all(harmless(text).as_bytes()).and_then(|()| stdout.flush()) {
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result.map_err(other("standard output")),
     }

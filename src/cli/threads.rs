@@ -10,9 +10,9 @@ const MOST: u16 = 1024;
 /// The variable with the number of threads, where no option gives it.
 const VARIABLE: &str = "RAYON_NUM_THREADS";
 
-/// Numbers that `--threads` takes; 0 is one a core.
+/// Numbers that `--threads` takes.
 pub fn allowed() -> RangedI64ValueParser<u16> {
-    value_parser!(u16).range(0..=i64::from(MOST))
+    value_parser!(u16).range(1..=i64::from(MOST))
 }
 
 /// Does the work on as many threads as the option says, or the environment, or on one per core. If the system starts fewer,

@@ -69,6 +69,13 @@ fn a_second_run_replaces_outputs_and_leaves_other_files_alone() {
 }
 
 #[test]
+fn a_scenario_without_a_command_and_no_threads_at_all_are_refused() {
+    let desk = Desk::with(STEEL);
+    assert_refused(&desk, &["s.toml"], &["no command is given for s.toml; write `plm-impact run s.toml`"]);
+    assert_refused(&desk, &["run", "s.toml", "--threads", "0"], &["--threads", "1..=1024"]);
+}
+
+#[test]
 fn check_prints_what_was_understood_and_writes_nothing() {
     let desk = Desk::with(STEEL);
     let output = desk.call(&["check", "s.toml", "--set", "sphere.youngs_modulus=rigid"]);

@@ -83,6 +83,22 @@ fn control_characters_do_not_reach_the_terminal() {
 }
 
 #[test]
+fn json_stays_json_whatever_the_names_hold() {
+    let parsed = |bytes: &[u8]| serde_json::from_slice::<serde_json::Value>(bytes);
+    let odd = "a\u{7f}b\u{9b}31mc\u{1b}.toml";
+    let desk = Desk::with(STEEL);
+    fs::write(desk.path(odd), STEEL).unwrap();
+    let output = desk.call(&["run", odd, "--out", "out", "--json"]);
+    let summary = parsed(&output.stdout).unwrap();
+    assert_eq!(summary["provenance"]["scenario_file"], odd);
+    let output = desk.call(&["check", odd, "--set", "impact.speed=-1 \u{7f}", "--error-format", "json"]);
+    assert_eq!(parsed(&output.stderr).unwrap()["exit_code"], 2);
+    for bytes in [&output.stdout, &output.stderr] {
+        assert!(!text(bytes).contains(|c: char| c.is_control() && c != '\n'), "{:?}", text(bytes));
+    }
+}
+
+#[test]
 fn names_that_a_spreadsheet_or_a_terminal_would_obey_are_refused() {
     const ALLOYS: &str = include_str!("../../scenarios/indentation-ti-nb.toml");
     let named = |name: &str| ALLOYS.replacen("Ti-5Nb", name, 1);

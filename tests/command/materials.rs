@@ -162,4 +162,6 @@ fn an_unknown_name_is_refused_with_the_nearest() {
     assert!(error.contains("unknown material \"steel-s253\", did you mean \"steel-s235\"?"), "{error}");
     let (_, error) = materials(&["cheese"], 2);
     assert!(error.contains("materials are steel-52100-hardened, "), "{error}");
+    let (_, error) = materials(&["steel"], 2);
+    assert!(error.contains("those that begin so are steel-52100-hardened, ") && !error.contains("lead"), "{error}");
 }

@@ -87,6 +87,9 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
             assert_eq!(&said[key], value, "{key} of {arguments:?}: {said}");
         }
     }
+    // the words of one argument are not an option
+    let quoted = desk.call(&["run", "s.toml", "--nosuch", "x --error-format json"]);
+    assert!(text(&quoted.stderr).starts_with("error: unexpected argument"), "{}", text(&quoted.stderr));
     // a file name that is not valid UTF-8
     let odd = shell(&desk, "plm-impact run $'\\xff.toml' --no-such-option --error-format=json");
     assert_eq!(odd.status.code(), Some(2), "{}", text(&odd.stderr));
