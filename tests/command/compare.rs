@@ -165,7 +165,7 @@ fn figure_10_compares_every_law_with_the_finite_elements() {
             serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
         assert!((summary["peak"]["indentation_over_yield"].as_f64().unwrap() / depth - 1.0).abs() < 1e-12);
         assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
-        assert!(summary["provenance"]["scenario_file"].as_str().unwrap().ends_with(".toml"));
+        assert!(summary["provenance"]["scenario_file"].is_string());
         // the residual indentation by Eq. 23, from the peak and the indentation of the sphere
         let peak = &summary["peak"];
         let residual =
