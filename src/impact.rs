@@ -4,11 +4,10 @@
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
 //! The files depend on each other in this order: what acts ([`scales`], [`forces`], `scaled_forces`); the dimensionless
-//! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`], [`batch`]); what
-//! is reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
+//! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is
+//! reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
 //! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
 
-pub mod batch;
 mod case;
 pub mod closed_form;
 pub mod contact;

@@ -12,9 +12,7 @@ mod dense;
 mod dop853;
 pub mod exact;
 mod landing;
-mod lanes;
 pub mod library;
-pub(crate) mod lockstep;
 mod nystrom;
 mod piece;
 pub mod rk8;
@@ -122,11 +120,11 @@ pub struct Sizes {
 
 /// How the contact resists motion beside the restoring force g: drag = (χ g + η √g') d'.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drag<T = f64> {
+pub struct Drag {
     /// χ: drag in proportion to the force.
-    pub chi: T,
+    pub chi: f64,
     /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
-    pub eta: T,
+    pub eta: f64,
 }
 
 impl Drag {
@@ -142,12 +140,10 @@ impl Drag {
     pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> f64 {
         self.per_speed(force, if self.eta == 0.0 { 0.0 } else { root_of(slope()) })
     }
-}
 
-impl<T: lanes::Lane> Drag<T> {
     /// χ g + η √g', the drag per speed.
     #[inline(always)]
-    pub fn per_speed(self, force: T, root_of_slope: T) -> T {
+    pub fn per_speed(self, force: f64, root_of_slope: f64) -> f64 {
         force * self.chi + self.eta * root_of_slope
     }
 }

@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use common::Scene;
-use plm_impact::impact::{Damping, ScaledForces, batch, closed_form, course};
+use plm_impact::impact::{Damping, ScaledForces, closed_form, course};
 use plm_impact::integrate::Integrator;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
@@ -70,18 +70,4 @@ fn gravity_and_damping_allocate_nothing() {
             assert_eq!(counted.count_total, 0, "{name} {forces:?}");
         }
     }
-}
-
-#[test]
-fn a_batch_allocates_its_outcomes_and_nothing_per_step_or_impact() {
-    let cases = cases();
-    let problems = cases.iter().map(|(_, law, speed)| (law, *speed, ScaledForces::NONE));
-    let many: Vec<batch::Problem> = problems.cycle().take(300).collect();
-    let count = |cases: &[batch::Problem], tolerance| {
-        measure(|| assert!(black_box(batch::integrate(cases, tolerance)).iter().all(Result::is_ok))).count_total
-    };
-    let few = count(&many[..1], 1e-3);
-    assert!(few > 0);
-    assert_eq!(count(&many, 1e-3), few);
-    assert_eq!(count(&many, 1e-13), few);
 }

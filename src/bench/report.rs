@@ -1,7 +1,7 @@
 //! The report of `bench`: a CSV file of all settings, a picture of each problem, and a page in Markdown.
 
 use super::hard_cases::HardCase;
-use super::measure::{Contender, Measurement, Rung};
+use super::measure::{METHODS, Measurement, Rung};
 use super::problems::Problem;
 use crate::impact::{Computed, Method, ScaledForces, Solver, closed_form, run};
 use crate::integrate::IntegrationError;
@@ -35,7 +35,7 @@ pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
                 if let Rung::Tolerance(tolerance) = m.rung { format!("{tolerance:.3e}") } else { String::new() };
             writer.write_record([
                 problem.name,
-                m.contender.name(),
+                m.method.name(),
                 &tolerance,
                 &format!("{:.3e}", m.restitution_error),
                 &format!("{:.3e}", m.contact_time_error),
@@ -73,15 +73,15 @@ const ROUNDING: f64 = 1e-16;
 
 /// The picture of a problem: time of one impact against the larger of its errors.
 pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
-    let series = Contender::ALL.map(|contender| {
+    let series = METHODS.map(|method| {
         let points = measurements
             .iter()
-            .filter(|m| m.contender == contender)
+            .filter(|m| m.method == method)
             .map(|m| {
                 (max_or_nan(max_or_nan(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact)
             })
             .collect();
-        Series::marked_line(contender.name(), points)
+        Series::marked_line(method.name(), points)
     });
     let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
@@ -93,8 +93,8 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
 const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// The shortest time of a setting that keeps within a threshold \[ns\].
-fn time_to_reach(measurements: &[Measurement], contender: Contender, threshold: f64) -> Option<f64> {
-    let reaching = measurements.iter().filter(|m| m.contender == contender && m.reaches(threshold));
+fn time_to_reach(measurements: &[Measurement], method: Method, threshold: f64) -> Option<f64> {
+    let reaching = measurements.iter().filter(|m| m.method == method && m.reaches(threshold));
     reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
 }
 
@@ -119,16 +119,16 @@ fn table(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
 fn time_table(all: &[Measured]) -> String {
     let mut rows = Vec::new();
     for (problem, measurements) in all {
-        for contender in Contender::ALL {
+        for method in METHODS {
             let cell = |threshold| {
-                let reference = time_to_reach(measurements, Contender::Method(Method::Dop853), threshold);
-                match (time_to_reach(measurements, contender, threshold), reference) {
+                let reference = time_to_reach(measurements, Method::Dop853, threshold);
+                match (time_to_reach(measurements, method, threshold), reference) {
                     (Some(ns), Some(of_library)) => format!("{} ({:.1} ×)", microseconds(ns), of_library / ns),
                     (Some(ns), None) => microseconds(ns),
                     (None, _) => "–".to_owned(),
                 }
             };
-            let names = [problem.name, contender.name()].map(str::to_owned);
+            let names = [problem.name, method.name()].map(str::to_owned);
             rows.push(names.into_iter().chain(THRESHOLDS.map(cell)).collect());
         }
     }
@@ -138,9 +138,9 @@ fn time_table(all: &[Measured]) -> String {
 /// The ratios that rk8 is judged by.
 fn ratio_table(all: &[Measured]) -> String {
     let row = |(problem, measurements): &Measured| {
-        let time = |contender, threshold| time_to_reach(measurements, contender, threshold);
-        let [rk8, dop853, closed] = [Method::Rk8, Method::Dop853, Method::ClosedForm].map(Contender::Method);
-        let ratio = |a: Contender, b: Contender, threshold| match (time(a, threshold), time(b, threshold)) {
+        let time = |method, threshold| time_to_reach(measurements, method, threshold);
+        let [rk8, dop853, closed] = [Method::Rk8, Method::Dop853, Method::ClosedForm];
+        let ratio = |a: Method, b: Method, threshold| match (time(a, threshold), time(b, threshold)) {
             (Some(a), Some(b)) if a / b < 100.0 => format!("{:.1}", a / b),
             (Some(a), Some(b)) => format!("{:.0}", a / b),
             _ => "–".to_owned(),
@@ -150,12 +150,10 @@ fn ratio_table(all: &[Measured]) -> String {
             ratio(dop853, rk8, 1e-9),
             ratio(dop853, rk8, 1e-6),
             time(rk8, 1e-12).map_or_else(|| "–".into(), |ns| format!("{} µs", microseconds(ns))),
-            ratio(rk8, Contender::Batch, 1e-9),
             ratio(rk8, closed, 1e-9),
-            ratio(dop853, Contender::Batch, 1e-9),
         ]
     };
-    let names = "problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ batch at 1e-9 | rk8 ÷ closed form at 1e-9 | Dop853 ÷ batch at 1e-9";
+    let names = "problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ closed form at 1e-9";
     table(names, all.iter().map(row))
 }
 
@@ -163,7 +161,7 @@ fn ratio_table(all: &[Measured]) -> String {
 /// threshold.
 fn verlet_table(all: &[Measured]) -> String {
     let row = |(problem, measurements): &Measured| {
-        let ladder = || measurements.iter().filter(|m| m.contender == Contender::Method(Method::Verlet));
+        let ladder = || measurements.iter().filter(|m| m.method == Method::Verlet);
         let errors: [fn(&Measurement) -> f64; 3] =
             [|m| m.restitution_error, |m| m.contact_time_error, |m| m.separation_error];
         let mut row = vec![problem.name.to_owned()];

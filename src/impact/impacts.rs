@@ -1,4 +1,4 @@
-//! The impacts of a contact: results of one, rows of tables, many in lock step.
+//! The impacts of a contact: results of one, rows of tables.
 
 use std::sync::LazyLock;
 
@@ -11,10 +11,8 @@ use super::record::Recorder;
 use super::result::Impact;
 use super::scaled_forces::ScaledForces;
 use super::solve::{Method, Solver, run};
-use super::{batch, closed_form, validity};
-use crate::integrate::IntegrationError;
+use super::{closed_form, validity};
 use crate::law::{ElasticApproach, Law};
-use crate::material::OutOfFloatRange;
 
 impl Case<'_> {
     fn exact(&self) -> Option<Outcome> {
@@ -97,39 +95,6 @@ impl Contact {
     fn essentials_of(&self, speed: f64, case: &Case, outcome: &Outcome) -> Result<Essentials, ImpactError> {
         case.law.accept(&outcome.unloading.peak)?;
         Essentials::new(self, speed, case, outcome)
-    }
-
-    /// As [`Contact::essentials_by`], of many impacts of these contacts at these speeds \[m/s\]: those that rk8 computes are
-    /// integrated in lock step.
-    pub fn essentials_together(impacts: &[(&Self, f64)], solver: &Solver) -> Vec<Result<Essentials, ImpactError>> {
-        let is_stepped = |case: &Case| match solver.method {
-            Method::Rk8 => true,
-            Method::Auto => !case.forces.is_conservative(),
-            _ => false,
-        };
-        let cases: Vec<_> = impacts.iter().map(|(contact, speed)| contact.case(None, *speed)).collect();
-        let mut stepped = Vec::with_capacity(impacts.len());
-        let row = |(place, case): (usize, &Result<Case, OutOfFloatRange>)| match case {
-            Ok(case) if is_stepped(case) => {
-                stepped.push(place);
-                // replaced below
-                Err(IntegrationError::NotFinite { time: 0.0 }.into())
-            }
-            Ok(_) => impacts[place].0.essentials_by(impacts[place].1, solver),
-            Err(error) => Err((*error).into()),
-        };
-        let mut rows: Vec<_> = cases.iter().enumerate().map(row).collect();
-        let of_place = |place: &usize| cases[*place].as_ref().ok().map(|case| (case.law, case.q, case.forces));
-        let problems: Vec<_> = stepped.iter().filter_map(of_place).collect();
-        batch::each(&problems, solver.tolerance, |index, outcome| {
-            let place = stepped[index];
-            let ((contact, speed), Ok(case)) = (impacts[place], &cases[place]) else { return };
-            rows[place] = match outcome {
-                Ok(outcome) => contact.essentials_of(speed, case, outcome),
-                Err(error) => Err(error.clone().into()),
-            };
-        });
-        rows
     }
 
     /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers

@@ -3,8 +3,6 @@
 //! **Landing.** A step that has passed an event is repeated with another length: first the one at which the cubic through
 //! both its ends is zero, then the one that Newton's method gives, with the rates at the end as derivative. As a rule the
 //! distance to the event is far below the tolerance after two repeats. The end is then moved onto it along its rates.
-//!
-//! **One or many.** A step is judged in one place, whether steps are taken one by one or in lock step (see `lockstep`).
 
 use super::dop853::{self, EVALUATIONS};
 use super::piece::power::{DraggedHertz, DraggedPower};

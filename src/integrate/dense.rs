@@ -59,25 +59,18 @@ impl Hermite {
 }
 
 /// y and u after a step of length h from a node.
-fn part_of_step<F: Variables>(field: F, from: &Node<f64>, h: f64) -> (f64, f64) {
+fn part_of_step<F: Variables>(field: F, from: &Node, h: f64) -> (f64, f64) {
     let square = h * h;
     let step = nystrom::step(from.y, h * from.u, square * from.g, field.scaled(square));
     (step.position, if h > 0.0 { step.velocity / h } else { from.u })
 }
 
 /// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`; drag has taken `loss` before it.
-pub(super) fn sample<F: Variables>(
-    field: F,
-    samples: &mut Sampler,
-    from: &Node<f64>,
-    to: &Node<f64>,
-    length: f64,
-    loss: f64,
-) {
+pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node, to: &Node, length: f64, loss: f64) {
     if samples.due_before(to.t).is_none() {
         return;
     }
-    let derivatives = |node: &Node<f64>| {
+    let derivatives = |node: &Node| {
         let (slope, curvature) = field.derivatives(node.y);
         [node.y, node.u, node.g, slope * node.u, curvature * node.u * node.u + slope * node.g]
     };
@@ -89,7 +82,7 @@ pub(super) fn sample<F: Variables>(
     let position = Hermite::new(taylor(start), taylor(end));
     // t' = 2 y on a regularised piece
     let times =
-        |node: &Node<f64>, [y, u, g, j, _]: [f64; TERMS]| taylor([node.t - from.t, 2.0 * y, 2.0 * u, 2.0 * g, 2.0 * j]);
+        |node: &Node, [y, u, g, j, _]: [f64; TERMS]| taylor([node.t - from.t, 2.0 * y, 2.0 * u, 2.0 * g, 2.0 * j]);
     let clock = Hermite::new(times(from, start), times(to, end));
     while let Some(time) = samples.due_before(to.t) {
         let wanted = time - from.t;

@@ -3,7 +3,6 @@
 //! Hairer, Nørsett, Wanner (1993), Solving Ordinary Differential Equations I, section II.10: order 8 is propagated, orders
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
-use super::lanes::Lane;
 use super::piece::{Motion, Quad};
 
 use crate::math::functions::hypot;
@@ -89,14 +88,14 @@ pub(super) const EVALUATIONS: u64 = 12;
 
 /// The end of a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step<T = f64> {
-    pub(super) node: Quad<T>,
+pub(super) struct Step {
+    pub(super) node: Quad,
     /// Rates at the end: the first stage of the next step.
-    pub(super) rates: Quad<T>,
+    pub(super) rates: Quad,
     /// Largest relative error of order 5, per length of the step.
-    pub(super) fifth: T,
+    pub(super) fifth: f64,
     /// Largest relative error of order 3, per length of the step.
-    pub(super) third: T,
+    pub(super) third: f64,
 }
 
 impl Step {
@@ -116,25 +115,18 @@ impl Step {
     }
 }
 
-// Plain loops and no closures, as in `lanes`.
 #[inline(always)]
-fn sum<T: Lane, const N: usize>(weights: [f64; N], stages: [&Quad<T>; N], part: usize) -> T {
+fn sum<const N: usize>(weights: [f64; N], stages: [&Quad; N], part: usize) -> f64 {
     let mut total = stages[0][part] * weights[0];
     for i in 1..N {
-        total = total + stages[i][part] * weights[i];
+        total += stages[i][part] * weights[i];
     }
     total
 }
 
 /// One step of length h from `node` with its `rates`; errors are measured against 1/`inverse_sizes` of y, u and loss.
 #[inline(always)]
-pub(super) fn step<T: Lane, M: Motion<T>>(
-    motion: M,
-    node: &Quad<T>,
-    rates: &Quad<T>,
-    h: T,
-    inverse_sizes: &[T; 3],
-) -> Step<T> {
+pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inverse_sizes: &[f64; 3]) -> Step {
     macro_rules! stage {
         ($weights:ident, $($stage:ident),*) => {
             motion.rates(
@@ -162,14 +154,13 @@ pub(super) fn step<T: Lane, M: Motion<T>>(
         slope[part] = sum(B, stages, part);
         to[part] = node[part] + h * slope[part];
     }
-    let (mut fifth, mut third) = (h.all(0.0), h.all(0.0));
+    let (mut fifth, mut third) = (0.0_f64, 0.0_f64);
     for i in 0..3 {
         let part = [0, 1, 3][i];
         let of_fifth = (sum(E5, stages, part) * inverse_sizes[i]).abs();
         let of_third = ((slope[part] - sum(B3, [&k1, &k9, &k12], part)) * inverse_sizes[i]).abs();
-        // a NaN is passed over, in one motion as in lanes
-        fifth = fifth.if_less(of_fifth, of_fifth, fifth);
-        third = third.if_less(of_third, of_third, third);
+        fifth = fifth.max(of_fifth);
+        third = third.max(of_third);
     }
     Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third }
 }
@@ -184,7 +175,7 @@ mod tests {
     fn a_damped_oscillator_converges_with_order_eight() {
         #[derive(Clone, Copy)]
         struct Damped;
-        impl Motion<f64> for Damped {
+        impl Motion for Damped {
             fn rates(&self, y: f64, u: f64) -> Quad {
                 [u, -y * y * y - 0.2 * u, 1.0, 0.2 * u * u]
             }

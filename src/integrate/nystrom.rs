@@ -1,11 +1,10 @@
-//! One step of the Runge-Kutta-Nyström pair RKN8(6)9FM for y'' = g(y), over one motion or several in lock step.
+//! One step of the Runge-Kutta-Nyström pair RKN8(6)9FM for y'' = g(y).
 //!
 //! Dormand, El-Mikkawy, Prince (1987), High-order embedded Runge-Kutta-Nyström formulae, IMA J. Numer. Anal. 7, 423-430:
 //! order 8 is propagated, order 6 estimates the error, nine stages of which the last is the first of the next step. A
 //! conservative impact is a Nyström problem on every piece, so one stage sum serves position and velocity: eight
 //! evaluations a step against twelve for Dormand-Prince 8(5,3), and a third of its arithmetic.
 
-use super::lanes::Lane;
 use super::piece::Field;
 
 /// c_2 … c_8 (c_1 = 0, c_9 = 1).
@@ -81,35 +80,35 @@ pub const EVALUATIONS: u64 = 8;
 
 /// What a step of length h gives.
 #[derive(Debug, Clone, Copy)]
-pub struct Step<T> {
+pub struct Step {
     /// y at the end.
-    pub position: T,
+    pub position: f64,
     /// h y' at the end.
-    pub velocity: T,
+    pub velocity: f64,
     /// h² g at the end: the first stage of the next step.
-    pub acceleration: T,
+    pub acceleration: f64,
     /// Mean of y over the step, by the velocity weights (order 8).
-    pub mean: T,
+    pub mean: f64,
     /// Estimated error of `position`.
-    pub position_error: T,
+    pub position_error: f64,
     /// Estimated error of `velocity`.
-    pub velocity_error: T,
+    pub velocity_error: f64,
 }
 
 /// w_1 s_1 + … + w_N s_N. The newest stage is added last: the sum of the others is ready by then, which halves the chain of
 /// dependent operations in a step.
 #[inline(always)]
-fn sum<T: Lane, const N: usize>(start: T, weights: [f64; N], stages: [T; N]) -> T {
+fn sum<const N: usize>(start: f64, weights: [f64; N], stages: [f64; N]) -> f64 {
     let mut total = start;
     for i in 0..N {
-        total = total + stages[i] * weights[i];
+        total += stages[i] * weights[i];
     }
     total
 }
 
 /// One step of length h from (y, u), where `g1` = h² g(y) and `field` gives h² g.
 #[inline(always)]
-pub(super) fn step<T: Lane, F: Field<T>>(y: T, hu: T, g1: T, field: F) -> Step<T> {
+pub(super) fn step<F: Field>(y: f64, hu: f64, g1: f64, field: F) -> Step {
     let g2 = field.g(sum(y + hu * C[0], A2, [g1]));
     let y3 = sum(y + hu * C[1], A3, [g1, g2]);
     let g3 = field.g(y3);
@@ -167,7 +166,7 @@ mod tests {
         /// −h² y³.
         #[derive(Clone, Copy)]
         struct Cubic(f64);
-        impl Field<f64> for Cubic {
+        impl Field for Cubic {
             const IS_TIME: bool = true;
             fn scaled(self, factor: f64) -> Self {
                 Self(self.0 * factor)

@@ -20,34 +20,31 @@
 //! For n = 3/2 these are polynomials with m = 2, and with m = 4 where the drag goes with √g'(d), that is with d^¼. On a
 //! straight piece m = 1. The loss ∫ drag d' dt is integrated along.
 
-pub(super) mod mixed;
 pub(super) mod power;
 pub(super) mod smooth;
 pub(super) mod straight;
 
-use super::lanes::Lane;
-
 use crate::math::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
-pub(super) trait Field<T: Lane>: Copy {
+pub(super) trait Field: Copy {
     /// Whether y = d and σ = t; else y = √d and dσ = dt/(2 y).
     const IS_TIME: bool;
     /// The field of factor × g.
-    fn scaled(self, factor: T) -> Self;
+    fn scaled(self, factor: f64) -> Self;
     /// g(y).
-    fn g(self, y: T) -> T;
+    fn g(self, y: f64) -> f64;
     /// (g', g'') at y; g' ≤ 0.
-    fn derivatives(self, y: T) -> (T, T);
+    fn derivatives(self, y: f64) -> (f64, f64);
     /// The time that a stretch h of σ with this mean of y takes.
     #[inline(always)]
-    fn duration(self, h: T, mean: T) -> T {
+    fn duration(self, h: f64, mean: f64) -> f64 {
         if Self::IS_TIME { h } else { mean * 2.0 * h }
     }
 }
 
 /// The variables of a piece without drag, needed where a leg begins and ends.
-pub(super) trait Variables: Field<f64> {
+pub(super) trait Variables: Field {
     /// Whether g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
     /// Whether a pull may be stronger than the force.
@@ -74,15 +71,15 @@ pub(super) trait Variables: Field<f64> {
 }
 
 /// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
-pub(super) type Quad<T = f64> = [T; 4];
+pub(super) type Quad = [f64; 4];
 
-/// A motion with drag in its own variables; of one sphere, or of several in lock step.
-pub(super) trait Motion<T: Lane>: Copy {
-    fn rates(&self, y: T, u: T) -> Quad<T>;
+/// A motion with drag in its own variables.
+pub(super) trait Motion: Copy {
+    fn rates(&self, y: f64, u: f64) -> Quad;
 }
 
 /// What landing and sampling need of a piece with drag.
-pub(super) trait Dragged: Motion<f64> {
+pub(super) trait Dragged: Motion {
     /// m.
     const ROOT: i32;
     /// A function that is zero where the contact force is, and its derivative.

@@ -20,13 +20,12 @@
 //! **What did not pay.** Hénon's device (switching the independent variable) for the last step: it costs a division in
 //! every stage. A Newton step on the prediction of the landing: the correction is enough. 8th roots by square roots or
 //! `powf` in the control of the step: a shift of the exponent's bits does it to 4 %. Carrying the step size across
-//! pieces: a first step from the piece's own frequency is rejected less often. Plain arrays for the batch: without AVX
-//! the compiler's vectors gain little, so the instruction set is chosen at run time.
+//! pieces: a first step from the piece's own frequency is rejected less often. Many impacts side by side in SIMD lanes: tables
+//! of undamped impacts have closed forms, and damped ones gained less than a factor of two.
 
 use super::damped::Damped;
 use super::dense::sample;
-use super::landing::{AT_END, Node, Target};
-use super::lanes::Lane;
+use super::landing::{Node, Target};
 use super::nystrom::{self, EVALUATIONS};
 use super::piece::power::Power;
 use super::piece::smooth::Curve;
@@ -125,11 +124,12 @@ impl Rk8 {
             if last <= h {
                 let landed = leg.target.land(field, &next);
                 // while the net force still speeds the sphere up, a zero of the speed nearby lies in the past
-                let is_behind = F::IS_PULLED && landed.kind != AT_END && next.g * leg.target.direction > 0.0;
+                let is_turn = landed.landing == Landing::Turning;
+                let is_behind = F::IS_PULLED && is_turn && next.g * leg.target.direction > 0.0;
                 if landed.left_out_squared < leg.left_out_squared && !is_behind {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
-                    landing = Some(if landed.kind == AT_END { Landing::End } else { Landing::Turning });
+                    landing = Some(landed.landing);
                 }
             }
             if let Some(samples) = samples.as_deref_mut() {
@@ -148,7 +148,7 @@ impl Rk8 {
 
     /// The constants of a leg, its first node and its first step.
     #[inline(always)]
-    pub(super) fn begin<F: Variables>(&self, field: F, path: &Path, state: &State) -> (Constants<f64>, Node<f64>, f64) {
+    fn begin<F: Variables>(&self, field: F, path: &Path, state: &State) -> (Constants, Node, f64) {
         let y = field.y_at(state.distance);
         let node = Node { y, u: state.speed, g: field.g(y), t: state.time };
         let target = Target::predict(field, path.leg, y, state.speed);
@@ -165,24 +165,24 @@ impl Rk8 {
 
 /// The constants of a leg.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Constants<T> {
-    pub(super) target: Target<T>,
+struct Constants {
+    target: Target,
     /// 1/(estimate limit × size of y).
-    pub(super) inverse_y: T,
+    inverse_y: f64,
     /// The same for u.
-    pub(super) inverse_u: T,
+    inverse_u: f64,
     /// Limit of [`Landed::left_out_squared`](super::landing::Landed::left_out_squared).
-    pub(super) left_out_squared: T,
+    left_out_squared: f64,
 }
 
-impl<T: Lane> Constants<T> {
+impl Constants {
     /// One step of length h: its end, and its error relative to the limit.
     #[inline(always)]
-    pub(super) fn step<F: Field<T>>(&self, field: F, now: &Node<T>, h: T) -> (Node<T>, T) {
+    fn step<F: Field>(&self, field: F, now: &Node, h: f64) -> (Node, f64) {
         let square = h * h;
         let scaled = field.scaled(square);
         let step = nystrom::step(now.y, h * now.u, square * now.g, scaled);
-        let inverse = h.all(1.0) / h;
+        let inverse = 1.0 / h;
         let node = Node {
             y: step.position,
             u: step.velocity * inverse,
@@ -197,14 +197,23 @@ impl<T: Lane> Constants<T> {
 
 /// The next step after one that was accepted: × 0.9 error^(−1/8), at most × 5.
 #[inline(always)]
-pub(super) fn grown<T: Lane>(h: T, error: T) -> T {
-    h.abs() * (error.inverse_eighth_root() * 0.9).min(error.all(5.0))
+fn grown(h: f64, error: f64) -> f64 {
+    h.abs() * (inverse_eighth_root(error) * 0.9).min(5.0)
 }
 
 /// The next step after one that was rejected: × 0.9 error^(−1/8), at least × 0.2.
 #[inline(always)]
-pub(super) fn shrunk<T: Lane>(h: T, error: T) -> T {
-    h.abs() * (error.inverse_eighth_root() * 0.9).max(error.all(0.2))
+fn shrunk(h: f64, error: f64) -> f64 {
+    h.abs() * (inverse_eighth_root(error) * 0.9).max(0.2)
+}
+
+/// x^(−1/8) to 4 %, x ≥ 0. The exponent bits of a double are its logarithm to base 2 and the rest of the bits interpolates
+/// it, so the power is a shift and a subtraction. The next step has to wait for it, and `powf` takes as long as three stages.
+#[inline(always)]
+fn inverse_eighth_root(x: f64) -> f64 {
+    /// (1 + 1/8) (1023 − 0.04) 2⁵²; 0.04 centres the interpolation error.
+    const OFFSET: u64 = 0x47ed_47ae_147a_e000;
+    f64::from_bits(OFFSET - (x.to_bits() >> 3))
 }
 
 /// Whether, by the balance of energy, the sphere comes back to the zero of the force. Rounding may deny it where just all of

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::impact::{Contact, Essentials, Forces, ImpactError, Method, Solver};
+use crate::impact::{Contact, Essentials, ImpactError, Solver};
 use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
@@ -106,12 +106,7 @@ pub struct Evaluator<'a> {
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
-    /// The solver, if all rows are integrated in lock step; that needs `contacts`.
-    lockstep: Option<Solver>,
 }
-
-/// Contact and speed of impacts that are collected first and then integrated in lock step.
-type Pending<'s> = Vec<(&'s Result<Contact, Failure>, f64)>;
 
 impl<'a> Evaluator<'a> {
     /// Computes the contact of every combination, if there are at most 10⁴ combinations (about 1 kB each).
@@ -134,11 +129,9 @@ impl<'a> Evaluator<'a> {
             }
         }
         let derives_strength = plan.derives_strength();
-        let mut evaluator = Self { plan, derives_strength, contacts: Vec::new(), strides, lockstep: None };
+        let mut evaluator = Self { plan, derives_strength, contacts: Vec::new(), strides };
         if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
             evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
-            let sweeps_solver = plan.paths().iter().any(|path| path.starts_with("solver."));
-            evaluator.lockstep = (has_lanes(plan) && !sweeps_solver).then_some(plan.scene.solver);
         }
         evaluator
     }
@@ -183,36 +176,25 @@ impl<'a> Evaluator<'a> {
     /// Appends the rows of `cases`.
     pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
         rows.cases.extend(cases.clone());
-        let pending = match &self.plan.cases {
+        match &self.plan.cases {
             Cases::Grid(axes) => self.grid(axes, cases, rows),
             Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
-        };
-        if let Some(solver) = &self.lockstep {
-            integrate_together(&pending, solver, &mut rows.results);
         }
     }
 
-    /// Appends the rows of a grid. Impacts to be integrated in lock step are returned, and their results are not
-    /// appended.
+    /// Appends the rows of a grid.
     #[allow(clippy::cast_precision_loss)]
-    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
+    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
         let mut scene = self.plan.scene_at(&places);
         let mut own: Option<Result<Contact, Failure>> = None;
-        let mut pending = Vec::new();
         for _ in cases {
             let contact = if self.contacts.is_empty() {
                 own.get_or_insert_with(|| contact(&scene))
             } else {
-                let contact = &self.contacts[self.index(&places)].1;
-                if self.lockstep.is_some() {
-                    pending.push((contact, scene.speed));
-                }
-                contact
+                &self.contacts[self.index(&places)].1
             };
-            if self.lockstep.is_none() {
-                rows.results.push(evaluate(contact, scene.speed, &scene.solver));
-            }
+            rows.results.push(evaluate(contact, scene.speed, &scene.solver));
             rows.swept.extend(places.iter().map(|place| *place as f64));
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -233,15 +215,13 @@ impl<'a> Evaluator<'a> {
                 self.put_at(axes, &places, &mut scene);
             }
         }
-        pending
     }
 
     /// Does for random cases what [`Self::grid`] does for a grid.
-    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) -> Pending<'_> {
+    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut scene = self.plan.scene.clone();
-        let mut pending = Vec::new();
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -250,16 +230,11 @@ impl<'a> Evaluator<'a> {
             }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             let result = match self.contacts.first().map(|(_, contact)| contact) {
-                Some(contact) if self.lockstep.is_some() => {
-                    pending.push((contact, scene.speed));
-                    continue;
-                }
                 Some(contact) => evaluate(contact, scene.speed, &scene.solver),
                 None => evaluate(&contact(&scene), scene.speed, &scene.solver),
             };
             rows.results.push(result);
         }
-        pending
     }
 
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
@@ -269,7 +244,6 @@ impl<'a> Evaluator<'a> {
         let (of_motion, of_contact): (Vec<_>, Vec<_>) = keys.iter().partition(|(key, _)| keeps_contact(key.path));
         let mut scene = self.plan.scene.clone();
         let mut own: Option<Result<Contact, Failure>> = None;
-        let mut pending = Vec::new();
         for case in cases {
             // bodies before motion, so that a drop height finds its gravity
             for (key, values) in of_contact.iter().chain(&of_motion) {
@@ -277,20 +251,13 @@ impl<'a> Evaluator<'a> {
             }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             if let (true, Some((_, contact))) = (of_contact.is_empty(), self.contacts.first()) {
-                if self.lockstep.is_some() {
-                    pending.push((contact, scene.speed));
-                } else {
-                    rows.results.push(evaluate(contact, scene.speed, &scene.solver));
-                }
+                rows.results.push(evaluate(contact, scene.speed, &scene.solver));
                 continue;
             }
             if case == 0 || of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
                 own = None;
             }
             rows.results.push(evaluate(own.get_or_insert_with(|| contact(&scene)), scene.speed, &scene.solver));
-        }
-        if let Some(solver) = &self.lockstep {
-            integrate_together(&pending, solver, &mut rows.results);
         }
     }
 }
@@ -299,34 +266,8 @@ fn contact(scene: &Scene) -> Result<Contact, Failure> {
     scene.contact().map_err(Failure::from)
 }
 
-/// Whether rows are integrated in lock step: with damping for the methods rk8 and auto, and without damping or gravity
-/// for rk8 on a grid.
-fn has_lanes(plan: &Plan) -> bool {
-    // the scene holds a value of every axis
-    let Forces { gravity, damping } = plan.scene.forces;
-    match plan.scene.solver.method {
-        Method::Rk8 => damping.is_some() || gravity.is_none() && !plan.is_monte_carlo(),
-        Method::Auto => damping.is_some(),
-        _ => false,
-    }
-}
-
 fn evaluate(contact: &Result<Contact, Failure>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
     Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(speed, solver)?)
-}
-
-/// Does for many impacts in lock step what [`evaluate`] does for one.
-fn integrate_together(
-    impacts: &[(&Result<Contact, Failure>, f64)],
-    solver: &Solver,
-    results: &mut Vec<Result<Essentials, Failure>>,
-) {
-    let known: Vec<_> = impacts.iter().filter_map(|(contact, speed)| Some((contact.as_ref().ok()?, *speed))).collect();
-    let mut rows = Contact::essentials_together(&known, solver).into_iter();
-    results.extend(impacts.iter().map(|(contact, _)| match contact {
-        Err(error) => Err(*error),
-        Ok(_) => rows.next().map_or(Err(Failure::NotFinite), |row| row.map_err(Failure::from)),
-    }));
 }
 
 #[cfg(test)]
@@ -340,7 +281,7 @@ mod tests {
             sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
             half_space = { youngs_modulus = "210 GPa", poissons_ratio = 0.3, yield_strength = "345 MPa" }
         "#;
-        // closed form, lock step, an axis that changes the contact, and a yield strength that follows from a hardness
+        // closed form, with damping, an axis that changes the contact, and a yield strength that follows from a hardness
         let sweeps = [
             ("", "\"impact.speed\" = [0.001, 0.5, 1.0, 3.0, 4.0]"),
             ("damping.viscous = 0.1", "\"impact.speed\" = [0.5, 1.0, 3.0, 4.0]"),

@@ -7,8 +7,7 @@ use std::time::{Duration, Instant};
 
 /// Rows of the first piece: few, because a row may take long.
 const FIRST: u64 = 4;
-/// Rows of the longest piece. It is long because each piece has a cost of its own: in lock step, lanes are idle at its
-/// end.
+/// Rows of the longest piece. It is long because each piece has a cost of its own.
 pub const LONGEST: u64 = 4096;
 /// A piece that takes less time than this is followed by a longer one.
 const SHORT: Duration = Duration::from_millis(5);

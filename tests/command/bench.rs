@@ -8,7 +8,7 @@ use assert_cmd::Command;
 use tempfile::TempDir;
 
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere"];
-const METHODS: [&str; 6] = ["rk8", "rk8_batch", "dop853", "dopri5", "verlet", "closed_form"];
+const METHODS: [&str; 5] = ["rk8", "dop853", "dopri5", "verlet", "closed_form"];
 const COLUMNS: [&str; 10] = [
     "problem",
     "method",
@@ -134,7 +134,7 @@ fn check_rows(rows: &[Row]) {
                 rows.iter().filter(|row| row.problem == problem && row.method == method).collect();
             let rungs = if method == "closed_form" { 1 } else { 5 };
             assert!(of_method.len() >= rungs, "{problem}: {} rows of {method}", of_method.len());
-            if ["rk8", "rk8_batch", "closed_form"].contains(&method) {
+            if ["rk8", "closed_form"].contains(&method) {
                 let tightest = of_method.iter().min_by(|a, b| a.tolerance.partial_cmp(&b.tolerance).unwrap()).unwrap();
                 assert!(
                     tightest.errors.iter().all(|error| *error < 1e-12),

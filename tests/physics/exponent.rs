@@ -6,7 +6,7 @@
 //! asked for.
 
 use plm_impact::compare::Comparison;
-use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, batch, closed_form};
+use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, closed_form};
 use plm_impact::indentation::{Indenter, StaticContact, Target};
 use plm_impact::law::{Bodies, Law, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
@@ -93,9 +93,6 @@ proptest! {
             prop_assert!(worst(&outcome, &exact) < factor * 1e-9, "{method:?}");
             prop_assert!(off(outcome.unloading.exponent, exact.unloading.exponent) < factor * 1e-9);
         }
-        let (alone, _) = crate::common::run(law, q, Method::Rk8, 1e-9).unwrap();
-        let lane = batch::integrate(&[(law, q, ScaledForces::NONE)], 1e-9).remove(0).unwrap();
-        prop_assert_eq!(lane, alone);
         let fine = Solver { method: Method::Verlet, steps_per_contact: 4000, ..Solver::default() };
         let verlet = plm_impact::impact::run(law, q, &ScaledForces::NONE, Some(&exact), &fine, None).unwrap().outcome;
         prop_assert!(off(verlet.restitution, exact.restitution) < 1e-3, "{}", verlet.restitution);
@@ -103,7 +100,7 @@ proptest! {
 }
 
 #[test]
-fn forces_and_lanes_take_the_limited_branch_too() {
+fn impacts_under_forces_take_the_limited_branch_too() {
     let contact = steel(1.2).contact();
     let speed = 1.7 * contact.yield_speed().unwrap();
     let free = contact.closed_form(speed).unwrap();
@@ -121,12 +118,6 @@ fn forces_and_lanes_take_the_limited_branch_too() {
     let damped = under(None, Some(Damping::Viscous(0.01)));
     let traced = damped.impact(speed, &solver(Method::Rk8, 1e-9), Some(50)).unwrap();
     assert!(traced.restitution < 1.0 && traced.energy.drift < 1e-7, "{:e}", traced.energy.drift);
-    let by_steps = Solver { method: Method::Rk8, tolerance: 1e-9, ..Solver::default() };
-    let rows = Contact::essentials_together(&[(&damped, speed), (&damped, 1.1 * speed)], &by_steps);
-    for (row, speed) in rows.into_iter().zip([speed, 1.1 * speed]) {
-        let (row, alone) = (row.unwrap(), damped.impact(speed, &by_steps, None).unwrap());
-        assert!(off(row.restitution, alone.restitution) < 1e-8 && row.plastic_fraction == 0.0);
-    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables, lanes.
+//! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
 //!
 //! The expected numbers are from 30-digit arithmetic (`oracle_hardening.csv`) and from closed forms.
 
@@ -185,7 +185,7 @@ fn rows(text: &str) -> Rows {
     rows
 }
 
-/// Rows of a table, by closed form and in lock step, equal single impacts to the last bit.
+/// Rows of a table, by closed form and by steps, equal single impacts to the last bit.
 #[test]
 fn tables_on_a_hardened_half_space_are_single_impacts() {
     let flow = STEEL.replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]");

@@ -39,7 +39,6 @@ def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -
 
 
 def test_damped_tables_are_those_of_a_sweep_too() -> None:
-    # in a sweep these rows are integrated in lock step
     speeds, fractions = np.linspace(0.5, 5, 9), np.array([0.0, 0.02, 0.3])
     table = plm.impacts(steel(damping=dict(viscous=0.1)), speed=speeds, viscous=fractions[:, None])
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)

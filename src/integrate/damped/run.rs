@@ -1,5 +1,5 @@
 //! The run along one leg. It gives the length of the next step from its node, and decides what follows from a step of that
-//! length. Error control and landing are here alone, whether steps are taken one by one or in lock step.
+//! length. Error control and landing are here alone.
 //!
 //! ```text
 //! march ── an event is passed ──► mend ── on the event ──► landed
@@ -10,7 +10,6 @@
 
 use crate::integrate::cubic::{cubic_minimum, cubic_root};
 use crate::integrate::dop853::{EVALUATIONS, Step};
-use crate::integrate::lanes::Lane;
 use crate::integrate::piece::{Dragged, Quad};
 use crate::integrate::{Crossing, IntegrationError, Landing, MOST_STEPS, Path, State, Work};
 use crate::math::functions::pow;
@@ -87,34 +86,6 @@ pub enum Progress {
     Landed { landing: Landing, length: f64, state: State },
 }
 
-/// What ends a leg, as numbers for one run or for lanes.
-#[derive(Debug, Clone, Copy)]
-pub struct Limits<T> {
-    /// +1 outward, −1 back.
-    pub direction: T,
-    /// y where the piece ends.
-    pub end: T,
-    /// 1 where the contact force may vanish, else 0.
-    pub lifts_off: T,
-    /// 1 where the motion may come to rest, else 0.
-    pub rests: T,
-}
-
-impl<T: Lane> Limits<T> {
-    /// 1 if the step has surely passed no event, so that the motion goes on if the step is accepted; else 0. The arguments are
-    /// the contact force and its derivative before and after the step.
-    #[inline(always)]
-    pub fn is_clear(&self, next: &Step<T>, before: (T, T), after: (T, T)) -> T {
-        let (zero, one) = (self.end.all(0.0), self.end.all(1.0));
-        let moves = zero.if_less(self.direction * next.node[1], one, zero);
-        let is_short = zero.if_less(self.direction * (self.end - next.node[0]), moves, zero);
-        let may_dip = before.1.if_less(zero, zero.if_less(after.1, one, zero), zero);
-        let stays = zero.if_less(after.0, one - may_dip, zero);
-        let is_clear = is_short * zero.if_less(self.lifts_off, stays, one);
-        zero.if_less(self.rests, zero, is_clear)
-    }
-}
-
 /// A leg on its way, in the variables of its piece.
 #[derive(Debug, Clone, Copy)]
 pub struct Run {
@@ -166,24 +137,6 @@ impl Run {
     #[inline(always)]
     pub fn is_marching(&self) -> bool {
         matches!(self.aim, Aim::March)
-    }
-
-    /// The limits that a step must not pass if the motion is to go on, as numbers.
-    pub fn limits(&self) -> Limits<f64> {
-        Limits {
-            direction: self.direction,
-            end: self.end,
-            lifts_off: f64::from(u8::from(self.path.can_lift_off())),
-            rests: f64::from(u8::from(self.path.rest.is_some())),
-        }
-    }
-
-    /// Takes over from the lanes after so many steps, all of which were accepted and passed no event.
-    #[inline(always)]
-    pub fn has_gone_on(&mut self, node: Quad, rates: Quad, length: f64, steps: u64) {
-        (self.node, self.rates, self.length) = (node, rates, length);
-        self.work.steps += steps;
-        self.work.force_evaluations += EVALUATIONS * steps;
     }
 
     /// Decides what follows from a step of [`Run::length`] from the node.
@@ -378,6 +331,6 @@ impl Run {
 
 /// The next step after one of length `h` that was accepted.
 #[inline(always)]
-pub fn longer<T: Lane>(h: T, pace: T) -> T {
-    h * pace.min(pace.all(5.0))
+pub fn longer(h: f64, pace: f64) -> f64 {
+    h * pace.min(5.0)
 }

@@ -1,7 +1,6 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`.
 
 use super::{Dragged, Field, Motion, Quad, Variables};
-use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 use crate::math::functions::{pow, powi};
 use crate::math::power::power_turn;
@@ -28,7 +27,7 @@ impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
     }
 }
 
-impl<const HERTZ: bool, const PULLED: bool> Field<f64> for Power<HERTZ, PULLED> {
+impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
     const IS_TIME: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
@@ -98,10 +97,10 @@ pub struct DraggedPower<const M: u8> {
 
 /// The same for n = 3/2.
 #[derive(Debug, Clone, Copy)]
-pub struct DraggedHertz<const M: u8, T = f64> {
-    pub k: T,
-    pub drag: Drag<T>,
-    pub pull: T,
+pub struct DraggedHertz<const M: u8> {
+    pub k: f64,
+    pub drag: Drag,
+    pub pull: f64,
 }
 
 impl<const M: u8> DraggedPower<M> {
@@ -119,10 +118,10 @@ impl<const M: u8> DraggedHertz<M> {
     }
 }
 
-impl<const M: u8, T: Lane> DraggedHertz<M, T> {
+impl<const M: u8> DraggedHertz<M> {
     /// Contact force over d^¼, m = 4: k r⁵ + c u; and its derivative.
     #[inline(always)]
-    pub(super) fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+    pub(super) fn contact_force(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
         let square = node[0] * node[0];
         let fourth = square * square;
         let c = self.drag.eta;
@@ -130,9 +129,9 @@ impl<const M: u8, T: Lane> DraggedHertz<M, T> {
     }
 }
 
-impl<const M: u8, T: Lane> Motion<T> for DraggedHertz<M, T> {
+impl<const M: u8> Motion for DraggedHertz<M> {
     #[inline(always)]
-    fn rates(&self, y: T, u: T) -> Quad<T> {
+    fn rates(&self, y: f64, u: f64) -> Quad {
         let square = y * y;
         if M == 2 {
             // per 2 s: k s³, and no drag of stiffness
@@ -161,7 +160,7 @@ impl<const M: u8> Dragged for DraggedHertz<M> {
     }
 }
 
-impl<const M: u8> Motion<f64> for DraggedPower<M> {
+impl<const M: u8> Motion for DraggedPower<M> {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
         let m = f64::from(M);

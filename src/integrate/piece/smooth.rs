@@ -14,7 +14,7 @@ pub struct Curve<const ROOT: bool> {
     pub c: f64,
 }
 
-impl<const ROOT: bool> Field<f64> for Curve<ROOT> {
+impl<const ROOT: bool> Field for Curve<ROOT> {
     const IS_TIME: bool = !ROOT;
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
@@ -92,7 +92,7 @@ impl<const M: u8> DraggedCurve<M> {
     }
 }
 
-impl<const M: u8> Motion<f64> for DraggedCurve<M> {
+impl<const M: u8> Motion for DraggedCurve<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
         let [of_jet, s, _] = if self.drag.eta == 0.0 { [0.0; 3] } else { self.derivatives(y) };
         let f = match M {

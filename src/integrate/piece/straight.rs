@@ -1,7 +1,6 @@
 //! A straight piece: g = a + b d.
 
 use super::{Dragged, Field, Motion, Quad, Variables};
-use crate::integrate::lanes::Lane;
 use crate::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
@@ -18,7 +17,7 @@ impl<const PULLED: bool> Straight<PULLED> {
     }
 }
 
-impl<const PULLED: bool> Field<f64> for Straight<PULLED> {
+impl<const PULLED: bool> Field for Straight<PULLED> {
     const IS_TIME: bool = true;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
@@ -50,11 +49,11 @@ impl<const PULLED: bool> Variables for Straight<PULLED> {
 
 /// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where the drag holds χ and c = η √b.
 #[derive(Debug, Clone, Copy)]
-pub struct DraggedStraight<T = f64> {
-    pub a: T,
-    pub b: T,
-    pub drag: Drag<T>,
-    pub pull: T,
+pub struct DraggedStraight {
+    pub a: f64,
+    pub b: f64,
+    pub drag: Drag,
+    pub pull: f64,
 }
 
 impl DraggedStraight {
@@ -64,22 +63,21 @@ impl DraggedStraight {
     }
 }
 
-impl<T: Lane> DraggedStraight<T> {
+impl DraggedStraight {
     /// The contact force and its derivative.
     #[inline(always)]
-    pub(super) fn contact_force(&self, node: &Quad<T>, rates: &Quad<T>) -> (T, T) {
+    pub(super) fn contact_force(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
         let c = self.drag.eta;
         (self.a + self.b * node[0] + c * node[1], self.b * rates[0] + c * rates[1])
     }
 }
 
-impl<T: Lane> Motion<T> for DraggedStraight<T> {
+impl Motion for DraggedStraight {
     #[inline(always)]
-    fn rates(&self, y: T, u: T) -> Quad<T> {
-        let one = y.all(1.0);
+    fn rates(&self, y: f64, u: f64) -> Quad {
         let force = self.a + self.b * y;
-        let drag = self.drag.per_speed(force, one) * u;
-        [u, self.pull - force - drag, one, drag * u]
+        let drag = self.drag.per_speed(force, 1.0) * u;
+        [u, self.pull - force - drag, 1.0, drag * u]
     }
 }
 
