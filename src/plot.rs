@@ -1,46 +1,45 @@
 //! Pictures of results as PNG or SVG, with the same bytes on every machine. They are drawn in memory with a built-in
 //! font.
 //!
-//! Nothing here computes physics. The crate plotters draws lines, polygons and text. Axes, dashes and the key are laid
-//! out here, because the charts of plotters have no dash pattern for each series, no key outside the axes, and no
-//! engineering units on the ticks. Series differ by colour (the palette of Okabe and Ito, made for colour-blind
-//! readers), by dash pattern and by marker.
+//! Nothing here computes physics. Every picture is data, a [`Chart`], and the crate plotters draws its lines, areas and
+//! texts. Axes, clipping and the key are laid out here, because the charts of plotters do not serve: they move points
+//! outside the axes to the edge, which bends the lines (plotters issues 429 and 622), they have no key outside the
+//! axes, and no dash patterns of two lengths. Series differ by colour (the palette of Okabe and Ito, made for
+//! colour-blind readers), by dash pattern and by marker.
 
 pub mod axis;
 pub mod calibrate;
-mod canvas;
+mod chart;
 pub mod compare;
-pub mod force_indentation;
+mod force_indentation;
 mod frame;
-pub mod heatmap;
-pub mod histogram;
-pub mod history;
-pub mod indentation;
+mod heatmap;
+mod histogram;
+mod history;
+mod indentation;
 mod key;
-pub mod lines;
-mod mark;
+mod loops;
 mod of_key;
+mod pen;
 mod pictures;
 mod posterior;
 pub mod repeat;
-mod sheet;
-pub mod stack;
+mod series;
 mod style;
 pub mod sweep;
 
 use thiserror::Error;
 
 pub use axis::{Axis, Scale};
-pub use canvas::Canvas;
+pub use chart::{Chart, Panel};
 pub use force_indentation::force_indentation;
-pub use heatmap::Heatmap;
-pub use histogram::Histogram;
+pub use heatmap::heatmap;
+pub use histogram::histogram;
 pub use history::history;
 pub use indentation::indentation;
-pub use lines::{Guide, Lines, Look, Series};
 pub use pictures::Pictures;
-pub use stack::{Panel, Stack};
-pub use style::Mark;
+pub use series::{Guide, Look, Series};
+pub use style::{Mark, Style};
 
 /// Size of every picture \[px\].
 pub const SIZE: (u32, u32) = (1600, 1000);

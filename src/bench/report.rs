@@ -9,7 +9,7 @@ use crate::math::power::max_or_nan;
 use crate::output::OutputFile;
 use crate::plot::PlotError;
 use crate::plot::axis::Axis;
-use crate::plot::lines::{Lines, Series};
+use crate::plot::{Chart, Series};
 use crate::units::aligned::markdown;
 
 /// A problem with all that was measured on it.
@@ -85,9 +85,9 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
     });
     let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
-    let lines = Lines::new(format!("{}: {}", problem.name, problem.about), [x, y], series.into());
+    let lines = Chart::new(format!("{}: {}", problem.name, problem.about), [x, y], series.into());
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
-    Ok(OutputFile { name, bytes: lines.draw()?.to_png()? })
+    Ok(OutputFile { name, bytes: lines.to_png()? })
 }
 
 const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];

@@ -2,8 +2,8 @@
 
 use super::axis::extremes;
 use super::of_key::{axis_of, title_of};
-use super::style::{BLACK, LAW};
-use super::{Axis, Canvas, Guide, Lines, PlotError, Series, posterior};
+use super::style::Style;
+use super::{Axis, Chart, Guide, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::quantity::MEASURED;
 use crate::calibrate::statistics::{LEVELS, reach};
@@ -20,24 +20,24 @@ const PLACES: u32 = 120;
 const WIDE: f64 = 5.0;
 
 /// The pictures with their names.
-pub fn pictures(of: &Calibration) -> Result<Vec<(String, Canvas)>, PlotError> {
+pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
     let mut pictures = Vec::new();
     let has_lines = of.residuals.len() > of.keys.len();
     for what in of.fit.problem.data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", MEASURED[what].name), fitted(of, what)?));
+        pictures.push((format!("fit_{}", MEASURED[what].name), fitted(of, what)));
     }
     if has_lines {
-        pictures.push(("residuals".to_owned(), residuals(of)?));
+        pictures.push(("residuals".to_owned(), residuals(of)));
     }
-    if let Some(sheet) = &of.sheet {
-        pictures.push(("posterior".to_owned(), posterior::map(of, sheet)?));
+    if let (Some(sheet), [first, second]) = (&of.sheet, &of.keys[..]) {
+        pictures.push(("posterior".to_owned(), posterior::map(of, [first, second], sheet)));
     } else if let Some(found) = of.keys.first().filter(|found| found.posterior.is_some()) {
-        pictures.push(("posterior".to_owned(), density(found, of.refusal.is_some())?));
+        pictures.push(("posterior".to_owned(), density(found, of.refusal.is_some())));
     }
     if !of.laws.is_empty() && has_lines {
-        pictures.push(("laws".to_owned(), laws(of)?));
+        pictures.push(("laws".to_owned(), laws(of)));
     }
-    Ok(pictures)
+    pictures
 }
 
 fn is_wide(values: impl Iterator<Item = f64>) -> bool {
@@ -94,7 +94,7 @@ fn shown(of: &Calibration, what: usize) -> Vec<usize> {
     all.into_iter().step_by(step).collect()
 }
 
-fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
+fn fitted(of: &Calibration, what: usize) -> Chart {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let shown = shown(of, what);
     let at = |value: &usize| over.at(of, *value);
@@ -115,7 +115,7 @@ fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
     if let Over::Key(key) = over {
         series.extend(band(of, key, what, &points).map(|band| Series::band("95 % of the law", band).styled(5)));
     }
-    series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(LAW));
+    series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
     series.push(Series::bare("", bars).styled(0));
     let axes = [over.axis(what, &points), of_quantity(what, "")];
     series.push(Series::points("measured, with its sd", points).styled(0));
@@ -124,7 +124,7 @@ fn fitted(of: &Calibration, what: usize) -> Result<Canvas, PlotError> {
         [title_of(free.key.path), free.say(*estimate, 4) + &sd]
     });
     let title = format!("{} and the law with the best keys", title_of(MEASURED[what].name));
-    Lines::new(title, axes, series).with_notes(notes).draw()
+    Chart::new(title, axes, series).with_notes(notes)
 }
 
 type Points = Vec<(f64, f64)>;
@@ -168,7 +168,7 @@ fn line_data(key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Data, Ve
     (Data { name: String::new(), keys: vec![key], rows, values }, at)
 }
 
-fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
+fn residuals(of: &Calibration) -> Chart {
     let data = of.fit.problem.data;
     let measured = data.measured();
     let over = match Over::of(data) {
@@ -191,11 +191,11 @@ fn residuals(of: &Calibration) -> Result<Canvas, PlotError> {
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
     let notes = [("chi-square", of.p), ("runs of signs", of.p_of_runs)];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
-    Lines::new("Residuals", [x, y], series).with_guides(guides).with_notes(notes).draw()
+    Chart::new("Residuals", [x, y], series).with_guides(guides).with_notes(notes)
 }
 
 /// The posterior of one key.
-fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
+fn density(found: &Found, is_refused: bool) -> Chart {
     let points = found.relative_posterior();
     let is_wide = is_wide(points.iter().map(|point| point.0)) && found.free.is_logarithmic;
     let mut guides = vec![Guide::vertical(found.estimate, "best").styled(6)];
@@ -208,11 +208,11 @@ fn density(found: &Found, is_refused: bool) -> Result<Canvas, PlotError> {
     let title = format!("{}: what the measurements say", title_of(found.free.key.path));
     let y = Axis::linear("Posterior density, highest = 1", "").between(0.0, 1.05);
     let axes = [axis_of(found.free.key, is_wide), y];
-    Lines::new(title, axes, vec![Series::bare("posterior", points)]).with_guides(guides).with_notes([notes]).draw()
+    Chart::new(title, axes, vec![Series::bare("posterior", points)]).with_guides(guides).with_notes([notes])
 }
 
 /// The predictions of every law with its best keys, with the measurements of the first quantity.
-fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
+fn laws(of: &Calibration) -> Chart {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let what = data.values[0].what;
     let points: Points =
@@ -224,6 +224,6 @@ fn laws(of: &Calibration) -> Result<Canvas, PlotError> {
     });
     let mut series: Vec<Series> = lines.collect();
     let axes = [over.axis(what, &points), of_quantity(what, "")];
-    series.push(Series::points("measured", points).styled(BLACK));
-    Lines::new("Laws with their best keys, and how far their AIC is above the least", axes, series).draw()
+    series.push(Series::points("measured", points).styled(Style::BLACK));
+    Chart::new("Laws with their best keys, and how far their AIC is above the least", axes, series)
 }

@@ -1,8 +1,8 @@
 //! The picture of a comparison: force against indentation while each law unloads from one peak.
 
 use super::axis::extremes;
-use super::style::BLACK;
-use super::{Axis, Canvas, Lines, PlotError, Series};
+use super::style::Style;
+use super::{Axis, Chart, Series};
 use crate::compare::{Comparison, Origin};
 use crate::law::Unloading;
 use crate::units::rounded::number;
@@ -19,7 +19,7 @@ fn curve(unloading: &Unloading, length: f64, force: f64) -> Vec<(f64, f64)> {
 }
 
 /// The picture: force against indentation for every law and for the finite elements.
-pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
+pub fn picture(comparison: &Comparison) -> Chart {
     let point = &comparison.bodies.yield_point;
     let (length, force) = (point.indentation, point.force);
     let mut series: Vec<Series> = comparison
@@ -32,7 +32,7 @@ pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
         let (top_x, top_f) = curve.points.first().copied().unwrap_or((1.0, 1.0));
         let (scale_x, scale_f) = (comparison.peak.indentation / top_x, comparison.peak.force / top_f);
         let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
-        series.push(Series::points("finite elements", points).styled(BLACK));
+        series.push(Series::points("finite elements", points).styled(Style::BLACK));
     }
     let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
     // the axis begins a little before the shallowest dent
@@ -45,5 +45,5 @@ pub fn picture(comparison: &Comparison) -> Result<Canvas, PlotError> {
         Origin::Plm => "peak: from the PLM",
         Origin::Given => "peak: as given",
     };
-    Lines::new(title, [x, y], series).with_notes([origin]).draw()
+    Chart::new(title, [x, y], series).with_notes([origin])
 }

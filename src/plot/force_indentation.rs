@@ -3,135 +3,72 @@
 
 use super::PlotError;
 use super::axis::Axis;
-use super::canvas::Canvas;
+use super::chart::Chart;
 use super::key::Entry;
-use super::sheet::single;
-use super::style::{DASHED, DOTTED, GREY, INK, Mark, Marker, SOLID, Stroke, solid};
+use super::loops;
+use super::series::Series;
+use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::units::rounded::{number, quantity};
 
-/// Radius of markers \[px\].
-const MARK: f64 = 9.0;
-const PEAK: Marker = Marker { shape: Mark::Square, radius: MARK, color: INK };
-const DENT: Marker = Marker { shape: Mark::Inverted, ..PEAK };
-const YIELD: Marker = Marker { shape: Mark::Diamond, ..PEAK };
-const KNOT: Marker = Marker { shape: Mark::Circle, radius: 4.0, ..PEAK };
-
-/// One of the three loops.
-struct Loop {
-    name: &'static str,
-    indentation: fn(&TraceRow) -> f64,
-    width: f64,
-    /// Force over peak force of the markers on loading and unloading. They differ from loop to loop, so that the
-    /// markers are seen where loops lie on each other.
-    marks: [f64; 2],
-}
-
-/// The loops in the order of drawing, each narrower than the one before, because loops may lie on each other. With a
-/// rigid sphere the loop of the half-space lies on that of the approach; with equal elastic bodies it lies on that of
-/// the sphere.
-const LOOPS: [Loop; 3] = [
-    Loop { name: "Approach δ", indentation: |row| row.indentation, width: 7.0, marks: [0.5, 0.7] },
-    Loop { name: "Sphere δₛ", indentation: |row| row.sphere_indentation, width: 5.0, marks: [0.35, 0.85] },
-    Loop { name: "Half-space δₕ", indentation: |row| row.half_space_indentation, width: 3.0, marks: [0.65, 0.45] },
+/// The three indentations of a row, with their names. With a rigid sphere the loop of the half-space lies on that of
+/// the approach; with equal elastic bodies it lies on that of the sphere.
+pub(super) const INDENTATIONS: [(&str, fn(&TraceRow) -> f64, f64); 3] = [
+    ("Approach δ", |row| row.indentation, 7.0),
+    ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
+    ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
 ];
-
-impl Loop {
-    /// Its style if it is the loop of this number.
-    fn style(&self, index: usize) -> (Stroke, Marker) {
-        solid(index, self.width, MARK)
-    }
-
-    fn place(&self, row: &TraceRow) -> (f64, f64) {
-        ((self.indentation)(row), row.force)
-    }
-}
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 ///
 /// # Errors
-/// [`PlotError::Data`] for an impact without a trace; other [`PlotError`]s from drawing.
-pub fn force_indentation(impact: &Impact) -> Result<Canvas, PlotError> {
+/// [`PlotError::Data`] for an impact without a trace.
+pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let trace = &impact.trace;
     // a sphere that creeps to rest has no turning point; its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
     let Some(turn) = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1))) else {
         return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
     };
-    let (loading, unloading) = (&trace[..=turn], &trace[turn..]);
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation).fitted([]);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact)).fitted([]);
-    single(&title(impact), [x, y], &entries(impact), |frame, canvas| {
-        let guide = Stroke { color: GREY, width: 2.0, dash: DOTTED };
-        let peak = (impact.peak_indentation, impact.peak_force);
-        frame.curve(canvas, [(0.0, peak.1), peak, (peak.0, 0.0)], guide);
-        frame.draw_outline(canvas);
-        for (i, one) in LOOPS.iter().enumerate() {
-            for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
-                frame.curve(canvas, part.iter().map(|row| one.place(row)), Stroke { dash, ..one.style(i).0 });
-            }
-        }
-        if is_damped(impact) {
-            for part in [loading, unloading] {
-                let curve = part.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
-                frame.curve(canvas, curve, ELASTIC);
-            }
-        }
-        for (i, one) in LOOPS.iter().enumerate() {
-            for (part, share) in [loading, unloading].into_iter().zip(one.marks) {
-                if let Some(row) = near_force(part, share * impact.peak_force) {
-                    frame.mark(canvas, one.place(row), one.style(i).1);
-                }
-            }
-        }
-        for row in trace {
-            let marker = match row.event {
-                Some(Event::Yield) => YIELD,
-                Some(Event::Knot) => KNOT,
-                _ => continue,
-            };
-            frame.mark(canvas, (row.indentation, row.force), marker);
-        }
-        frame.mark(canvas, peak, PEAK);
-        if impact.has_dent() {
-            frame.mark(canvas, (impact.residual_indentation, 0.0), DENT);
-        }
-    })
-}
-
-/// The row of a branch whose force is nearest to `force`.
-fn near_force(rows: &[TraceRow], force: f64) -> Option<&TraceRow> {
-    rows.iter().min_by(|a, b| (a.force - force).abs().total_cmp(&(b.force - force).abs()))
-}
-
-fn entries(impact: &Impact) -> Vec<Entry> {
-    let length = |value| quantity(value, "m");
-    let entry = |(i, one): (usize, &Loop)| {
-        let (stroke, marker) = one.style(i);
-        Entry::line(one.name, stroke).marked(marker)
-    };
-    let mut entries: Vec<Entry> = LOOPS.iter().enumerate().map(entry).collect();
-    let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
-    entries.extend(Entry::branches(branches));
+    let branches = [(true, &trace[..=turn]), (false, &trace[turn..])];
+    let peak = (impact.peak_indentation, impact.peak_force);
+    let ink = |mark| Style::marker(mark, INK);
+    let to_peak = Style::line(GREY, 2.0).dashed(DOTTED);
+    let mut series = vec![Series::bare("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
+    for (i, (name, indentation, width)) in INDENTATIONS.into_iter().enumerate() {
+        let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentation(row), row.force)).collect();
+        let branches = branches.map(|(is_loading, rows)| (is_loading, points(rows)));
+        series.extend(loops::series(Series::line(name, Vec::new()), loops::style(i, width), branches));
+    }
     if is_damped(impact) {
-        entries.push(Entry::line("force of the law", ELASTIC).and("without damping, against δ"));
+        let of_law = branches.map(|(_, rows)| {
+            rows.iter().filter_map(|row| Some((row.indentation, row.elastic_force?))).collect::<Vec<_>>()
+        });
+        // the other curves include the damping
+        let name = Series::bare("force of the law", of_law.concat()).and("without damping, against δ");
+        series.push(name.styled(Style::line(INK, 2.0).dashed(DOTTED)));
     }
-    let at_peak = format!("δₘ = {}", length(impact.peak_indentation));
-    entries.push(Entry::mark(peak_name(impact), PEAK).and(force_at_peak(impact)).and(at_peak));
+    let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
+    let knot = Style { radius: 4.0, ..ink(Mark::Circle) };
+    for (event, name, style) in
+        [(Event::Yield, "First yield", ink(Mark::Diamond)), (Event::Knot, "Knot of the law", knot)]
+    {
+        let points: Vec<_> = at(event).collect();
+        series.extend((!points.is_empty()).then(|| Series::points(name, points).styled(style)));
+    }
+    let length = |name: &str, value| format!("{name} = {}", quantity(value, "m"));
+    let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
+    series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
     if impact.has_dent() {
-        let residual = format!("δᵣ = {}", length(impact.residual_indentation));
-        entries.push(Entry::mark("Residual indentation", DENT).and(residual));
+        let residual = impact.residual_indentation;
+        let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).styled(ink(Mark::Inverted));
+        series.push(dent.and(length("δᵣ", residual)));
     }
-    for (event, name, marker) in [(Event::Yield, "First yield", YIELD), (Event::Knot, "Knot of the law", KNOT)] {
-        if impact.trace.iter().any(|row| row.event == Some(event)) {
-            entries.push(Entry::mark(name, marker));
-        }
-    }
-    entries
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact));
+    let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
+    Ok(Chart::new(title(impact), [x, y], series).with_entries(Entry::branches(branches)))
 }
-
-/// Line of the force of the law without damping. The other curves include the damping.
-const ELASTIC: Stroke = Stroke { color: INK, width: 2.0, dash: DOTTED };
 
 pub(super) fn is_damped(impact: &Impact) -> bool {
     impact.under_forces.is_some_and(|under| under.damping_loss.is_some())

@@ -2,139 +2,50 @@
 //! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13. Error bars show
 //! the uncertainty at the ends of steps.
 
-use super::PlotError;
 use super::axis::Axis;
-use super::canvas::Canvas;
+use super::chart::Chart;
 use super::key::Entry;
-use super::sheet::single;
-use super::style::{DASHED, Marker, SOLID, Stroke, series, solid};
+use super::loops;
+use super::series::Series;
+use super::style::Style;
 use crate::indentation::{Tested, TraceRow};
 use crate::law::Branch;
 use crate::units::rounded::quantity;
 
-/// Radius of markers \[px\].
-const MARK: f64 = 9.0;
-/// Half the length of the caps of error bars \[px\].
-const CAP: f64 = 8.0;
-/// Distance between error bars \[px\].
-const BAR: f64 = 20.0;
+/// Distance between error bars, and half the length of their caps, as shares of the largest force.
+const BAR: f64 = 0.025;
+const CAP: f64 = 0.01;
 
 type Quantity = fn(&TraceRow) -> f64;
 
-/// A loop: the trace of one half-space, against one kind of indentation.
-struct Loop<'a> {
-    name: String,
-    rows: &'a [TraceRow],
-    indentation: Quantity,
-    width: f64,
-}
-
-impl Loop<'_> {
-    /// Its style if it is the loop of this number.
-    fn style(&self, index: usize) -> (Stroke, Marker) {
-        solid(index, self.width, MARK)
-    }
-
-    fn place(&self, row: &TraceRow) -> (f64, f64) {
-        ((self.indentation)(row), row.force)
-    }
-}
-
-pub fn indentation(tested: &[Tested]) -> Result<Canvas, PlotError> {
-    let loops = loops(tested);
-    let rows = || loops.iter().flat_map(|one| one.rows);
+pub fn indentation(tested: &[Tested]) -> Chart {
+    let mut series = match tested {
+        [one] => {
+            let of: [(&str, Quantity, f64); 3] = [
+                ("Approach δ", |row| row.indentation, 7.0),
+                ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
+                ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
+            ];
+            let of = of.into_iter().enumerate();
+            of.flat_map(|(i, (name, of, width))| one_loop(name, &one.indentation.trace, of, loops::style(i, width)))
+                .collect::<Vec<_>>()
+        }
+        several => {
+            let of = several.iter().enumerate();
+            of.flat_map(|(i, one)| {
+                let name = one.specimen.name.as_deref().unwrap_or_default();
+                one_loop(name, &one.indentation.trace, |row| row.indentation, loops::style(i, 4.0))
+            })
+            .collect()
+        }
+    };
+    let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
+    let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
     let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
     let deepest = spans(tested).map(|([_, high], ..)| high).fold(deepest, f64::max);
-    let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
-    let room = if spans(tested).next().is_some() { 1.16 } else { 1.08 };
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted([]);
-    let y = Axis::engineering("Force", "N").between(0.0, room * strongest).fitted([]);
-    single(&title(tested), [x, y], &entries(&loops, tested), |frame, canvas| {
-        frame.draw_outline(canvas);
-        for (i, one) in loops.iter().enumerate() {
-            for branch in one.rows.chunk_by(|a, b| is_loading(a) == is_loading(b)) {
-                let mut rows: Vec<&TraceRow> = branch.iter().collect();
-                let is_loading = rows.first().is_some_and(|row| is_loading(row));
-                if !is_loading {
-                    // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the
-                    // dashes stay open
-                    rows.sort_by(|a, b| a.indentation.total_cmp(&b.indentation));
-                }
-                let dash = if is_loading { SOLID } else { DASHED };
-                frame.curve(canvas, rows.into_iter().map(|row| one.place(row)), Stroke { dash, ..one.style(i).0 });
-            }
-        }
-        for (i, one) in loops.iter().enumerate() {
-            for row in marked(one.rows, i, loops.len()) {
-                frame.mark(canvas, one.place(row), one.style(i).1);
-            }
-        }
-        for ([low, high], force, i) in spans(tested) {
-            let stroke = Stroke::solid(series(i).0.color, 3.0);
-            // one above the other, because all loops may end at the same load
-            #[allow(clippy::cast_precision_loss)] // a handful
-            let above = |(x, y): (f64, f64)| (x, y - 0.5 * BAR - BAR * i as f64);
-            let (low, high) = (above(frame.place(low, force)), above(frame.place(high, force)));
-            canvas.polyline(&[low, high], stroke);
-            for (x, y) in [low, high] {
-                canvas.polyline(&[(x, y - CAP), (x, y + CAP)], stroke);
-            }
-        }
-    })
-}
-
-fn is_loading(row: &TraceRow) -> bool {
-    matches!(row.branch, Branch::Elastic | Branch::Plastic)
-}
-
-fn loops(tested: &[Tested]) -> Vec<Loop<'_>> {
-    if let [one] = tested {
-        let rows = one.indentation.trace.as_slice();
-        let shares: [(&str, Quantity, f64); 3] = [
-            ("Approach δ", |row| row.indentation, 7.0),
-            ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
-            ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
-        ];
-        return shares.map(|(name, indentation, width)| Loop { name: name.into(), rows, indentation, width }).into();
-    }
-    let mut loops = Vec::new();
-    for one in tested {
-        let name = one.specimen.name.clone().unwrap_or_default();
-        let indentation: Quantity = |row| row.indentation;
-        loops.push(Loop { name, rows: &one.indentation.trace, indentation, width: 4.0 });
-    }
-    loops
-}
-
-/// The rows of a loop at which its marker is drawn: where the force passes a share of its maximum. The share differs
-/// from loop to loop.
-fn marked(rows: &[TraceRow], index: usize, count: usize) -> impl Iterator<Item = &TraceRow> {
-    let strongest = rows.iter().map(|row| row.force).fold(0.0, f64::max);
-    #[allow(clippy::cast_precision_loss)] // a handful
-    let share = 0.3 + 0.5 * (index as f64 + 0.5) / count as f64;
-    let at = share * strongest;
-    rows.windows(2).filter(move |pair| (pair[0].force < at) != (pair[1].force < at)).map(|pair| &pair[1])
-}
-
-/// Ranges of the indentation at the ends of steps in load control, with the load and the index of the half-space.
-fn spans(tested: &[Tested]) -> impl Iterator<Item = ([f64; 2], f64, usize)> {
-    tested.iter().enumerate().flat_map(|(i, one)| {
-        one.indentation.steps.iter().enumerate().filter_map(move |(number, step)| {
-            let [low, high] = one.span(number, |step| step.indentation)?;
-            (high > low).then_some(([low, high], step.force, i))
-        })
-    })
-}
-
-fn entries(loops: &[Loop], tested: &[Tested]) -> Vec<Entry> {
-    let entry = |(i, one): (usize, &Loop)| {
-        let (stroke, marker) = one.style(i);
-        Entry::line(&one.name, stroke).marked(marker)
-    };
-    let mut entries: Vec<Entry> = loops.iter().enumerate().map(entry).collect();
-    let unloads = loops.iter().flat_map(|one| one.rows).any(|row| !is_loading(row));
+    let unloads = rows().any(|row| !is_loading(row));
     let branches = ["loading", "unloading and reloading"];
-    entries.extend(Entry::branches(&branches[..if unloads { 2 } else { 1 }]));
+    let mut entries: Vec<Entry> = Entry::branches(&branches[..if unloads { 2 } else { 1 }]).collect();
     if let [one] = tested
         && let Some(step) = one.indentation.steps.last()
     {
@@ -146,10 +57,54 @@ fn entries(loops: &[Loop], tested: &[Tested]) -> Vec<Entry> {
                 .and(format!("δᵣ = {}", quantity(memory.residual_indentation, "m"))),
         );
     }
-    if spans(tested).next().is_some() {
+    let bars: Vec<Series> = spans(tested).map(|(ends, force, i)| bar(ends, force, strongest, i)).collect();
+    if !bars.is_empty() {
         entries.push(Entry::text("Bars: uncertain inputs").and("at the ends of steps"));
     }
-    entries
+    let room = if bars.is_empty() { 1.08 } else { 1.16 };
+    series.extend(bars);
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
+    let y = Axis::engineering("Force", "N").between(0.0, room * strongest);
+    Chart::new(title(tested), [x, y], series).with_entries(entries)
+}
+
+/// The loop of the trace of one half-space, against one kind of indentation.
+fn one_loop(name: &str, rows: &[TraceRow], of: Quantity, style: Style) -> Vec<Series> {
+    let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
+        let mut points: Vec<_> = branch.iter().map(|row| (of(row), row.force)).collect();
+        let is_loading = branch.first().is_some_and(is_loading);
+        if !is_loading {
+            // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes
+            // stay open
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        (is_loading, points)
+    });
+    loops::series(Series::line(name, Vec::new()), style, branches)
+}
+
+fn is_loading(row: &TraceRow) -> bool {
+    matches!(row.branch, Branch::Elastic | Branch::Plastic)
+}
+
+/// An error bar with its caps. The bars of several half-spaces stand one above the other, because all loops may end at
+/// the same load.
+fn bar([low, high]: [f64; 2], force: f64, strongest: f64, number: usize) -> Series {
+    #[allow(clippy::cast_precision_loss)] // a handful
+    let y = force + BAR * strongest * (number as f64 + 0.5);
+    let (below, above, gap) = (y - CAP * strongest, y + CAP * strongest, (f64::NAN, f64::NAN));
+    let points = vec![(low, below), (low, above), gap, (low, y), (high, y), gap, (high, below), (high, above)];
+    Series::bare("", points).styled(loops::style(number, 3.0))
+}
+
+/// Ranges of the indentation at the ends of steps in load control, with the load and the index of the half-space.
+fn spans(tested: &[Tested]) -> impl Iterator<Item = ([f64; 2], f64, usize)> {
+    tested.iter().enumerate().flat_map(|(i, one)| {
+        one.indentation.steps.iter().enumerate().filter_map(move |(number, step)| {
+            let [low, high] = one.span(number, |step| step.indentation)?;
+            (high > low).then_some(([low, high], step.force, i))
+        })
+    })
 }
 
 fn title(tested: &[Tested]) -> String {

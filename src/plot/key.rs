@@ -1,8 +1,10 @@
 //! The key of a picture: a column to the right of the axes, so that it never covers data.
 
-use super::canvas::{Anchor, Canvas, text_width, wrapped};
-use super::frame::{Bounds, Frame};
-use super::style::{DASHED, GREY, INK, LABEL_SIZE, Marker, SOLID, Stroke};
+use plotters::prelude::DrawingBackend;
+
+use super::frame::{Frame, TOP};
+use super::pen::{Anchor, Pen, text_width, wrapped};
+use super::style::{DASHED, GREY, INK, LABEL_SIZE, SOLID, Style};
 use super::{PlotError, SIZE};
 
 /// Width of the sample of a line or marker \[px\].
@@ -13,44 +15,31 @@ const LINE_HEIGHT: f64 = 38.0;
 const ENTRY_GAP: f64 = 16.0;
 /// Distance of the key from the axes and from the edge of the picture \[px\].
 const MARGIN: f64 = 28.0;
-/// Margins of the box with axes \[px\], for labels and titles.
-pub(super) const LEFT: f64 = 165.0;
-pub(super) const TOP: f64 = 90.0;
-pub(super) const BOTTOM: f64 = 125.0;
 
 /// One entry: a sample of a line or marker, and texts. The first text is black and the others are grey.
-pub(super) struct Entry {
-    pub line: Option<Stroke>,
-    pub mark: Option<Marker>,
-    pub text: Vec<String>,
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    pub line: Option<Style>,
+    pub mark: Option<Style>,
+    pub texts: Vec<String>,
 }
 
 impl Entry {
-    pub(super) fn line(text: &str, stroke: Stroke) -> Self {
-        Self { line: Some(stroke), ..Self::text(text) }
+    pub fn line(text: &str, style: Style) -> Self {
+        Self { line: Some(style), ..Self::text(text) }
     }
 
-    pub(super) fn mark(text: &str, marker: Marker) -> Self {
-        Self::text(text).marked(marker)
-    }
-
-    pub(super) fn text(text: &str) -> Self {
-        Self { line: None, mark: None, text: vec![text.into()] }
+    pub fn text(text: &str) -> Self {
+        Self { line: None, mark: None, texts: vec![text.into()] }
     }
 
     /// The entries of the branches of a loop.
-    pub(super) fn branches(names: &[&str]) -> impl Iterator<Item = Self> {
-        let strokes = [SOLID, DASHED].map(|dash| Stroke { color: GREY, width: 3.0, dash });
-        names.iter().zip(strokes).map(|(name, stroke)| Self::line(name, stroke))
+    pub fn branches(names: &[&str]) -> impl Iterator<Item = Self> {
+        names.iter().zip([SOLID, DASHED]).map(|(name, dash)| Self::line(name, Style::line(GREY, 3.0).dashed(dash)))
     }
 
-    /// The same entry with a marker on its line.
-    pub(super) fn marked(self, marker: Marker) -> Self {
-        Self { mark: Some(marker), ..self }
-    }
-
-    pub(super) fn and(mut self, text: impl Into<String>) -> Self {
-        self.text.push(text.into());
+    pub fn and(mut self, text: impl Into<String>) -> Self {
+        self.texts.push(text.into());
         self
     }
 
@@ -80,7 +69,7 @@ impl Layout {
             for entry in entries {
                 let room = 0.5 * f64::from(SIZE.0) - 2.0 * MARGIN - entry.indent();
                 let mut lines = Vec::new();
-                for (i, text) in entry.text.iter().enumerate() {
+                for (i, text) in entry.texts.iter().enumerate() {
                     let wrapped = wrapped(text, scale * LABEL_SIZE, room)?;
                     lines.extend(wrapped.into_iter().map(|line| (line, i == 0)));
                 }
@@ -121,8 +110,11 @@ impl Layout {
 /// Largest height of the key \[px\].
 const ROOM: f64 = SIZE.1 as f64 - TOP - MARGIN;
 
-/// The bounds of a box with axes beside the key.
-pub(super) fn bounds(entries: &[Entry]) -> Result<Bounds, PlotError> {
+/// The width that the key takes \[px\].
+pub fn width(entries: &[Entry]) -> Result<f64, PlotError> {
+    if entries.is_empty() {
+        return Ok(MARGIN);
+    }
     let layout = Layout::of(entries)?;
     let mut widest: f64 = 0.0;
     for (entry, lines) in entries.iter().zip(&layout.entries) {
@@ -130,29 +122,27 @@ pub(super) fn bounds(entries: &[Entry]) -> Result<Bounds, PlotError> {
             widest = widest.max(entry.indent() + text_width(line, layout.scale * LABEL_SIZE)?);
         }
     }
-    let room = if entries.is_empty() { MARGIN } else { widest + 2.0 * MARGIN };
-    let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
-    Ok(Bounds { left: LEFT, top: TOP, right: width - room, bottom: height - BOTTOM })
+    Ok(widest + 2.0 * MARGIN)
 }
 
 /// Draws the key beside a box.
-pub(super) fn draw(canvas: &mut Canvas, entries: &[Entry], frame: &Frame) -> Result<(), PlotError> {
+pub fn draw<B: DrawingBackend>(pen: &mut Pen<B>, entries: &[Entry], frame: &Frame) -> Result<(), PlotError> {
     let left = frame.bounds.right + MARGIN;
     let layout = Layout::of(entries)?;
     let mut y = frame.bounds.top + 0.5 * layout.scale * LINE_HEIGHT;
     for (i, lines) in layout.entries.iter().enumerate() {
         // the last line may be the number of the entries that are left out
         let entry = entries.get(i).filter(|_| layout.entries.len() == entries.len() || i + 1 < layout.entries.len());
-        if let Some(stroke) = entry.and_then(|entry| entry.line) {
-            canvas.polyline(&[(left, y), (left + SAMPLE, y)], stroke);
+        if let Some(style) = entry.and_then(|entry| entry.line) {
+            pen.polyline(&[(left, y), (left + SAMPLE, y)], style)?;
         }
-        if let Some(marker) = entry.and_then(|entry| entry.mark) {
-            marker.draw(canvas, (left + 0.5 * SAMPLE, y));
+        if let Some(style) = entry.and_then(|entry| entry.mark) {
+            pen.mark((left + 0.5 * SAMPLE, y), style)?;
         }
         for (line, is_ink) in lines {
             let color = if *is_ink { INK } else { GREY };
             let at = (left + entry.map_or(0.0, Entry::indent), y);
-            canvas.text(line, at, layout.scale * LABEL_SIZE, color, Anchor::Start)?;
+            pen.text(line, at, layout.scale * LABEL_SIZE, color, Anchor::Start)?;
             y += layout.scale * LINE_HEIGHT;
         }
         y += layout.scale * ENTRY_GAP;

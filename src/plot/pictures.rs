@@ -1,6 +1,6 @@
 //! The file format of pictures.
 
-use super::{Canvas, PlotError};
+use super::{Chart, PlotError};
 use crate::output::OutputFile;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,10 +25,10 @@ impl Pictures {
     }
 
     /// The file of a picture; `None` if no pictures are wanted.
-    pub fn file(self, name: &str, canvas: &Canvas) -> Result<Option<OutputFile>, PlotError> {
+    pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, PlotError> {
         let bytes = match self {
-            Self::Png => canvas.to_png()?,
-            Self::Svg => canvas.to_svg()?,
+            Self::Png => chart.to_png()?,
+            Self::Svg => chart.to_svg()?,
             Self::None => return Ok(None),
         };
         Ok(Some(OutputFile { name: format!("{name}.{}", self.name()), bytes }))
@@ -37,11 +37,11 @@ impl Pictures {
     /// The files of pictures. If no pictures are wanted, `drawn` is not called.
     pub fn files<N: AsRef<str>>(
         self,
-        drawn: impl FnOnce() -> Result<Vec<(N, Canvas)>, PlotError>,
+        drawn: impl FnOnce() -> Result<Vec<(N, Chart)>, PlotError>,
     ) -> Result<Vec<OutputFile>, PlotError> {
         if self == Self::None {
             return Ok(Vec::new());
         }
-        drawn()?.iter().filter_map(|(name, canvas)| self.file(name.as_ref(), canvas).transpose()).collect()
+        drawn()?.iter().filter_map(|(name, chart)| self.file(name.as_ref(), chart).transpose()).collect()
     }
 }

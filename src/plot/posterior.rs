@@ -1,31 +1,25 @@
-//! The posterior of two keys: a map with contours, and the posteriors of the single keys above and beside it.
+//! The posterior of two keys: a map with contours.
 
-use super::PlotError;
 use super::axis::{Axis, extremes};
-use super::canvas::Canvas;
-use super::frame::{Bounds, Frame};
-use super::key::{self, Entry};
+use super::chart::{Cell, Chart};
+use super::key::Entry;
 use super::of_key::axis_of;
-use super::style::{DASHED, Mark, Marker, PALETTE, SOLID, Stroke, tinted};
+use super::series::Series;
+use super::style::{DASHED, Mark, PALETTE, SOLID, Style, tinted};
 use crate::calibrate::profile::Sheet;
 use crate::calibrate::statistics::LEVELS;
 use crate::calibrate::{Calibration, Found};
 
-/// Height of the box above the map and width of the box beside it \[px\].
-const MARGIN: f64 = 150.0;
-/// Distance of these boxes from the map \[px\].
-const GAP: f64 = 14.0;
 /// Densities below this share of the highest density are not drawn.
 const VISIBLE: f64 = 2e-3;
-
 /// Number of steps of colour between two places.
 const STEPS: u32 = 5;
 
 /// A line of the map: a value of the first key, and values of the second key with the density there.
 type Line = (f64, Vec<(f64, f64)>);
 
-pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
-    let [first, second] = &of.keys[..] else { return Err(PlotError::Data("a map needs two keys".to_owned())) };
+/// The map of a sheet over both keys.
+pub fn map(of: &Calibration, [first, second]: [&Found; 2], sheet: &Sheet) -> Chart {
     let lines: Vec<Line> = sheet
         .iter()
         .map(|(x, line)| (first.free.at(*x), line.iter().map(|(y, density)| (second.free.at(*y), *density)).collect()))
@@ -33,66 +27,51 @@ pub fn map(of: &Calibration, sheet: &Sheet) -> Result<Canvas, PlotError> {
     let all_places = || lines.iter().flat_map(|(_, line)| line);
     let highest = all_places().map(|(_, density)| *density).fold(0.0, f64::max);
     let is_seen = |(_, density): &&(f64, f64)| *density > VISIBLE * highest;
-    let axis = |found: &Found, (low, high): (f64, f64)| {
+    let axis = |found: &Found, (low, high): (f64, f64)| -> Axis {
         let is_logarithmic = found.free.is_logarithmic && high > 5.0 * low;
-        axis_of(found.free.key, is_logarithmic).between(low, high).fitted([])
+        axis_of(found.free.key, is_logarithmic).between(low, high)
     };
     let seen_lines = lines.iter().filter(|(_, line)| line.iter().any(|place| is_seen(&place)));
     let x = axis(first, extremes(seen_lines.map(|(x, _)| *x)));
     let y = axis(second, extremes(all_places().filter(is_seen).map(|(y, _)| *y)));
-    let contours = [SOLID, DASHED].map(|dash| Stroke { color: PALETTE[1], width: 3.0, dash });
-    let best = Marker { shape: Mark::Cross, radius: 9.0, color: PALETTE[6] };
+    let mut series = Vec::new();
     let names = ["68 % lies inside", "95 % lies inside"];
-    let mut entries: Vec<Entry> = names.iter().zip(contours).map(|(name, stroke)| Entry::line(name, stroke)).collect();
-    entries.push(Entry::mark("best", best));
-    if of.refusal.is_some() {
-        entries.push(Entry::text("no interval: the data do not tell").and("the keys apart"));
-    } else {
-        entries.extend(of.correlation().map(|correlation| Entry::text(&format!("correlation {correlation:.2}"))));
+    for ((level, dash), name) in levels(sheet).into_iter().zip([SOLID, DASHED]).zip(names) {
+        for (i, contour) in contour(&lines, level).into_iter().enumerate() {
+            let name = if i == 0 { name } else { "" };
+            series.push(Series::bare(name, contour).styled(Style::of(1).dashed(dash)));
+        }
     }
-    let all = key::bounds(&entries)?;
-    let density = Axis::linear("", "").between(0.0, 1.05).fitted([]);
-    let bounds = Bounds { top: all.top + MARGIN + GAP, right: all.right - MARGIN - GAP, ..all };
-    let above = Bounds { bottom: all.top + MARGIN, top: all.top, ..bounds };
-    let right = Bounds { left: all.right - MARGIN, right: all.right, ..bounds };
-    let above = Frame { bounds: above, x: x.clone(), y: density.clone() };
-    let right = Frame { bounds: right, x: density, y: y.clone() };
-    let main = Frame { bounds, x, y };
-    let mut canvas = Canvas::default();
-    main.draw_axes(&mut canvas)?;
-    let inside = |(x, y): (f64, f64)| (x.clamp(bounds.left, bounds.right), y.clamp(bounds.top, bounds.bottom));
+    let best = Style::marker(Mark::Cross, PALETTE[6]);
+    series.push(Series::points("best", vec![(first.estimate, second.estimate)]).styled(best));
+    let mut chart = Chart::new("What the measurements say of both keys", [x, y], series);
+    if of.refusal.is_some() {
+        chart = chart.with_entries([Entry::text("no interval: the data do not tell").and("the keys apart")]);
+    } else {
+        chart.notes.extend(of.correlation().map(|correlation| format!("correlation {correlation:.2}")));
+    }
+    chart.panels[0].cells = cells(&lines, highest);
+    chart
+}
+
+/// The cells of the map. Between two places the density is linear, in steps that are too small to see.
+fn cells(lines: &[Line], highest: f64) -> Vec<Cell> {
     let x_edges = edges(lines.iter().map(|(x, _)| *x));
-    for (line, (_, places)) in x_edges.windows(2).zip(&lines) {
+    let mut cells = Vec::new();
+    for (x, (_, places)) in x_edges.windows(2).zip(lines) {
         for pair in places.windows(2) {
-            // linear between two places, in steps that are too small to see
             for step in 0..STEPS {
                 let [below, at, above] = [0.0, 0.5, 1.0].map(|part| (f64::from(step) + part) / f64::from(STEPS));
                 let between = |share: f64| pair[0].0 + share * (pair[1].0 - pair[0].0);
                 let density = pair[0].1 + at * (pair[1].1 - pair[0].1);
                 if density > VISIBLE * highest {
-                    let from = inside(main.place(line[0], between(above)));
-                    let to = inside(main.place(line[1], between(below)));
-                    canvas.rectangle(from, to, tinted(PALETTE[0], density / highest));
+                    let (from, to) = ((x[0], between(above)), (x[1], between(below)));
+                    cells.push(Cell { from, to, color: tinted(PALETTE[0], density / highest) });
                 }
             }
         }
     }
-    for (level, stroke) in levels(sheet).into_iter().zip(contours) {
-        for contour in contour(&lines, level) {
-            main.curve(&mut canvas, contour, stroke);
-        }
-    }
-    main.mark(&mut canvas, (first.estimate, second.estimate), best);
-    main.draw_outline(&mut canvas);
-    for (frame, found, is_turned) in [(&above, first, false), (&right, second, true)] {
-        let points = found.relative_posterior().into_iter();
-        let points = points.map(|(x, y)| if is_turned { (y, x) } else { (x, y) });
-        frame.curve(&mut canvas, points, Stroke::solid(PALETTE[0], 3.0));
-        frame.draw_outline(&mut canvas);
-    }
-    above.draw_title(&mut canvas, "What the measurements say of both keys")?;
-    key::draw(&mut canvas, &entries, &Frame { bounds: all, ..above })?;
-    Ok(canvas)
+    cells
 }
 
 /// Borders between the values: half-way between neighbours. The outer borders are the outer values.

@@ -3,14 +3,12 @@
 
 use super::PlotError;
 use super::axis::Axis;
-use super::canvas::Canvas;
-use super::frame::Frame;
+use super::chart::{Chart, Panel};
 use super::key::Entry;
-use super::lines::{Look, Series};
-use super::sheet::single;
-use super::stack::{Panel, Stack};
-use super::style::{DASHED, GREY, PALETTE, SOLID, Stroke};
-use crate::impact::{Event, Impact};
+use super::loops;
+use super::series::Series;
+use super::style::{GREY, Style};
+use crate::impact::{Event, Impact, TraceRow};
 use crate::math::functions::pow;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Hit, Place, Repeat, Sequence};
@@ -23,7 +21,7 @@ const MOST_POINTS: usize = 200_000;
 
 /// The height of the lowest point of the sphere, and the depth of the dents, against time. `None` for shots, which have
 /// no times.
-pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Canvas, PlotError>> {
+pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let last = sequence.hits.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
     let flights: Vec<&Flight> =
@@ -38,29 +36,19 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Result<Canvas, Plo
         }));
     }
     curve.extend(last.time.map(|time| (time, 0.0)));
-    let mut panels = vec![Panel {
-        y: Axis::engineering("Height", "m"),
-        share: 2.0,
-        series: vec![Series::line("Lowest point of the sphere", curve)],
-    }];
+    let path = Series::bare("Lowest point of the sphere", curve);
+    let mut panels = vec![Panel { share: 2.0, ..Panel::new(Axis::engineering("Height", "m"), vec![path]) }];
     if sequence.deepest_dent() > 0.0 {
-        let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation)));
-        let look = if repeat.place == Place::Same { Look::MarkedLine } else { Look::Points };
-        let name = match repeat.place {
-            Place::Same => "Dent δᵣ of the one spot",
-            Place::Fresh => "Dent δᵣ, each on its spot",
+        let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
+        let dents = match repeat.place {
+            Place::Same => Series::marked_line("Dent δᵣ of the one spot", dents),
+            Place::Fresh => Series::points("Dent δᵣ, each on its spot", dents),
         };
-        let dents = Series { look, style: Some(1), ..Series::line(name, dents.collect()) };
         let y = Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent());
-        panels.push(Panel { y, share: 1.0, series: vec![dents] });
+        panels.push(Panel::new(y, vec![dents.styled(Style::of(1).solid())]));
     }
-    let stack = Stack {
-        title: title(repeat, sequence),
-        x: Axis::engineering("Time", "s").between(0.0, 1.03 * end),
-        panels,
-        notes: Vec::new(),
-    };
-    Some(stack.draw())
+    let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
+    Some(Chart::stacked(title(repeat, sequence), x, panels))
 }
 
 fn title(repeat: &Repeat, sequence: &Sequence) -> String {
@@ -75,12 +63,12 @@ fn title(repeat: &Repeat, sequence: &Sequence) -> String {
 }
 
 /// Impact speed, e, and the depth of the dent against the number of the impact.
-pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
+pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     #[allow(clippy::cast_precision_loss)] // at most a million
     let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
         let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
-        let series = vec![Series::marked_line(name, points.collect()).styled(style)];
-        Panel { y: y.between(0.0, highest), share: 1.0, series }
+        let series = Series::marked_line(name, points.collect()).styled(Style::of(style).solid());
+        Panel::new(y.between(0.0, highest), vec![series])
     };
     #[allow(clippy::cast_precision_loss)]
     let last = sequence.hits.len() as f64;
@@ -101,7 +89,7 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError
     } else {
         Axis::linear("Impact", "").between(0.0, last + 1.0)
     };
-    Stack { title: title(repeat, sequence), x, panels, notes: Vec::new() }.draw()
+    Chart::stacked(title(repeat, sequence), x, panels)
 }
 
 /// Largest number of loops with a colour and an entry in the key. The other loops are grey.
@@ -113,40 +101,35 @@ const DRAWN: usize = 300;
 ///
 /// # Errors
 /// [`PlotError::Data`] for a series without traces; other [`PlotError`]s from drawing.
-pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Canvas, PlotError> {
+pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     let traced = &sequence.traced;
     if traced.is_empty() {
         return Err(PlotError::Data("loops need traces: run the series with samples".into()));
     }
     let groups = groups(traced);
     let named: Vec<(usize, usize)> = spread(groups.len(), NAMED).into_iter().map(|i| groups[i]).collect();
-    let stroke = |i: usize| Stroke::solid(PALETTE[i], width(i, named.len()));
-    let entry = |(i, (first, last)): (usize, &(usize, usize))| {
+    let grey = Style::line(GREY, 1.5);
+    let mut series: Vec<Series> =
+        spread(traced.len(), DRAWN).into_iter().flat_map(|i| one_loop(&traced[i], "", grey)).collect();
+    // loops lie on each other where they follow the same branch, so each is narrower than the one before
+    for (i, (first, last)) in named.iter().enumerate() {
         let impact = &traced[*first];
         let name = if first == last {
             format!("Impact {}", first + 1)
         } else {
             format!("Impacts {} to {}", first + 1, last + 1)
         };
+        let mut drawn = one_loop(impact, &name, loops::style(i, width(i, named.len())));
         let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), number(impact.restitution));
-        Entry::line(&name, stroke(i)).and(about)
-    };
-    let branches = Entry::branches(&["loading", "unloading"]);
-    let entries: Vec<Entry> = named.iter().enumerate().map(entry).chain(branches).collect();
+        drawn[0].texts.push(about);
+        series.extend(drawn);
+    }
     let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest).fitted([]);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest).fitted([]);
-    single(&title(repeat, sequence), [x, y], &entries, |frame, canvas| {
-        frame.draw_outline(canvas);
-        for index in spread(traced.len(), DRAWN) {
-            draw(frame, canvas, &traced[index], Stroke::solid(GREY, 1.5));
-        }
-        // loops lie on each other where they follow the same branch, so each is narrower than the one before
-        for (i, (first, _)) in named.iter().enumerate() {
-            draw(frame, canvas, &traced[*first], stroke(i));
-        }
-    })
+    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
+    let branches = Entry::branches(&["loading", "unloading"]);
+    Ok(Chart::new(title(repeat, sequence), [x, y], series).with_entries(branches))
 }
 
 /// Groups of consecutive impacts that are identical, so that their loops coincide: the first and the last of each
@@ -171,13 +154,11 @@ fn width(index: usize, count: usize) -> f64 {
     if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
 }
 
-fn draw(frame: &Frame, canvas: &mut Canvas, impact: &Impact, stroke: Stroke) {
+fn one_loop(impact: &Impact, name: &str, style: Style) -> Vec<Series> {
     let turn = impact.trace.iter().position(|row| row.event == Some(Event::Peak)).unwrap_or(0);
-    let (loading, unloading) = (&impact.trace[..=turn.min(impact.trace.len() - 1)], &impact.trace[turn..]);
-    for (part, dash) in [(loading, SOLID), (unloading, DASHED)] {
-        let curve = part.iter().map(|row| (row.indentation, row.force));
-        frame.curve(canvas, curve, Stroke { dash, ..stroke });
-    }
+    let parts = [(true, &impact.trace[..=turn]), (false, &impact.trace[turn..])];
+    let points = |rows: &[TraceRow]| rows.iter().map(|row| (row.indentation, row.force)).collect();
+    loops::series(Series::bare(name, Vec::new()), style, parts.map(|(loads, rows)| (loads, points(rows))))
 }
 
 /// At most `wanted` of the indices below `count`: all of them, or from the first to the last with equal ratios.

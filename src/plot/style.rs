@@ -2,13 +2,13 @@
 
 use plotters::style::RGBColor;
 
-pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
-pub(super) const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
-pub(super) const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
-pub(super) const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
+pub const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
+pub const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
+pub const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
 /// Blue, vermillion, bluish green, reddish purple, orange, sky blue, black: Okabe and Ito (2008), without the yellow,
 /// which is too pale for a line on white.
-pub(super) const PALETTE: [RGBColor; 7] = [
+pub const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x72, 0xb2),
     RGBColor(0xd5, 0x5e, 0x00),
     RGBColor(0x00, 0x9e, 0x73),
@@ -18,37 +18,19 @@ pub(super) const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x00, 0x00),
 ];
 
-/// A mixture of this share of a colour with the colour of the paper.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
-pub(super) fn tinted(color: RGBColor, share: f64) -> RGBColor {
-    let mixed = |paper: u8, ink: u8| (f64::from(paper) + share * (f64::from(ink) - f64::from(paper))).round() as u8;
-    RGBColor(mixed(PAPER.0, color.0), mixed(PAPER.1, color.1), mixed(PAPER.2, color.2))
-}
-
 /// Text sizes \[px\].
-pub(super) const TITLE_SIZE: f64 = 38.0;
-pub(super) const AXIS_SIZE: f64 = 32.0;
-pub(super) const LABEL_SIZE: f64 = 28.0;
+pub const TITLE_SIZE: f64 = 38.0;
+pub const AXIS_SIZE: f64 = 32.0;
+pub const LABEL_SIZE: f64 = 28.0;
+/// Radius of markers \[px\].
+pub const MARK: f64 = 9.0;
 
 /// Lengths of dashes and gaps, alternating \[px\]; empty for a solid line.
-pub(super) type Dash = &'static [f64];
-pub(super) const SOLID: Dash = &[];
-pub(super) const DASHED: Dash = &[16.0, 10.0];
-pub(super) const DOTTED: Dash = &[3.0, 8.0];
+pub type Dash = &'static [f64];
+pub const SOLID: Dash = &[];
+pub const DASHED: Dash = &[16.0, 10.0];
+pub const DOTTED: Dash = &[3.0, 8.0];
 const DASHES: [Dash; 5] = [SOLID, DASHED, &[16.0, 8.0, 3.0, 8.0], &[7.0, 6.0], &[16.0, 7.0, 3.0, 7.0, 3.0, 7.0]];
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Stroke {
-    pub color: RGBColor,
-    pub width: f64,
-    pub dash: Dash,
-}
-
-impl Stroke {
-    pub(super) fn solid(color: RGBColor, width: f64) -> Self {
-        Self { color, width, dash: SOLID }
-    }
-}
 
 /// The shape that marks points of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,31 +54,72 @@ pub enum Mark {
 const MARKS: [Mark; 7] =
     [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
 
-/// Index of the style of finite elements and of measurements beside curves of laws: a black circle.
-pub(super) const BLACK: usize = 13;
-/// Index of the style of a fitted law: a solid line in the second colour.
-pub(super) const LAW: usize = 15;
-
-/// How a point is drawn.
+/// How a line and its points are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Marker {
-    pub shape: Mark,
-    /// \[px\].
-    pub radius: f64,
-    pub color: RGBColor,
+pub struct Style {
+    pub(super) color: RGBColor,
+    /// Width of the line \[px\].
+    pub(super) width: f64,
+    pub(super) dash: Dash,
+    pub(super) mark: Mark,
+    /// Radius of the markers \[px\].
+    pub(super) radius: f64,
 }
 
-/// Colour, dash and marker of a series. There are 7 colours and 5 dashes, so their combination repeats only after 35
-/// series. The markers move by one after each round of colours.
-pub(super) fn series(index: usize) -> (Stroke, Mark) {
-    let color = PALETTE[index % PALETTE.len()];
-    let dash = DASHES[index % DASHES.len()];
-    let mark = MARKS[(index + index / PALETTE.len()) % MARKS.len()];
-    (Stroke { color, width: 3.0, dash }, mark)
+impl Style {
+    /// Finite elements and measurements beside curves of laws: black circles.
+    pub const BLACK: Self = Self { color: PALETTE[6], width: 3.0, dash: SOLID, mark: Mark::Circle, radius: MARK };
+    /// A fitted law: a solid line in vermillion.
+    pub const LAW: Self = Self { color: PALETTE[1], ..Self::BLACK };
+
+    /// The style of the series with this number. There are 7 colours and 5 dashes, so their combination repeats only
+    /// after 35 series. The markers move by one after each round of colours.
+    pub fn of(number: usize) -> Self {
+        Self {
+            color: PALETTE[number % PALETTE.len()],
+            dash: DASHES[number % DASHES.len()],
+            mark: MARKS[(number + number / PALETTE.len()) % MARKS.len()],
+            ..Self::BLACK
+        }
+    }
+
+    /// The same colour and marker with a solid line.
+    #[must_use]
+    pub fn solid(self) -> Self {
+        self.dashed(SOLID)
+    }
+
+    pub(super) fn dashed(self, dash: Dash) -> Self {
+        Self { dash, ..self }
+    }
+
+    pub(super) fn line(color: RGBColor, width: f64) -> Self {
+        Self { color, width, ..Self::BLACK }
+    }
+
+    pub(super) fn marker(mark: Mark, color: RGBColor) -> Self {
+        Self { mark, color, ..Self::BLACK }
+    }
+
+    pub(super) fn wide(self, width: f64) -> Self {
+        Self { width, ..self }
+    }
+
+    /// The pale colour of a band.
+    pub(super) fn pale(self) -> RGBColor {
+        tinted(self.color, 0.35)
+    }
 }
 
-/// A series as a solid line of this width \[px\], with markers of this radius \[px\].
-pub(super) fn solid(index: usize, width: f64, radius: f64) -> (Stroke, Marker) {
-    let (Stroke { color, .. }, shape) = series(index);
-    (Stroke::solid(color, width), Marker { shape, radius, color })
+impl From<usize> for Style {
+    fn from(number: usize) -> Self {
+        Self::of(number)
+    }
+}
+
+/// A mixture of this share of a colour with the colour of the paper.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
+pub fn tinted(color: RGBColor, share: f64) -> RGBColor {
+    let mixed = |paper: u8, ink: u8| (f64::from(paper) + share * (f64::from(ink) - f64::from(paper))).round() as u8;
+    RGBColor(mixed(PAPER.0, color.0), mixed(PAPER.1, color.1), mixed(PAPER.2, color.2))
 }

@@ -2,11 +2,11 @@
 
 use super::axis::extremes;
 use super::of_key;
-use super::style::BLACK;
+use super::style::Style;
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
-use crate::plot::{self, Canvas, Guide, Heatmap, Histogram, Lines, Look, PlotError, Series};
+use crate::plot::{self, Chart, Guide, Look, PlotError, Series, heatmap, histogram};
 use crate::reference::quasi_static;
 use crate::scene::quantity::Notation;
 use crate::strength::hardness::vickers;
@@ -34,14 +34,14 @@ const BARS: usize = 60;
 pub const PICTURES: [&str; 3] = ["restitution", "restitution_map", "restitution_histogram"];
 
 /// The pictures of a plan with their names.
-pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Canvas)>, PlotError> {
+pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Chart)>, PlotError> {
     let Cases::Grid(axes) = &plan.cases else {
-        return Ok(histogram(tally)?.map(|drawn| (PICTURES[2], drawn)).into_iter().collect());
+        return Ok(bars(tally)?.map(|drawn| (PICTURES[2], drawn)).into_iter().collect());
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
     if is_drawable(&axes[0]) {
-        pictures.push((PICTURES[0], curves(plan, axes)?));
+        pictures.push((PICTURES[0], curves(plan, axes)));
     }
     if axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG) {
         pictures.push((PICTURES[1], map(plan, axes)?));
@@ -93,7 +93,7 @@ fn shown(axis: &Axis, place: u64) -> f64 {
     }
 }
 
-fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
+fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let first = &axes[0];
     let at = some_places(first, MOST_POINTS);
@@ -128,7 +128,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
         Some(second) => format!("Restitution, curves by {}", words(second)),
         None => "Restitution".to_owned(),
     };
-    Lines::new(title, [plot_axis(first), e], series).with_guides(guides).with_notes(notes(axes)).draw()
+    Chart::new(title, [plot_axis(first), e], series).with_guides(guides).with_notes(notes(axes))
 }
 
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
@@ -144,7 +144,7 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
         .map(|row| ((2.0 * row.spent * energy / contact.mass()).sqrt(), row.restitution))
         .filter(|(speed, _)| (low..=high).contains(speed))
         .collect();
-    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(BLACK))
+    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(Style::BLACK))
 }
 
 /// The axis with the range of the data, so that guides do not extend it.
@@ -169,40 +169,30 @@ fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
     scene.contact().ok()?.yield_speed()
 }
 
-fn map(plan: &Plan, axes: &[Axis]) -> Result<Canvas, PlotError> {
+fn map(plan: &Plan, axes: &[Axis]) -> Result<Chart, PlotError> {
     let evaluator = Evaluator::new(plan);
     let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
-    let values = rows
+    let values: Vec<f64> = rows
         .iter()
         .flat_map(|row| columns.iter().map(|column| restitution(&evaluator, axes, &[*column, *row])))
         .collect();
-    Heatmap {
-        title: std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", "),
-        x: plot_axis(&axes[0]),
-        y: plot_axis(&axes[1]),
-        x_values: columns.iter().map(|place| shown(&axes[0], *place)).collect(),
-        y_values: rows.iter().map(|place| shown(&axes[1], *place)).collect(),
-        values,
-        color: plot::Axis::linear("e", "").between(0.0, 1.0),
-    }
-    .draw()
+    let title = std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", ");
+    let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
+    let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
+    let color = plot::Axis::linear("e", "").between(0.0, 1.0);
+    heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], &values, color)
 }
 
-fn histogram(tally: &Tally) -> Result<Option<Canvas>, PlotError> {
+fn bars(tally: &Tally) -> Result<Option<Chart>, PlotError> {
     let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution())
     else {
         return Ok(None);
     };
     #[allow(clippy::cast_precision_loss)] // few bars
-    let edges = (0..=BARS).map(|i| low + (high - low) * i as f64 / BARS as f64).collect();
+    let edges: Vec<f64> = (0..=BARS).map(|i| low + (high - low) * i as f64 / BARS as f64).collect();
     let lines = [("mean", e.mean), ("5 %", e.quantile_05), ("50 %", e.quantile_50), ("95 %", e.quantile_95)];
-    let picture = Histogram {
-        title: "Restitution of random cases".to_owned(),
-        x: plot::Axis::linear("Restitution e", ""),
-        edges,
-        counts,
-        lines: lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}"))).collect(),
-        notes: vec![format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)],
-    };
-    picture.draw().map(Some)
+    let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}")));
+    let x = plot::Axis::linear("Restitution e", "");
+    let notes = [format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)];
+    Ok(Some(histogram("Restitution of random cases", x, (&edges, &counts), lines)?.with_notes(notes)))
 }

@@ -33,7 +33,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         file("residuals.csv", report::residuals(&found)?),
     ];
     files.extend(report::posterior(&found)?.map(|csv| file("posterior.csv", csv)));
-    files.extend(order.pictures.files(|| pictures(&found))?);
+    files.extend(order.pictures.files(|| Ok(pictures(&found)))?);
     Ok(Outcome {
         warnings: warnings(&measured, &found),
         text: report::table(&found),

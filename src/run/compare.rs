@@ -27,6 +27,6 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         file(SUMMARY, report::summary(&comparison, &rows, &warnings, &inputs, &provenance)?),
         file("comparison.csv", report::csv(&rows)?),
     ];
-    files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison)?)]))?);
+    files.extend(order.pictures.files(|| Ok(vec![("unloading", plot::compare::picture(&comparison))]))?);
     Ok(Outcome::done(warnings, report::table(&comparison, &rows), files))
 }

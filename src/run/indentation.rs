@@ -77,7 +77,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         file(SUMMARY, report::summary(&tested, &warnings, &inputs, &provenance)?),
         file("trace.csv", report::trace(&tested)?),
     ];
-    files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested)?)]))?);
+    files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested))]))?);
     Ok(Outcome::done(warnings, report::table(&tested), files))
 }
 

@@ -65,8 +65,8 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     ];
     files.extend(order.pictures.files(|| {
         let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
-        let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence)?)];
-        drawn.extend(plot::repeat::height(&repeat, &sequence).transpose()?.map(|height| ("height", height)));
+        let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
+        drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
         Ok(drawn)
     })?);
     let text = report::table(&series);

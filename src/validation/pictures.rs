@@ -18,11 +18,11 @@ use super::experiments::Experiment;
 use crate::law::{Peak, PlmCoefficients};
 use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
-use crate::plot::{Axis, Lines, Pictures, PlotError};
+use crate::plot::{Axis, Chart, Pictures, PlotError};
 use crate::progress::Counter;
 
 /// A picture before it is drawn, with the name of its file without the ending.
-type Picture = (String, Lines);
+type Picture = (String, Chart);
 
 /// Add this to the index of a style to get a style of the same colour with other dashes and another marker.
 const SISTER: usize = 7;
@@ -74,7 +74,7 @@ pub fn pictures(
     pictures.push(measured::picture(coefficients)?);
     pictures.extend(measured.iter().map(experiments::picture));
     progress.expect(pictures.len() as u64);
-    let file = |(name, lines): &Picture| format.file(name, &lines.draw()?).inspect(|_| progress.step());
+    let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
     let drawn: Result<Vec<Option<OutputFile>>, PlotError> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
 }

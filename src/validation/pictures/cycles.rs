@@ -6,7 +6,7 @@ use super::super::cases::{Case, Cycle};
 use super::shares::thinned;
 use super::{Picture, SISTER, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, Unloading, UnloadingExponent};
-use crate::plot::{Lines, Series};
+use crate::plot::{Chart, Series};
 use crate::units::capital;
 
 /// Number of unloadings in the picture of loading and unloading by the law alone.
@@ -59,7 +59,7 @@ fn from_their_peaks(case: &Case, name: &str, cycles: &[&Cycle], coefficients: &P
         series.push(Series::bare(format!("{share}, unloading law"), joined(curves)).styled(i));
     }
     let title = format!("{}: {name} indentations, exponent 3/2", capital(case.name));
-    let lines = Lines::new(title, axes, series).with_notes(["Law: from the peaks", "of the finite elements"]);
+    let lines = Chart::new(title, axes, series).with_notes(["Law: from the peaks", "of the finite elements"]);
     Some((format!("cycles-{}-{name}", slug(case.name)), lines))
 }
 
@@ -88,5 +88,5 @@ fn combined(case: &Case, cycles: &[&Cycle], coefficients: &PlmCoefficients) -> O
         }
     }
     let title = format!("{}: loading and unloading by the law alone", capital(case.name));
-    Some((format!("combined-{}", slug(case.name)), Lines::new(title, axes, series)))
+    Some((format!("combined-{}", slug(case.name)), Chart::new(title, axes, series)))
 }

@@ -4,7 +4,7 @@ use super::super::cases::Case;
 use super::super::dents::residual_radius;
 use super::{Picture, sampled, slug};
 use crate::math::functions::powi;
-use crate::plot::{Axis, Guide, Lines, Series};
+use crate::plot::{Axis, Chart, Guide, Series};
 use crate::units::capital;
 use crate::units::rounded::number;
 
@@ -22,7 +22,7 @@ pub(super) fn picture(case: &Case) -> Option<Picture> {
         Series::points("finite elements", points),
         Series::bare(format!("circle of Eqs. 23-25, Rᵣₑₛ = {} R", number(radius)), circle).styled(1),
     ];
-    let lines = Lines::new(title, axes, series)
+    let lines = Chart::new(title, axes, series)
         .with_guides(vec![
             Guide::vertical(contact_radius, "contact radius at the peak"),
             Guide::horizontal(0.0, "undeformed"),

@@ -9,14 +9,14 @@ use super::super::restitution::restitution;
 use super::super::unloading::{branch, farthest};
 use super::{Picture, log_sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
-use crate::plot::{Axis, Guide, Lines, Series};
+use crate::plot::{Axis, Chart, Guide, Series};
 use crate::units::capital;
 
 /// A picture over depth, with a line at zero.
 fn picture(name: &str, title: impl Into<String>, y: Axis, series: Vec<Series>) -> Picture {
     let x = Axis::log("Peak indentation over that at yield", "");
     let zero = Guide::horizontal(0.0, "");
-    (name.to_owned(), Lines::new(title, [x, y], series).with_guides(vec![zero]))
+    (name.to_owned(), Chart::new(title, [x, y], series).with_guides(vec![zero]))
 }
 
 /// A series of points for every case.
@@ -46,8 +46,9 @@ fn loading(cases: &[Case], coefficients: &PlmCoefficients, quantity: &Quantity) 
     let y = Axis::linear(&format!("{}: law over finite elements − 1", capital(quantity.name)), "%");
     let name = format!("error-{}", quantity.name.replace(' ', "-"));
     let title = format!("Loading: deviation of the {}", quantity.name);
-    let (name, lines) = picture(&name, title, y, series.collect());
-    (name, Lines { x: Axis::log("Indentation over that at yield", ""), ..lines })
+    let (name, mut chart) = picture(&name, title, y, series.collect());
+    chart.x = Axis::log("Indentation over that at yield", "");
+    (name, chart)
 }
 
 /// The deviation of the residual indentation, as in Fig. 6.
@@ -59,7 +60,7 @@ fn residual(cases: &[Case]) -> Picture {
     let y = Axis::linear("Deviation of δᵣ", "%").between(-3.6, 3.6);
     let (name, mut lines) = picture("error-residual-indentation", title, y, series);
     let limits = of_paper.into_iter().flat_map(|(limit, label)| [limit, -limit].map(|at| Guide::horizontal(at, label)));
-    lines.guides.splice(..0, limits);
+    lines.panels[0].guides.splice(..0, limits);
     (name, lines)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Picture, log_sampled};
 use crate::plot::axis::extremes;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Chart, Series};
 use crate::validation::experiments::Experiment;
 
 pub(super) fn picture(experiment: &Experiment) -> Picture {
@@ -20,5 +20,5 @@ pub(super) fn picture(experiment: &Experiment) -> Picture {
     series.push(Series::bare("law", law).styled(1));
     let axes = [Axis::log("Impact speed", "m/s"), Axis::linear("Restitution e", "").between(0.0, 1.05)];
     let notes = (!experiment.source.is_empty()).then(|| experiment.source.clone());
-    (format!("experiment-{}", experiment.name), Lines::new(&experiment.name, axes, series).with_notes(notes))
+    (format!("experiment-{}", experiment.name), Chart::new(&experiment.name, axes, series).with_notes(notes))
 }

@@ -5,7 +5,7 @@ use super::super::ValidationError;
 use super::super::hardening::{at_energy, law};
 use super::{Picture, SISTER, log_sampled};
 use crate::law::PlmCoefficients;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Chart, Series};
 use crate::reference::hardening::unloadings;
 
 /// The materials that are drawn, and their names in the picture.
@@ -36,5 +36,5 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
         Axis::log("Peak indentation over that at first yield", ""),
         Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
     ];
-    Ok(("hardening-restitution".to_owned(), Lines::new("Restitution on metals that harden", axes, series)))
+    Ok(("hardening-restitution".to_owned(), Chart::new("Restitution on metals that harden", axes, series)))
 }

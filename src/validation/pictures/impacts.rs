@@ -4,7 +4,7 @@ use super::super::EXPONENTS;
 use super::super::dynamic::Case;
 use super::{Picture, SISTER, slug};
 use crate::impact::TraceRow;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Chart, Series};
 use crate::reference::impacts::Sample;
 
 /// An indentation: its name, its value in the reference, and its value in the law.
@@ -23,7 +23,7 @@ pub(super) fn pictures(cases: &[Case]) -> Vec<Picture> {
 fn picture(kind: &str, case: &Case, axes: [Axis; 2], series: Vec<Series>) -> Picture {
     let slug = slug(case.name);
     let title = format!("Impact {} (scenarios/dynamic-fe-{slug}.toml)", case.name);
-    (format!("impact-{slug}-{kind}"), Lines::new(title, axes, series).with_notes(notes(case)))
+    (format!("impact-{slug}-{kind}"), Chart::new(title, axes, series).with_notes(notes(case)))
 }
 
 /// Restitution by the finite elements and by the law with each exponent.

@@ -8,7 +8,7 @@ use super::super::measured::restitution;
 use super::{Picture, sampled};
 use crate::law::PlmCoefficients;
 use crate::plot::axis::extremes;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Chart, Series};
 use crate::reference::measured::{Steel, devices, steels};
 
 /// 0.2 % yield strength of a structural steel over its tensile strength.
@@ -55,6 +55,6 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
     }
     let axes =
         [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
-    let lines = Lines::new("Rebound hardness of steels (Leeb, device D)", axes, series);
+    let lines = Chart::new("Rebound hardness of steels (Leeb, device D)", axes, series);
     Ok(("measured-leeb-tensile-strength".to_owned(), lines))
 }

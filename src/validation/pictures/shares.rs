@@ -7,7 +7,7 @@ use super::super::unloading::branch;
 use super::{Picture, loop_axes, sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::functions::pow;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{Axis, Chart, Series};
 use crate::units::capital;
 use crate::units::rounded::number;
 
@@ -44,7 +44,7 @@ pub(super) fn shape(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     }
     let title = format!("Shape of the unloading curve: {}", case.name);
     let axes = ["(δ − δᵣ)/(δₘ − δᵣ)", "F/Fₘ"].map(|title| Axis::linear(title, "").between(0.0, 1.04));
-    (format!("unloading-shape-{}", slug(case.name)), Lines::new(title, axes, series))
+    (format!("unloading-shape-{}", slug(case.name)), Chart::new(title, axes, series))
 }
 
 pub(super) fn pictures(case: &Case, coefficients: &PlmCoefficients) -> Vec<Picture> {
@@ -84,7 +84,7 @@ fn picture(case: &Case, cycle: &Cycle, coefficients: &PlmCoefficients) -> Pictur
     }
     let depth = number(peak.indentation);
     let title = format!("{}: unloading from {depth} × the yield indentation, exponent 3/2", capital(case.name));
-    let lines = Lines::new(title, axes, series).with_notes(["Law: from the peak", "of the finite elements"]);
+    let lines = Chart::new(title, axes, series).with_notes(["Law: from the peak", "of the finite elements"]);
     (format!("unloading-{}-from-{:.0}", slug(case.name), peak.indentation), lines)
 }
 

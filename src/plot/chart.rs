@@ -1,0 +1,218 @@
+//! The one form of every picture: boxes one above the other with a common horizontal axis, series and guides in them, a
+//! title, and a key or a colour bar beside them.
+
+use plotters::prelude::DrawingBackend;
+use plotters::style::RGBColor;
+
+use super::axis::{Axis, FittedAxis};
+use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP};
+use super::key::{self, Entry};
+use super::pen::{self, Pen};
+use super::series::{Guide, Look, Series};
+use super::style::{GREY, Style};
+use super::{PlotError, SIZE};
+
+/// Distance between the boxes \[px\].
+const GAP: f64 = 28.0;
+/// Width of the colour bar, its distance from the edge, and the width kept free for it and its labels \[px\].
+const BAR: f64 = 44.0;
+const BAR_MARGIN: f64 = 30.0;
+const BAR_ROOM: f64 = 250.0;
+/// Number of steps of the colour bar.
+const STEPS: u32 = 256;
+
+/// A picture as data. [`Self::to_png`] and [`Self::to_svg`] draw it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    pub title: String,
+    /// Common horizontal axis.
+    pub x: Axis,
+    /// The boxes, from the top down.
+    pub panels: Vec<Panel>,
+    /// Entries of the key after those of the series, before those of the guides.
+    pub(super) entries: Vec<Entry>,
+    /// Texts at the end of the key.
+    pub notes: Vec<String>,
+    /// The axis of the colours of a map, with their scale.
+    pub(super) colors: Option<(Axis, Shade)>,
+}
+
+/// The colour at a share of the axis of colours.
+pub type Shade = fn(f64) -> RGBColor;
+
+/// One box.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    pub y: Axis,
+    /// Share of the height, relative to the other boxes.
+    pub share: f64,
+    /// If a series has no style, its style is that of its place among all series of the picture.
+    pub series: Vec<Series>,
+    pub guides: Vec<Guide>,
+    /// Coloured rectangles below all else.
+    pub(super) cells: Vec<Cell>,
+}
+
+/// A coloured rectangle between two corners.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    pub from: (f64, f64),
+    pub to: (f64, f64),
+    pub color: RGBColor,
+}
+
+impl Panel {
+    pub fn new(y: Axis, series: Vec<Series>) -> Self {
+        Self { y, share: 1.0, series, guides: Vec::new(), cells: Vec::new() }
+    }
+
+    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.series.iter().flat_map(|one| one.points.iter().copied())
+    }
+}
+
+impl Chart {
+    /// A picture of one box.
+    pub fn new(title: impl Into<String>, [x, y]: [Axis; 2], series: Vec<Series>) -> Self {
+        Self::stacked(title, x, vec![Panel::new(y, series)])
+    }
+
+    /// A picture of several boxes one above the other.
+    pub fn stacked(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
+        Self { title: title.into(), x, panels, entries: Vec::new(), notes: Vec::new(), colors: None }
+    }
+
+    /// The same picture with these guides in every box.
+    #[must_use]
+    pub fn with_guides(mut self, guides: Vec<Guide>) -> Self {
+        for panel in &mut self.panels {
+            panel.guides.extend(guides.iter().cloned());
+        }
+        self
+    }
+
+    #[must_use]
+    pub fn with_notes<T: Into<String>>(mut self, notes: impl IntoIterator<Item = T>) -> Self {
+        self.notes.extend(notes.into_iter().map(Into::into));
+        self
+    }
+
+    pub(super) fn with_entries(mut self, entries: impl IntoIterator<Item = Entry>) -> Self {
+        self.entries.extend(entries);
+        self
+    }
+
+    /// The picture as PNG: pixels, with the same bytes on every machine.
+    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+        pen::png(|pen| self.paint(pen))
+    }
+
+    /// The picture as SVG: shapes and text, which stay sharp at any size.
+    pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
+        pen::svg(|pen| self.paint(pen))
+    }
+
+    fn paint<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), PlotError> {
+        let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
+        let fitted = |panel: &Panel| panel.y.fitted(panel.points().map(|(_, y)| y));
+        let ys: Vec<FittedAxis> = self.panels.iter().map(fitted).collect();
+        let entries = self.key(&x, &ys);
+        let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
+        let room = if self.colors.is_some() { BAR_ROOM } else { key::width(&entries)? };
+        let all = Bounds { left: LEFT, top: TOP, right: width - room, bottom: height - BOTTOM };
+        #[allow(clippy::cast_precision_loss)] // a handful
+        let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
+        let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
+        let (mut top, mut number) = (all.top, 0);
+        for (i, (panel, y)) in self.panels.iter().zip(ys).enumerate() {
+            let bottom = top + room * panel.share / shares;
+            let frame = Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y };
+            frame.draw_x(pen, i + 1 == self.panels.len())?;
+            frame.draw_y(pen)?;
+            self.fill(panel, &frame, number, pen)?;
+            number += panel.series.len();
+            if i == 0 {
+                frame.draw_title(pen, &self.title)?;
+                key::draw(pen, &entries, &frame)?;
+            }
+            top = bottom + GAP;
+        }
+        self.draw_colors(pen, all)
+    }
+
+    /// Draws the content of a box, and its outline. `first` is the number of its first series.
+    fn fill<B: DrawingBackend>(
+        &self,
+        panel: &Panel,
+        frame: &Frame,
+        first: usize,
+        pen: &mut Pen<B>,
+    ) -> Result<(), PlotError> {
+        let Bounds { left, top, right, bottom } = frame.bounds;
+        let inside = |value| {
+            let (x, y) = frame.place(value);
+            (x.clamp(left, right), y.clamp(top, bottom))
+        };
+        for cell in &panel.cells {
+            pen.rectangle(inside(cell.from), inside(cell.to), cell.color)?;
+        }
+        let series = || panel.series.iter().enumerate().map(|(i, one)| (one, one.style(first + i), first + i));
+        for (band, style, _) in series().filter(|(one, ..)| one.look == Look::Band) {
+            let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();
+            pen.polygon(&corners, style.pale())?;
+        }
+        for guide in &panel.guides {
+            frame.curve(pen, &guide.points(&frame.x, &frame.y), guide.style)?;
+        }
+        frame.draw_outline(pen)?;
+        let count: usize = self.panels.iter().map(|panel| panel.series.len()).sum();
+        for (one, style, number) in series().filter(|(one, ..)| one.look != Look::Band) {
+            if one.look != Look::Points {
+                frame.curve(pen, &one.points, style)?;
+            }
+            #[allow(clippy::cast_precision_loss)] // a handful of series
+            let (marked, radius) = one.marks(frame, style, (number + 1) as f64 / (count + 1) as f64);
+            for point in marked {
+                frame.mark(pen, point, Style { radius, ..style })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// All entries of the key. Guides with the same texts have one entry, in grey if their colours differ.
+    fn key(&self, x: &FittedAxis, ys: &[FittedAxis]) -> Vec<Entry> {
+        let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
+        let mut entries: Vec<Entry> = series.filter_map(|(i, one)| one.entry(one.style(i))).collect();
+        entries.extend(self.entries.iter().cloned());
+        let panels = self.panels.iter().zip(ys);
+        let seen: Vec<&Guide> =
+            panels.flat_map(|(panel, y)| panel.guides.iter().filter(|guide| guide.is_visible(x, y))).collect();
+        for (i, guide) in seen.iter().enumerate() {
+            let same = |other: &&Guide| other.texts == guide.texts;
+            if guide.texts[0].is_empty() || seen[..i].iter().any(same) {
+                continue;
+            }
+            let is_shared = seen.iter().any(|other| same(other) && other.style.color != guide.style.color);
+            let color = if is_shared { GREY } else { guide.style.color };
+            entries.push(Entry { line: Some(Style { color, ..guide.style }), mark: None, texts: guide.texts.clone() });
+        }
+        entries.extend(self.notes.iter().map(|note| Entry::text(note)));
+        entries
+    }
+
+    /// The colour bar of a map.
+    fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), PlotError> {
+        let Some((axis, shade)) = &self.colors else { return Ok(()) };
+        let right = f64::from(SIZE.0) - BAR_MARGIN;
+        let bounds = Bounds { left: right - BAR, right, ..all };
+        let bar = Frame { bounds, x: Axis::linear("", "").fitted([]), y: axis.fitted([]) };
+        bar.draw_y(pen)?;
+        let height = (bounds.bottom - bounds.top) / f64::from(STEPS);
+        for step in 0..STEPS {
+            let below = bounds.bottom - f64::from(step) * height;
+            let color = shade((f64::from(step) + 0.5) / f64::from(STEPS));
+            pen.rectangle((bounds.left, below - height), (bounds.right, below), color)?;
+        }
+        bar.draw_outline(pen)
+    }
+}

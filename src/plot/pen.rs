@@ -1,0 +1,357 @@
+//! The pen: lines, areas and texts on a back end of plotters. The back end for PNG is a picture of twice the size, which
+//! is reduced at the end for smooth edges. The back end for SVG keeps lines and texts as such.
+
+use std::fmt::Display;
+use std::sync::LazyLock;
+
+use plotters::prelude::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{
+    Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle, register_font,
+};
+
+use super::style::{Mark, PAPER, Style};
+use super::{PlotError, SIZE};
+use crate::math::functions::hypot;
+
+/// A place on the picture \[px\], measured from its upper left corner.
+pub type Point = (f64, f64);
+
+/// Smallest distance of text from the edge of the picture \[px\].
+const EDGE: f64 = 6.0;
+/// Points of a curve that are closer than this \[px\] are drawn as one.
+const RESOLUTION: f64 = 2.0;
+
+/// What differs between the two file formats.
+#[derive(Clone, Copy)]
+struct Format {
+    /// Units of the back end per pixel of the picture: plotters takes whole numbers.
+    units: f64,
+    /// Size of the letters over the size of the letters in the PNG.
+    letters: f64,
+    /// How far plotters puts the middle of the capital letters above the place of a text, over the size of the text.
+    rise: f64,
+    fonts: &'static str,
+    /// Rectangles are larger by this on every side, so that a viewer shows no gap between neighbours \[px\].
+    overlap: f64,
+    /// Whether lines are drawn piece by piece. The pixels of plotters have gaps where a wide line crosses itself.
+    is_raster: bool,
+}
+
+/// The pixels of a PNG are means of 2 × 2 drawn pixels.
+const OVERSAMPLING: u32 = 2;
+const PNG: Format = Format {
+    units: OVERSAMPLING as f64,
+    letters: 1.0,
+    rise: 0.216,
+    fonts: "sans-serif",
+    overlap: 0.0,
+    is_raster: true,
+};
+/// The font of the PNG, a font of similar width, or any font of the viewer. plotters writes the letters smaller.
+const SVG: Format = Format {
+    units: 10.0,
+    letters: 1.24 / 1.164,
+    rise: 0.073,
+    fonts: "DejaVu Sans, Verdana, sans-serif",
+    overlap: 0.5,
+    is_raster: false,
+};
+
+/// The picture as PNG: pixels, in the built-in font, with the same bytes on every machine.
+pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
+    let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
+    let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
+    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG })?;
+    encoded(&buffer)
+}
+
+/// The picture as SVG: shapes and text, which stay sharp at any size.
+pub fn svg(paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
+    let [width, height] = [SIZE.0, SIZE.1].map(|side| side * whole_length(1.0, SVG.units));
+    let mut svg = String::new();
+    let mut backend = SVGBackend::with_string(&mut svg, (width, height));
+    let mut pen = Pen { backend: &mut backend, format: SVG };
+    pen.rectangle((0.0, 0.0), (f64::from(SIZE.0), f64::from(SIZE.1)), PAPER)?;
+    paint(&mut pen)?;
+    backend.present().map_err(failed)?;
+    drop(backend);
+    let of_drawing = format!("width=\"{width}\" height=\"{height}\"");
+    let of_picture = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", SIZE.0, SIZE.1);
+    // all shapes are opaque, so the attribute is not needed
+    Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
+}
+
+/// The PNG of a buffer that has [`OVERSAMPLING`] times as many pixels in each direction.
+fn encoded(buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
+    let n = OVERSAMPLING as usize;
+    let width = SIZE.0 as usize;
+    let mut pixels = Vec::with_capacity(3 * width * SIZE.1 as usize);
+    for rows in buffer.chunks_exact(3 * n * width * n) {
+        let mut sums = vec![0_u16; 3 * width];
+        for row in rows.chunks_exact(3 * n * width) {
+            for (at, byte) in row.iter().enumerate() {
+                sums[at / (3 * n) * 3 + at % 3] += u16::from(*byte);
+            }
+        }
+        let count = OVERSAMPLING * OVERSAMPLING;
+        pixels
+            .extend(sums.into_iter().map(|sum| u8::try_from((u32::from(sum) + count / 2) / count).unwrap_or(u8::MAX)));
+    }
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, SIZE.0, SIZE.1);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&pixels)?;
+    writer.finish()?;
+    Ok(file)
+}
+
+/// Whether a text starts at its place, is centred on it, or ends at it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// Draws on a back end of plotters, in pixels of the picture.
+pub struct Pen<'a, B: DrawingBackend> {
+    backend: &'a mut B,
+    format: Format,
+}
+
+impl<B: DrawingBackend> Pen<'_, B> {
+    /// A line through points with the dashes of its style and with round joints.
+    pub fn polyline(&mut self, points: &[Point], style: Style) -> Result<(), PlotError> {
+        for piece in dashes(&thinned(points), style.dash).into_iter().filter(|piece| piece.len() > 1) {
+            if self.format.is_raster {
+                self.pieces(&piece, style)?;
+            } else {
+                let width = whole_length(style.width, self.format.units);
+                let stroke = ShapeStyle { stroke_width: width, ..style.color.into() };
+                let points: Vec<_> = piece.into_iter().map(|point| self.device(point)).collect();
+                self.backend.draw_path(points, &stroke).map_err(failed)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn pieces(&mut self, points: &[Point], style: Style) -> Result<(), PlotError> {
+        for pair in points.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+            let half = 0.5 * style.width / hypot(dx, dy);
+            if half.is_finite() {
+                let (nx, ny) = (-dy * half, dx * half);
+                let [left, right] =
+                    [1.0, -1.0].map(|side| [from, to].map(|end: Point| (end.0 + side * nx, end.1 + side * ny)));
+                self.polygon(&[left[0], left[1], right[1], right[0]], style.color)?;
+            }
+        }
+        // a disc at each joint fills the notch between two pieces of the line
+        for joint in points.get(1..points.len().saturating_sub(1)).unwrap_or_default() {
+            self.disc(*joint, 0.5 * style.width - 0.25, style.color)?;
+        }
+        Ok(())
+    }
+
+    pub fn polygon(&mut self, corners: &[Point], color: RGBColor) -> Result<(), PlotError> {
+        let corners: Vec<_> = corners.iter().map(|corner| self.device(*corner)).collect();
+        self.backend.fill_polygon(corners, &color.filled()).map_err(failed)
+    }
+
+    /// A filled rectangle between two corners. Rectangles that share an edge have no gap between them.
+    pub fn rectangle(&mut self, from: Point, to: Point, color: RGBColor) -> Result<(), PlotError> {
+        let more = self.format.overlap;
+        let low = self.device((from.0.min(to.0) - more, from.1.min(to.1) - more));
+        let high = self.device((from.0.max(to.0) + more, from.1.max(to.1) + more));
+        self.backend.draw_rect(low, high, &color.filled(), true).map_err(failed)
+    }
+
+    fn disc(&mut self, centre: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
+        let (centre, radius) = (self.device(centre), whole_length(radius, self.format.units));
+        self.backend.draw_circle(centre, radius, &color.filled(), true).map_err(failed)
+    }
+
+    /// The marker of a style.
+    pub fn mark(&mut self, (x, y): Point, style: Style) -> Result<(), PlotError> {
+        let Style { mark, radius: r, color, .. } = style;
+        let stroke = Style::line(color, 4.0);
+        match mark {
+            Mark::Circle => self.disc((x, y), r, color),
+            Mark::Square => self.rectangle((x - 0.9 * r, y - 0.9 * r), (x + 0.9 * r, y + 0.9 * r), color),
+            Mark::Triangle | Mark::Inverted => {
+                let up = if mark == Mark::Triangle { r } else { -r };
+                self.polygon(&[(x, y - 1.2 * up), (x + 1.1 * r, y + 0.8 * up), (x - 1.1 * r, y + 0.8 * up)], color)
+            }
+            Mark::Diamond => {
+                let r = 1.25 * r;
+                self.polygon(&[(x, y - r), (x + r, y), (x, y + r), (x - r, y)], color)
+            }
+            Mark::Cross => {
+                self.polyline(&[(x - r, y - r), (x + r, y + r)], stroke)?;
+                self.polyline(&[(x - r, y + r), (x + r, y - r)], stroke)
+            }
+            Mark::Plus => {
+                let r = 1.2 * r;
+                self.polyline(&[(x - r, y), (x + r, y)], stroke)?;
+                self.polyline(&[(x, y - r), (x, y + r)], stroke)
+            }
+        }
+    }
+
+    /// Text whose capital letters are centred on the height of `at`. A text that would go beyond the picture is moved
+    /// inward, and a text that is longer than the picture is made smaller.
+    pub fn text(&mut self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) -> Result<(), PlotError> {
+        let size = fitting(text, size, f64::from(SIZE.0) - 2.0 * EDGE)?;
+        let (before, horizontal) = match anchor {
+            Anchor::Start => (0.0, HPos::Left),
+            Anchor::Middle => (0.5, HPos::Center),
+            Anchor::End => (1.0, HPos::Right),
+        };
+        let length = text_width(text, size)?;
+        let at = (within(at.0, before * length, length, SIZE.0), within(at.1, 0.5 * size, size, SIZE.1));
+        let at = (at.0, at.1 + self.format.rise * size);
+        self.letters(text, at, size, color, (horizontal, FontTransform::None))
+    }
+
+    /// Text that reads upwards and is centred on `at`.
+    pub fn text_upward(&mut self, text: &str, at: Point, size: f64, color: RGBColor) -> Result<(), PlotError> {
+        let size = fitting(text, size, f64::from(SIZE.1) - 2.0 * EDGE)?;
+        let length = text_width(text, size)?;
+        let at = (within(at.0, 0.5 * size, size, SIZE.0), within(at.1, 0.5 * length, length, SIZE.1));
+        let at = (at.0 + self.format.rise * size, at.1);
+        self.letters(text, at, size, color, (HPos::Center, FontTransform::Rotate270))
+    }
+
+    fn letters(
+        &mut self,
+        text: &str,
+        at: Point,
+        size: f64,
+        color: RGBColor,
+        (horizontal, transform): (HPos, FontTransform),
+    ) -> Result<(), PlotError> {
+        let Format { units, letters, fonts, .. } = self.format;
+        let font = FontDesc::new(FontFamily::Name(fonts), units * letters * size, FontStyle::Normal);
+        let pos = Pos::new(horizontal, VPos::Center);
+        let style = TextStyle { font: font.transform(transform), color: color.to_backend_color(), pos };
+        // control characters are not allowed in XML
+        let text: String = text.chars().filter(|c| !c.is_control()).collect();
+        let at = self.device(at);
+        self.backend.draw_text(&text, &style, at).map_err(failed)
+    }
+
+    #[allow(clippy::cast_possible_truncation)] // casts saturate, and places outside the picture are not seen
+    fn device(&self, (x, y): Point) -> (i32, i32) {
+        ((x * self.format.units).round() as i32, (y * self.format.units).round() as i32)
+    }
+}
+
+/// A length in whole units of a back end.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // lengths of a few pixels
+fn whole_length(length: f64, units: f64) -> u32 {
+    (length * units).round() as u32
+}
+
+/// A place, moved so that a text of this length around it stays within a picture with sides of `sheet`.
+fn within(at: f64, before: f64, length: f64, sheet: u32) -> f64 {
+    at.min(f64::from(sheet) - EDGE - length + before).max(EDGE + before)
+}
+
+/// The given size, or a smaller one at which the text is not longer than `room`.
+fn fitting(text: &str, size: f64, room: f64) -> Result<f64, PlotError> {
+    let mut fitting = size;
+    // widths are rounded to whole pixels, so the ratio alone may not be small enough
+    while fitting > 1.0 && text_width(text, fitting)? > room {
+        fitting *= (room / text_width(text, fitting)?).min(0.99);
+    }
+    Ok(fitting)
+}
+
+/// The text in lines that are not longer than `room`. A word that is too long for a line is divided.
+pub fn wrapped(text: &str, size: f64, room: f64) -> Result<Vec<String>, PlotError> {
+    let mut lines = vec![String::new()];
+    for piece in text.split_inclusive(' ') {
+        let line = lines.last().map_or("", String::as_str);
+        if !line.is_empty() && text_width(format!("{line}{piece}").trim_end(), size)? > room {
+            lines.push(String::new());
+        }
+        for letter in piece.chars() {
+            let line = lines.last().map_or("", String::as_str);
+            if !line.is_empty() && letter != ' ' && text_width(&format!("{line}{letter}"), size)? > room {
+                lines.push(String::new());
+            }
+            if let Some(line) = lines.last_mut() {
+                line.push(letter);
+            }
+        }
+    }
+    Ok(lines.into_iter().map(|line| line.trim_end().to_owned()).collect())
+}
+
+/// Width of a text in the built-in font \[px\].
+pub fn text_width(text: &str, size: f64) -> Result<f64, PlotError> {
+    static IS_REGISTERED: LazyLock<bool> =
+        LazyLock::new(|| register_font(PNG.fonts, FontStyle::Normal, dejavu::sans::regular()).is_ok());
+    if !*IS_REGISTERED {
+        return Err(PlotError::Font);
+    }
+    let font = FontDesc::new(FontFamily::Name(PNG.fonts), PNG.units * size, FontStyle::Normal);
+    let (width, _) = font.box_size(text).map_err(failed)?;
+    Ok(f64::from(width) / PNG.units)
+}
+
+fn failed(error: impl Display) -> PlotError {
+    PlotError::Drawing(error.to_string())
+}
+
+/// The points without those that are not finite, and without steps that are too small to see. The last point stays.
+fn thinned(points: &[Point]) -> Vec<Point> {
+    let mut kept: Vec<Point> = Vec::new();
+    let mut skipped = None;
+    for &point in points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
+        if kept.last().is_none_or(|last| hypot(point.0 - last.0, point.1 - last.1) >= RESOLUTION) {
+            kept.push(point);
+            skipped = None;
+        } else {
+            skipped = Some(point);
+        }
+    }
+    kept.extend(skipped);
+    kept
+}
+
+/// The dashes of a line.
+fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
+    if pattern.is_empty() {
+        return vec![points.to_vec()];
+    }
+    let mut pieces = Vec::new();
+    let mut piece = points.first().copied().into_iter().collect::<Vec<_>>();
+    let (mut phase, mut left) = (0, pattern[0]);
+    for pair in points.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        let length = hypot(to.0 - from.0, to.1 - from.1);
+        let mut done = 0.0;
+        while length - done > left {
+            done += left;
+            let share = done / length;
+            let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+            piece.push(at);
+            if phase % 2 == 0 {
+                pieces.push(std::mem::take(&mut piece));
+            }
+            phase = (phase + 1) % pattern.len();
+            left = pattern[phase];
+        }
+        left -= length - done;
+        if phase % 2 == 0 {
+            piece.push(to);
+        }
+    }
+    pieces.push(piece);
+    pieces
+}

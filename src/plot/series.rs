@@ -1,0 +1,198 @@
+//! What lies on the axes of a picture: series of points, and guides that are not data.
+
+use super::axis::FittedAxis;
+use super::frame::Frame;
+use super::key::Entry;
+use super::style::{Dash, GREY, MARK, Mark, Style};
+use crate::math::functions::{hypot, pow};
+
+/// Number of markers along a curve without markers on its points.
+const SPARSE_MARKS: u32 = 6;
+
+/// Named points on two axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Texts in the key, the first one in black; a series without texts has no entry.
+    pub texts: Vec<String>,
+    /// Points in the units of the axes. A point that is not finite, or not positive on a logarithmic axis, interrupts
+    /// the curve.
+    pub points: Vec<(f64, f64)>,
+    pub look: Look,
+    /// `None` for the style of the place of the series in its picture.
+    pub style: Option<Style>,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// A line with a few markers along it.
+    Line,
+    /// A line with a marker on every point, for a few computed points.
+    MarkedLine,
+    /// Markers only, for measured points.
+    Points,
+    /// A line without markers, for example on points of the same colour.
+    Bare,
+    /// The area inside a closed line, in a pale colour.
+    Band,
+}
+
+impl Series {
+    fn new(name: impl Into<String>, points: Vec<(f64, f64)>, look: Look) -> Self {
+        let name = name.into();
+        Self { texts: if name.is_empty() { Vec::new() } else { vec![name] }, points, look, style: None }
+    }
+
+    pub fn line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, points, Look::Line)
+    }
+
+    pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, points, Look::Bare)
+    }
+
+    pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
+        Self::new(name, outline, Look::Band)
+    }
+
+    pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, points, Look::MarkedLine)
+    }
+
+    pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, points, Look::Points)
+    }
+
+    /// The same series in this style; a number is a place in the cycle of styles.
+    #[must_use]
+    pub fn styled(self, style: impl Into<Style>) -> Self {
+        Self { style: Some(style.into()), ..self }
+    }
+
+    /// The same series with one more text in the key.
+    #[must_use]
+    pub fn and(mut self, text: impl Into<String>) -> Self {
+        self.texts.push(text.into());
+        self
+    }
+
+    /// Its style if it is the series with this number in its picture.
+    pub(super) fn style(&self, number: usize) -> Style {
+        self.style.unwrap_or_else(|| Style::of(number))
+    }
+
+    /// The entry in the key.
+    pub(super) fn entry(&self, style: Style) -> Option<Entry> {
+        let is_line = matches!(self.look, Look::Line | Look::MarkedLine | Look::Bare);
+        let mark = match self.look {
+            Look::Line | Look::MarkedLine | Look::Points => Some(style),
+            Look::Bare => None,
+            Look::Band => Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) }),
+        };
+        let entry = Entry { line: is_line.then_some(style), mark, texts: self.texts.clone() };
+        (!self.texts.is_empty()).then_some(entry)
+    }
+
+    /// The points with a marker, and its radius. Points that are close together have smaller markers or none.
+    pub(super) fn marks(&self, frame: &Frame, style: Style, shift: f64) -> (Vec<(f64, f64)>, f64) {
+        #[allow(clippy::cast_precision_loss)] // counts of points
+        let room = (frame.bounds.right - frame.bounds.left) / self.points.len().max(1) as f64;
+        match self.look {
+            Look::Bare | Look::Band => (Vec::new(), 0.0),
+            Look::Line => (self.sparse_marks(frame, shift), style.radius),
+            Look::MarkedLine if room <= 4.0 => (Vec::new(), 0.0),
+            Look::MarkedLine if room <= 3.0 * style.radius => (self.points.clone(), 3.0),
+            Look::Points if room <= 4.0 => (self.points.clone(), 4.0),
+            Look::MarkedLine | Look::Points => (self.points.clone(), style.radius),
+        }
+    }
+
+    /// Points at equal distances along the curve. They are shifted from series to series, so that markers do not hide
+    /// each other where curves coincide.
+    fn sparse_marks(&self, frame: &Frame, shift: f64) -> Vec<(f64, f64)> {
+        let mut length = 0.0;
+        let lengths: Vec<f64> = std::iter::once(0.0)
+            .chain(self.points.windows(2).map(|pair| {
+                let (from, to) = (frame.place(pair[0]), frame.place(pair[1]));
+                let step = hypot(to.0 - from.0, to.1 - from.1);
+                length += if step.is_finite() { step } else { 0.0 };
+                length
+            }))
+            .collect();
+        (0..SPARSE_MARKS)
+            .map(|k| length * (f64::from(k) + shift) / f64::from(SPARSE_MARKS))
+            .filter_map(|at| self.points.get(lengths.partition_point(|length| *length < at)).copied())
+            .collect()
+    }
+}
+
+/// A line that is not data. It does not extend the axes. If it is inside the box, its texts are in the key; guides with
+/// the same texts have one entry.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guide {
+    way: Way,
+    pub(super) texts: Vec<String>,
+    pub(super) style: Style,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Way {
+    Vertical(f64),
+    Horizontal(f64),
+    Power { through: (f64, f64), slope: f64 },
+}
+
+impl Guide {
+    fn new(way: Way, label: impl Into<String>, dash: Dash) -> Self {
+        Self { way, texts: vec![label.into()], style: Style::line(GREY, 2.0).dashed(dash) }
+    }
+
+    /// A vertical line at this value of the horizontal axis.
+    pub fn vertical(at: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Vertical(at), label, &[4.0, 6.0])
+    }
+
+    /// A horizontal line at this value of the vertical axis.
+    pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Horizontal(at), label, &[22.0, 8.0])
+    }
+
+    /// The curve y = y_0 (x/x_0)^slope through (x_0, y_0), which is straight if both axes are logarithmic.
+    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
+        Self::new(Way::Power { through, slope }, label, &[12.0, 6.0, 2.0, 6.0])
+    }
+
+    /// The same line in the colour of this style.
+    #[must_use]
+    pub fn styled(self, style: impl Into<Style>) -> Self {
+        Self { style: Style { color: style.into().color, ..self.style }, ..self }
+    }
+
+    /// The same line with this width, colour and dash.
+    pub(super) fn drawn(self, style: Style) -> Self {
+        Self { style, ..self }
+    }
+
+    /// The same line with one more text in the key.
+    pub(super) fn and(mut self, text: impl Into<String>) -> Self {
+        self.texts.push(text.into());
+        self
+    }
+
+    pub(super) fn points(&self, x: &FittedAxis, y: &FittedAxis) -> Vec<(f64, f64)> {
+        let (x, y) = (|share| x.value_at(share), |share| y.value_at(share));
+        match self.way {
+            Way::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))],
+            Way::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)],
+            Way::Power { through, slope } => {
+                (0..=100).map(|i| x(f64::from(i) / 100.0)).map(|x| (x, through.1 * pow(x / through.0, slope))).collect()
+            }
+        }
+    }
+
+    /// Whether a part of the line is inside the box, with an allowance for rounding.
+    pub(super) fn is_visible(&self, x: &FittedAxis, y: &FittedAxis) -> bool {
+        let is_share = |at: f64| (-1e-9..=1.0 + 1e-9).contains(&at);
+        self.points(x, y).into_iter().any(|point| is_share(x.at(point.0)) && is_share(y.at(point.1)))
+    }
+}
