@@ -84,9 +84,10 @@ impl Chart {
 
     /// The same picture with these guides in every box.
     #[must_use]
-    pub fn with_guides(mut self, guides: Vec<Guide>) -> Self {
+    pub fn with_guides(mut self, guides: impl Into<Vec<Guide>>) -> Self {
+        let guides = guides.into();
         for panel in &mut self.panels {
-            panel.guides.extend(guides.iter().cloned());
+            panel.guides.extend_from_slice(&guides);
         }
         self
     }

@@ -11,9 +11,11 @@ use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::units::rounded::{number, quantity};
 
-/// The three indentations of a row, with their names. With a rigid sphere the loop of the half-space lies on that of
+type Of = fn(&TraceRow) -> f64;
+
+/// The three indentations of a row, with their names and the widths of their lines \[px\]. With a rigid sphere the loop of the half-space lies on that of
 /// the approach; with equal elastic bodies it lies on that of the sphere.
-pub(super) const INDENTATIONS: [(&str, fn(&TraceRow) -> f64, f64); 3] = [
+pub(super) const INDENTATIONS: [(&str, Of, f64); 3] = [
     ("Approach δ", |row| row.indentation, 7.0),
     ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
     ("Half-space δₕ", |row| row.half_space_indentation, 3.0),

@@ -32,7 +32,6 @@ pub fn histogram(
         let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][i % 4];
         Guide::vertical(at, label).drawn(Style { color, ..Style::of(i).wide(3.5) })
     });
-    let guides = guides.collect();
     let axes = [x.between(first, last), Axis::linear("Count", "").between(0.0, 1.06 * highest)];
-    Ok(Chart::new(title, axes, vec![Series::band("", outline).styled(5)]).with_guides(guides))
+    Ok(Chart::new(title, axes, vec![Series::band("", outline).styled(5)]).with_guides(guides.collect::<Vec<_>>()))
 }

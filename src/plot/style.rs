@@ -98,7 +98,7 @@ impl Style {
     }
 
     pub(super) fn marker(mark: Mark, color: RGBColor) -> Self {
-        Self { mark, color, ..Self::BLACK }
+        Self { color, mark, ..Self::BLACK }
     }
 
     pub(super) fn wide(self, width: f64) -> Self {

@@ -20,15 +20,14 @@ mod keys;
 mod material_keys;
 mod materials;
 mod oracle_cli;
+mod pictures;
 mod plots;
-mod plots_text;
 #[cfg(unix)]
 mod programs;
 mod repeat_cli;
 mod report;
 mod scenario;
 mod strength_keys;
-mod svg;
 mod units;
 mod validation;
 mod words;

@@ -1,75 +1,72 @@
-//! Pictures are decoded, and the colours at known places are checked.
+//! Pictures: curves lie at the places of their values, text stays text and on the sheet. Places are read from the SVG;
+//! one test compares it with the PNG, which is drawn from the same data.
 
 use plm_impact::impact::{Contact, Impact, Solver};
 use plm_impact::law::Plm;
 use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::plot::{self, Axis, Guide, Heatmap, Histogram, Lines, PlotError, Series};
+use plm_impact::plot::{self, Axis, Chart, Guide, Panel, PlotError, Series, heatmap, histogram};
+use roxmltree::{Document, Node};
 
-type Rgb = [u8; 3];
-/// The first colours of Okabe and Ito (2008), in the order of the series.
-const BLUE: Rgb = [0x00, 0x72, 0xb2];
-const VERMILLION: Rgb = [0xd5, 0x5e, 0x00];
-const GREEN: Rgb = [0x00, 0x9e, 0x73];
-const PURPLE: Rgb = [0xcc, 0x79, 0xa7];
-const ORANGE: Rgb = [0xe6, 0x9f, 0x00];
-const SKY: Rgb = [0x56, 0xb4, 0xe9];
-const INK: Rgb = [0x22, 0x22, 0x22];
-const WHITE: Rgb = [0xff, 0xff, 0xff];
+use crate::common::command::text;
+use crate::common::picture::{has_free_border, has_white_border, pixels};
 
-struct Picture {
-    width: usize,
-    pixels: Vec<Rgb>,
+/// Units of the drawing per pixel.
+const UNITS: f64 = 10.0;
+/// The first colours of Okabe and Ito (2008), in the order of the series, and those of outline and measurements.
+const BLUE: &str = "#0072B2";
+const VERMILLION: &str = "#D55E00";
+const GREEN: &str = "#009E73";
+const PURPLE: &str = "#CC79A7";
+const ORANGE: &str = "#E69F00";
+const INK: &str = "#222222";
+
+/// A picture that was read back from its SVG.
+struct Drawn(String);
+
+fn number(node: Node, name: &str) -> f64 {
+    node.attribute(name).unwrap().parse().unwrap()
 }
 
-impl Picture {
-    fn decoded(bytes: &[u8]) -> Self {
-        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
-        let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut buffer).unwrap();
-        assert_eq!((info.width, info.height), plot::SIZE);
-        assert_eq!(info.color_type, png::ColorType::Rgb);
-        let pixels: Vec<Rgb> = buffer.chunks_exact(3).map(|rgb| [rgb[0], rgb[1], rgb[2]]).collect();
-        let picture = Self { width: info.width as usize, pixels };
-        let inked = picture.pixels.iter().filter(|pixel| **pixel != WHITE).count();
-        assert!(inked > picture.pixels.len() / 100, "an empty picture: {inked} pixels");
-        picture
+fn points(node: Node) -> Vec<(f64, f64)> {
+    let pairs = node.attribute("points").unwrap().split_whitespace().map(|pair| pair.split_once(',').unwrap());
+    pairs.map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap())).collect()
+}
+
+impl Drawn {
+    fn of(chart: &Chart) -> Self {
+        Self(text(&chart.to_svg().unwrap()))
     }
 
-    fn at(&self, x: f64, y: f64) -> Rgb {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let (x, y) = (x.round() as usize, y.round() as usize);
-        self.pixels[y * self.width + x]
+    fn document(&self) -> Document<'_> {
+        Document::parse(&self.0).unwrap()
     }
 
-    /// All pixels with a colour.
-    fn places(&self, color: Rgb) -> Vec<(usize, usize)> {
-        let index = |i: usize| (i % self.width, i / self.width);
-        self.pixels.iter().enumerate().filter(|(_, pixel)| **pixel == color).map(|(i, _)| index(i)).collect()
+    /// The boxes with axes, from the top down: left, top, right, bottom. Their outlines are closed black lines.
+    fn boxes(&self) -> Vec<[f64; 4]> {
+        let outlines = self.lines(INK).into_iter().filter(|line| line.len() == 5 && line[0] == line[4]);
+        outlines.map(|corners| [corners[0].0, corners[0].1, corners[2].0, corners[2].1]).collect()
     }
 
-    /// The box with the axes: left, top, right, bottom. Its outline is the only long black line.
-    fn axes(&self) -> [f64; 4] {
-        let mut columns = vec![0; self.width];
-        let mut rows = vec![0; self.pixels.len() / self.width];
-        for (x, y) in self.places(INK) {
-            columns[x] += 1;
-            rows[y] += 1;
-        }
-        #[allow(clippy::cast_precision_loss)]
-        let ends = |counts: &[usize]| {
-            let long = |count: &usize| *count > 600;
-            let (first, last) = (counts.iter().position(long).unwrap(), counts.iter().rposition(long).unwrap());
-            (first as f64, last as f64)
-        };
-        let ((left, right), (top, bottom)) = (ends(&columns), ends(&rows));
-        [left, top, right, bottom]
+    /// The lines of this colour, in units of the drawing.
+    fn lines(&self, color: &str) -> Vec<Vec<(f64, f64)>> {
+        let document = self.document();
+        let lines = document
+            .descendants()
+            .filter(|node| node.has_tag_name("polyline") && node.attribute("stroke") == Some(color));
+        lines.map(points).collect()
     }
 
-    /// Whether a colour is found within three pixels of a place given in shares of the axes.
-    fn shows(&self, color: Rgb, (x, y): (f64, f64)) -> bool {
-        let [left, top, right, bottom] = self.axes();
-        let (x, y) = (left + x * (right - left), bottom - y * (bottom - top));
-        (-3..=3).any(|dx| (-3..=3).any(|dy| self.at(x + f64::from(dx), y + f64::from(dy)) == color))
+    /// The points of the lines of this colour as shares of the first box. Those of the key are to the right of 1.
+    fn shares(&self, color: &str) -> Vec<(f64, f64)> {
+        let [left, top, right, bottom] = self.boxes()[0];
+        let share = |(x, y): (f64, f64)| ((x - left) / (right - left), (bottom - y) / (bottom - top));
+        self.lines(color).concat().into_iter().map(share).collect()
+    }
+
+    fn texts(&self) -> Vec<String> {
+        let document = self.document();
+        let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+        texts.map(|node| node.text().unwrap().trim().to_owned()).collect()
     }
 }
 
@@ -90,49 +87,36 @@ fn scenes() -> [Impact; 4] {
     ]
 }
 
-fn extent(places: &[(usize, usize)]) -> (usize, usize) {
-    let span = |of: fn(&(usize, usize)) -> usize| {
-        places.iter().map(of).max().unwrap_or(0) - places.iter().map(of).min().unwrap_or(0)
-    };
-    (span(|place| place.0), span(|place| place.1))
-}
-
 #[test]
 fn force_against_indentation_shows_three_loops_that_fill_the_axes() {
     for impact in scenes() {
-        let picture = Picture::decoded(&plot::force_indentation(&impact).unwrap().to_png().unwrap());
-        let [left, top, right, bottom] = picture.axes();
-        #[allow(clippy::cast_precision_loss)]
-        let inside = |color| {
-            let mut places = picture.places(color);
-            places.retain(|(x, y)| (*x as f64) < right && (*y as f64) > top);
-            places
-        };
+        let drawn = Drawn::of(&plot::force_indentation(&impact).unwrap());
         for color in [BLUE, VERMILLION, GREEN] {
-            assert!(inside(color).len() > 300, "{color:?}: {}", inside(color).len());
+            assert!(drawn.shares(color).len() > 100, "{color}");
         }
-        #[allow(clippy::cast_precision_loss)]
-        let (wide, high) = { (extent(&inside(BLUE)).0 as f64, extent(&inside(BLUE)).1 as f64) };
-        assert!(wide > 0.9 * (right - left) && high > 0.85 * (bottom - top), "{wide} x {high}");
-        // the black marker of the peak is at 1/1.06 and 1/1.08 of the box, from the ranges of the axes
-        assert!(picture.shows(INK, (1.0 / 1.06, 1.0 / 1.08)));
-        if impact.has_dent() {
-            let residual = impact.residual_indentation / (1.06 * impact.peak_indentation);
-            assert!(picture.shows(INK, (residual, 0.005)));
-        }
+        // the peak is at 1/1.06 and 1/1.08 of the box, from the ranges of the axes; the loop ends at the dent
+        let inside = |(x, _): &(f64, f64)| *x <= 1.0;
+        let curve: Vec<_> = drawn.shares(BLUE).into_iter().filter(inside).collect();
+        let highest = curve.iter().fold((0.0, 0.0), |a: (f64, f64), b| if b.1 > a.1 { *b } else { a });
+        assert!((highest.0 - 1.0 / 1.06).abs() < 1e-3 && (highest.1 - 1.0 / 1.08).abs() < 1e-3, "{highest:?}");
+        let residual = impact.residual_indentation / (1.06 * impact.peak_indentation);
+        let end = curve.last().unwrap();
+        assert!((end.0 - residual).abs() < 2e-3 && end.1.abs() < 2e-3, "{end:?} for {residual}");
     }
 }
 
 #[test]
-fn history_shows_force_indentations_and_speed() {
+fn history_shows_force_indentations_and_speed_one_below_the_other() {
     for impact in scenes() {
-        let picture = Picture::decoded(&plot::history(&impact).unwrap().to_png().unwrap());
-        for color in [PURPLE, BLUE, VERMILLION, GREEN, ORANGE] {
-            assert!(picture.places(color).len() > 300, "{color:?}");
+        let drawn = Drawn::of(&plot::history(&impact).unwrap());
+        let boxes = drawn.boxes();
+        assert_eq!(boxes.len(), 3);
+        for (color, at) in [(PURPLE, 0), (BLUE, 1), (VERMILLION, 1), (GREEN, 1), (ORANGE, 2)] {
+            let [left, top, right, bottom] = boxes[at];
+            let curve = drawn.lines(color).concat();
+            let inside: Vec<_> = curve.iter().filter(|(x, _)| (left..=right).contains(x)).collect();
+            assert!(inside.len() > 100 && inside.iter().all(|(_, y)| (top..=bottom).contains(y)), "{color}");
         }
-        // three boxes one below the other: force at the top, speed at the bottom
-        let highest = |color| picture.places(color).iter().map(|place| place.1).min().unwrap();
-        assert!(highest(PURPLE) < 360 && highest(BLUE) < 620 && highest(ORANGE) < 900);
     }
 }
 
@@ -154,48 +138,82 @@ fn an_impact_without_trace_makes_no_picture() {
     assert!(matches!(plot::history(&impact), Err(PlotError::Data(_))));
 }
 
-fn lines(x: Axis, y: Axis, curves: Vec<Vec<(f64, f64)>>) -> Lines {
+fn lines(axes: [Axis; 2], curves: Vec<Vec<(f64, f64)>>) -> Chart {
     let series = curves.into_iter().zip(["first", "second", "third"]);
-    let series = series.map(|(points, name)| Series::marked_line(name, points));
-    Lines { title: "Title".into(), x, y, series: series.collect(), guides: vec![], notes: vec!["note".into()] }
+    let series = series.map(|(points, name)| Series::bare(name, points).styled(plot::Style::LAW));
+    Chart::new("a < b & \"c\"", axes, series.collect()).with_notes(["a note\u{7}"])
+}
+
+/// Linear axes from 0 to 2 and logarithmic axes from 1 to 10^4, with both ends.
+fn axes() -> [([Axis; 2], f64, f64); 2] {
+    let linear = |title: &str| Axis::linear(title, "m").between(0.0, 2.0);
+    let log = |title: &str| Axis::log(title, "m").between(1.0, 1e4);
+    [([linear("Length"), linear("Height")], 0.0, 2.0), ([log("Length"), log("Height")], 1.0, 1e4)]
 }
 
 #[test]
 fn a_curve_lies_where_its_values_are() {
-    let linear = || Axis::linear("x", "m").between(0.0, 2.0);
-    let log = || Axis::log("x", "m").between(1.0, 1e4);
-    let cases = [
-        lines(linear(), linear(), vec![vec![(0.0, 0.0), (2.0, 2.0)]]),
-        lines(log(), log(), vec![vec![(1.0, 1.0), (1e4, 1e4)]]),
-    ];
-    for case in cases {
-        let picture = Picture::decoded(&case.draw().unwrap().to_png().unwrap());
+    for (axes, low, high) in axes() {
+        let chart = lines(axes, vec![vec![(low, low), (high, high)]]);
+        let drawn = Drawn::of(&chart);
+        let ends = drawn.shares(VERMILLION);
+        for (got, want) in ends.iter().zip([(0.0, 0.0), (1.0, 1.0)]) {
+            assert!((got.0 - want.0).abs() < 1e-3 && (got.1 - want.1).abs() < 1e-3, "{got:?}");
+        }
+        // the PNG has the colour at the same places
+        let [left, top, right, bottom] = drawn.boxes()[0].map(|at| at / UNITS);
+        let (width, pixels) = pixels(&chart.to_png().unwrap());
         for share in [0.1, 0.35, 0.6, 0.9] {
-            assert!(picture.shows(BLUE, (share, share)), "{share}");
-            assert!(!picture.shows(BLUE, (share, 1.0 - share + 0.3 * share)), "{share}");
+            let shows = |x: f64, y: f64| {
+                let (x, y) = (left + x * (right - left), bottom - y * (bottom - top));
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+                let at = y.round() as usize * width + x.round() as usize;
+                pixels[at] == [0xd5, 0x5e, 0x00]
+            };
+            assert!(shows(share, share) && !shows(share, 0.9 * share), "{share}");
         }
     }
 }
 
 #[test]
 fn curves_and_guides_are_cut_at_the_axes() {
-    let mut plot = lines(
-        Axis::linear("x", "").between(0.0, 1.0),
-        Axis::linear("y", "").between(0.0, 1.0),
-        vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]],
-    );
-    plot.guides =
+    let unit = |title: &str| Axis::linear(title, "").between(0.0, 1.0);
+    let curves = vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]];
+    let guides =
         vec![Guide::vertical(7.0, "outside"), Guide::horizontal(0.75, "level"), Guide::power((0.5, 0.5), 1.0, "slope")];
-    let picture = Picture::decoded(&plot.draw().unwrap().to_png().unwrap());
-    let [left, top, right, bottom] = picture.axes();
-    assert!(picture.shows(BLUE, (0.01, 0.25)) && picture.shows(BLUE, (0.99, 0.25)));
-    assert!(picture.shows(VERMILLION, (0.5, 0.97)));
-    #[allow(clippy::cast_precision_loss)]
-    for (x, y) in picture.places(BLUE).into_iter().chain(picture.places(VERMILLION)) {
-        let (x, y) = (x as f64, y as f64);
-        // points to the right of the axes belong to the key
-        assert!(x > right || (x >= left - 4.0 && y >= top - 4.0 && y <= bottom + 4.0), "{x} {y}");
+    let drawn = Drawn::of(&lines([unit("x"), unit("y")], curves).with_guides(guides));
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-3;
+    let inside: Vec<_> = drawn.shares(VERMILLION).into_iter().filter(|(x, _)| *x < 1.01).collect();
+    let want = [(0.0, 0.25), (1.0, 0.25), (0.5, 0.0), (0.5, 1.0)];
+    assert_eq!(inside.len(), want.len(), "{inside:?}");
+    assert!(inside.iter().zip(want).all(|(got, want)| near(got.0, want.0) && near(got.1, want.1)), "{inside:?}");
+    let texts = drawn.texts();
+    assert!(texts.iter().any(|text| text == "level") && !texts.iter().any(|text| text == "outside"), "{texts:?}");
+}
+
+#[test]
+fn text_stays_text_within_the_sheet_in_any_font() {
+    let drawn = Drawn::of(&lines(axes()[0].0.clone(), vec![vec![(0.0, 0.0), (2.0, 2.0)]]));
+    let texts = drawn.texts();
+    for want in ["a < b & \"c\"", "Length [m]", "Height [m]", "first", "a note", "0.5"] {
+        assert!(texts.iter().any(|text| text == want), "{want} is not in {texts:?}");
     }
+    let document = drawn.document();
+    let root = document.root_element();
+    assert_eq!((number(root, "width"), number(root, "height")), (1600.0, 1000.0));
+    assert_eq!(root.attribute("viewBox"), Some("0 0 16000 10000"));
+    let nodes = || document.descendants().filter(|node| node.has_tag_name("text"));
+    for node in nodes() {
+        assert!(node.attribute("font-family").unwrap().ends_with("sans-serif"));
+        let (x, y, size) = (number(node, "x"), number(node, "y"), number(node, "font-size"));
+        assert!((0.0..16_000.0).contains(&x) && (0.0..10_000.0).contains(&y), "{x} {y}");
+        assert!((10.0 * UNITS..40.0 * UNITS).contains(&size), "{size}");
+    }
+    // the title of the vertical axis reads upwards, and labels end at their ticks
+    let upward = nodes().find(|node| node.attribute("transform").is_some()).unwrap();
+    assert_eq!(upward.text().unwrap().trim(), "Height [m]");
+    assert!(upward.attribute("transform").unwrap().starts_with("rotate(270,"));
+    assert!(nodes().any(|node| node.attribute("text-anchor") == Some("end")));
 }
 
 #[test]
@@ -209,53 +227,83 @@ fn odd_data_make_a_picture_and_no_panic() {
     ];
     for points in odd {
         for axis in [Axis::linear("x", "m"), Axis::engineering("x", "m"), Axis::log("x", "m")] {
-            let png = lines(axis.clone(), axis.clone(), vec![points.clone()]).draw().unwrap().to_png().unwrap();
-            Picture::decoded(&png);
+            let series = vec![Series::line("a", points.clone()), Series::marked_line("b", points.clone())];
+            let chart = Chart::new("odd", [axis.clone(), axis.clone()], series);
+            assert_eq!(Drawn::of(&chart).boxes().len(), 1, "{points:?}");
         }
     }
 }
 
 #[test]
 fn a_heat_map_has_each_cell_in_its_colour() {
-    let mut map = Heatmap {
-        title: "e".into(),
-        x: Axis::log("Speed", "m/s"),
-        y: Axis::engineering("Strength", "Pa"),
-        x_values: vec![1.0, 10.0],
-        y_values: vec![1e8, 2e8],
-        values: vec![0.0, 1.0, f64::NAN, 0.5],
-        color: Axis::linear("e", "").between(0.0, 1.0),
+    let map = |values: &[f64]| {
+        let axes = [Axis::log("Speed", "m/s"), Axis::engineering("Strength", "Pa")];
+        heatmap("e", axes, [&[1.0, 10.0], &[1e8, 2e8]], values, Axis::linear("e", "").between(0.0, 1.0))
     };
-    let picture = Picture::decoded(&map.draw().unwrap().to_png().unwrap());
+    let chart = map(&[0.0, 1.0, f64::NAN, 0.5]).unwrap();
+    let [left, top, right, bottom] = Drawn::of(&chart).boxes()[0].map(|at| at / UNITS);
+    let (width, pixels) = pixels(&chart.to_png().unwrap());
     // both ends of viridis (van der Walt and Smith 2015): 440154 and fde725; places as shares of the axes
-    let [left, top, right, bottom] = picture.axes();
     let cells = [((0.2, 0.25), [0x44, 0x01, 0x54]), ((0.65, 0.25), [0xfd, 0xe7, 0x25]), ((0.2, 0.9), [0xe2; 3])];
     for ((x, y), color) in cells {
-        let place = (left + x * (right - left), bottom - y * (bottom - top));
-        let got = picture.at(place.0, place.1);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let [x, y] = [left + x * (right - left), bottom - y * (bottom - top)].map(|at| at.round() as usize);
+        let got: [u8; 3] = pixels[y * width + x];
         assert!(got.iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 2), "{got:?} for {color:?}");
     }
-    map.values.pop();
-    assert!(matches!(map.draw(), Err(PlotError::Data(_))));
+    assert!(matches!(map(&[0.0, 1.0, 0.5]), Err(PlotError::Data(_))));
 }
 
 #[test]
 fn bars_are_as_high_as_their_counts() {
-    let mut histogram = Histogram {
-        title: "e".into(),
-        x: Axis::linear("e", ""),
-        edges: vec![0.0, 1.0, 2.0, 3.0, 4.0],
-        counts: vec![100, 50, 0, 25],
-        lines: vec![(0.5, "mean 0.5".into())],
-        notes: vec!["sd 0.1".into()],
-    };
-    let picture = Picture::decoded(&histogram.draw().unwrap().to_png().unwrap());
-    for (bin, count) in [(0.0, 100.0), (1.0, 50.0), (3.0, 25.0)] {
-        // the axis ends 6 % above the highest bar
-        let (x, height) = ((bin + 0.3) / 4.0, count / 106.0);
-        assert!(picture.shows(SKY, (x, height - 0.02)) && !picture.shows(SKY, (x, height + 0.02)), "{bin}");
+    let (edges, counts) = ([0.0, 1.0, 2.0, 3.0, 4.0], [100, 50, 0, 25]);
+    let of = |edges: &[f64]| histogram("e", Axis::linear("e", ""), (edges, &counts), [(0.5, "mean 0.5".to_owned())]);
+    let drawn = Drawn::of(&of(&edges).unwrap());
+    let [left, top, right, bottom] = drawn.boxes()[0];
+    let document = drawn.document();
+    let bars = points(document.descendants().find(|node| node.has_tag_name("polygon")).unwrap());
+    // the axis ends 6 % above the highest bar
+    let height = |x: f64, y: f64| ((x - left) / (right - left) * 4.0, (bottom - y) / (bottom - top) * 106.0);
+    let want = [(0.0, 0.0), (0.0, 100.0), (1.0, 100.0), (1.0, 50.0), (2.0, 50.0), (2.0, 0.0), (3.0, 0.0), (3.0, 25.0)];
+    for ((x, y), want) in bars.into_iter().zip(want) {
+        let got = height(x, y);
+        assert!((got.0 - want.0).abs() < 0.01 && (got.1 - want.1).abs() < 0.1, "{got:?} for {want:?}");
     }
-    assert!(!picture.shows(SKY, (2.5 / 4.0, 0.05)));
-    histogram.edges.pop();
-    assert!(matches!(histogram.draw(), Err(PlotError::Data(_))));
+    assert!(matches!(of(&edges[1..]), Err(PlotError::Data(_))));
+}
+
+const LONG: &str = "A title of forty words that somebody wrote who had much to say about the sphere, the half-space, the speed \
+                    and the law, and who would like to read all of it above the picture and not only its middle part";
+
+#[test]
+fn long_titles_names_and_notes_stay_on_the_sheet() {
+    let endless = "word".repeat(200);
+    let curves = |count: usize, name: &str| -> Vec<Series> {
+        (0..count).map(|i| Series::line(format!("{name} {i}"), vec![(1.0, 1.0), (2.0, 3.0)])).collect()
+    };
+    let axes = |title: &str| [Axis::engineering(title, "m/s"), Axis::engineering(title, "N")];
+    let assert_fits = |chart: &Chart, what: &str| assert!(has_free_border(&chart.to_png().unwrap()), "{what}");
+    for title in ["short", LONG, &endless] {
+        for axis in ["v", LONG, &endless] {
+            assert_fits(&Chart::new(title, axes(axis), curves(2, "curve")), &format!("{title} / {axis}"));
+        }
+        assert_fits(&Chart::new(title, axes("v"), curves(3, title)).with_notes([title, LONG]), title);
+    }
+    for count in [1, 17, 40, 300] {
+        assert_fits(&Chart::new(LONG, axes("v"), curves(count, "curve")).with_notes([LONG]), &format!("{count}"));
+    }
+    let linear = || Axis::linear(LONG, "");
+    let cells = [&[1.0, 2.0][..], &[1e-9, 2e-9]];
+    assert_fits(&heatmap(LONG, [linear(), linear()], cells, &[0.0, 0.1, 0.2, 123_456.0], linear()).unwrap(), "map");
+    let panels = vec![Panel::new(linear(), curves(2, LONG)), Panel::new(Axis::linear("y", ""), curves(2, LONG))];
+    assert_fits(&Chart::stacked(LONG, linear(), panels), "boxes");
+}
+
+#[test]
+fn a_dark_pixel_at_the_border_is_seen() {
+    let mut pixels = vec![[255; 3]; 40 * 20];
+    assert!(has_white_border(40, &pixels));
+    // in the last column, half-way down
+    pixels[40 * 10 + 39] = [0; 3];
+    assert!(!has_white_border(40, &pixels));
 }

@@ -1,0 +1,125 @@
+//! The pictures that runs write, and those of the repository: no text is cut off, and each kind of run writes the format
+//! that it is asked for.
+
+use std::path::Path;
+
+use plm_impact::scenario::Kind;
+use roxmltree::Document;
+
+use crate::common::STEEL;
+use crate::common::command::{Desk, text};
+use crate::common::picture::has_free_border;
+
+fn is_png(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "png")
+}
+
+#[test]
+fn pictures_of_the_program_keep_their_text() {
+    let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let long = "A half-space with the name of the alloy, of its heat treatment, of the laboratory and of the day";
+    let material = |i: usize| {
+        format!(
+            "[[indentation.half_space]]\nname = \"{long}, {i}\"\nyoungs_modulus = 2e11\npoissons_ratio = 0.3\nyield_strength = 3e8\n"
+        )
+    };
+    let materials: String = (0..12).map(material).collect();
+    let bodiless = still.split("[half_space]").next().unwrap().to_owned();
+    let laws = plm_impact::law::LawChoice::all();
+    let laws: Vec<String> =
+        laws.iter().filter(|law| law.has_loading()).map(|law| format!("{:?}", law.name())).collect();
+    let laws = format!("[sweep]\n\"law\" = [{}, \"kogut_komvopoulos + mesarovic_johnson\"]\n", laws.join(", "));
+    let scenes = [
+        STEEL.to_owned(),
+        format!("{STEEL}[gravity]\nacceleration = 9.81\n[damping]\nhunt_crossley = 0.1\n"),
+        format!("{STEEL}{laws}\"impact.speed\" = [1, 2]\n"),
+        format!(
+            "{STEEL}{laws}\"impact.speed\" = {{ logspace = [1e-3, 10], points = 12 }}\n\"sphere.radius\" = {{ linspace = [1e-3, 2e-3], points = 12 }}\n"
+        ),
+        format!(
+            "{STEEL}[sweep]\n\"impact.speed\" = {{ linspace = [1, 2], points = 30 }}\n\"half_space.youngs_modulus\" = {{ linspace = [1e11, 2e11], points = 30 }}\n\"half_space.poissons_ratio\" = [0.1, 0.2, 0.3]\n\"sphere.youngs_modulus\" = [1e11, 2e11]\n\"sphere.poissons_ratio\" = [0.1, 0.2]\n\"sphere.density\" = [7000, 7001]\n"
+        ),
+        format!(
+            "{STEEL}[monte_carlo]\nsamples = 60\n\"half_space.yield_strength\" = {{ normal = {{ mean = 345e6, sd = 20e6 }} }}\n"
+        ),
+        format!("{STEEL}[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 4\nspot = \"same\"\n"),
+        format!("{still}[repeat]\nspeeds = [1, 2, 3]\nspot = \"fresh\"\n"),
+        format!("{still}[compare]\npeak_indentation_ratio = 105.1\n"),
+        format!("{still}[indentation]\nsteps = [{{ load = 100 }}, {{ load = 0 }}]\n"),
+        format!("{bodiless}[indentation]\nsteps = [{{ load = 100 }}, {{ load = 0 }}]\n{materials}"),
+    ];
+    for scene in scenes {
+        let desk = Desk::with(&scene);
+        let output = desk.call(&["run", "s.toml", "--out", "out", "--quiet"]);
+        assert_eq!(output.status.code(), Some(0), "{scene}\n{}", text(&output.stderr));
+        let names: Vec<String> = desk.files("out").into_iter().filter(|name| is_png(Path::new(name))).collect();
+        assert!(!names.is_empty(), "no picture of\n{scene}");
+        for name in names {
+            assert!(has_free_border(&std::fs::read(desk.path("out").join(&name)).unwrap()), "{name} of\n{scene}");
+        }
+    }
+}
+
+#[test]
+fn pictures_of_the_repository_keep_their_text() {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("plots")];
+    let mut pictures = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                // the picture of a run in LAMMPS is drawn by Matplotlib, not by this program
+                if !path.ends_with("plots/lammps") {
+                    folders.push(path);
+                }
+            } else if is_png(&path) {
+                assert!(has_free_border(&std::fs::read(&path).unwrap()), "{}", path.display());
+                pictures += 1;
+            }
+        }
+    }
+    assert!(pictures > 20, "{pictures}");
+}
+
+#[test]
+fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
+    for (kind, _) in Kind::ALL {
+        let desk = Desk::with("");
+        let file = format!("{kind}.toml");
+        assert_eq!(desk.call(&["init", kind]).status.code(), Some(0));
+        let run = |format: &str| {
+            let output = desk.call(&["run", &file, "--pictures", format, "--out", format]);
+            assert_eq!(output.status.code(), Some(0), "{kind}: {}", text(&output.stderr));
+            let names = desk.files(format);
+            let of = |ending: &str| -> Vec<String> {
+                names.iter().filter_map(|name| Some(name.strip_suffix(ending)?.to_owned())).collect()
+            };
+            (of(".png"), of(".svg"), names.len())
+        };
+        let (png, svg, none) = (run("png"), run("svg"), run("none"));
+        assert!(!png.0.is_empty() && png.0 == svg.1, "{kind}: {png:?} {svg:?}");
+        assert!(png.1.is_empty() && svg.0.is_empty() && none.0.is_empty() && none.1.is_empty());
+        // only pictures are left out
+        assert_eq!(none.2, png.2 - png.0.len(), "{kind}");
+        for name in &svg.1 {
+            let drawn = desk.read(&format!("svg/{name}.svg"));
+            let svg = Document::parse(&drawn).unwrap();
+            let parts = |name: &str| svg.descendants().filter(|node| node.has_tag_name(name)).count();
+            assert!(parts("text") > 5 && parts("polyline") > 2 && parts("image") == 0, "{kind}: {name}");
+        }
+    }
+}
+
+#[test]
+fn the_report_of_a_validation_shows_its_pictures_as_svg() {
+    let desk = Desk::with("");
+    let output = desk.call(&["validate", "--out", "v", "--pictures", "svg"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let page = desk.read("v/README.md");
+    let shown: Vec<&str> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
+    let pictures: Vec<&&str> = shown.iter().filter(|name| name.contains(".svg")).collect();
+    assert!(pictures.len() > 3 && !page.contains(".png"), "{shown:?}");
+    for name in pictures {
+        assert!(Document::parse(&desk.read(&format!("v/{name}"))).is_ok(), "{name}");
+    }
+}
