@@ -32,7 +32,6 @@ fn pictures_of_the_program_keep_their_text() {
     let scenes = [
         STEEL.to_owned(),
         format!("{STEEL}[gravity]\nacceleration = 9.81\n[damping]\nhunt_crossley = 0.1\n"),
-        format!("{STEEL}{laws}\"impact.speed\" = [1, 2]\n"),
         format!(
             "{STEEL}{laws}\"impact.speed\" = {{ logspace = [1e-3, 10], points = 12 }}\n\"sphere.radius\" = {{ linspace = [1e-3, 2e-3], points = 12 }}\n"
         ),
