@@ -29,6 +29,7 @@ pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use plm::{ContactRadius, ElasticLine, Hardening};
 
 use crate::math::functions::pow;
+use published::WIDEST_PARABOLOID;
 pub use published::{Loading, OutsideLaw, Published};
 pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
@@ -214,15 +215,20 @@ impl Law {
         }
     }
 
-    /// Largest a/R of the finite elements behind the law.
+    /// Largest a/R of the data behind the loading, or of what it takes for granted.
     pub(crate) fn widest_contact(&self) -> f64 {
-        if matches!(self.fresh().elastic, ElasticApproach::Hardening(_)) { 0.32 } else { 0.45 }
+        match &self.fresh().elastic {
+            ElasticApproach::All => WIDEST_PARABOLOID,
+            ElasticApproach::Hardening(_) => 0.32,
+            ElasticApproach::Published(law) => law.loading.widest,
+            _ => 0.45,
+        }
     }
 
-    /// What loading to a peak asks of the flow curve beyond its end, see [`Hardening::beyond_flow_curve`].
-    pub(crate) fn beyond_flow_curve(&self, peak: &Peak) -> Option<(f64, f64)> {
+    /// How a half-space that hardens changes the law.
+    pub(crate) fn hardening(&self) -> Option<&Hardening> {
         match &self.fresh().elastic {
-            ElasticApproach::Hardening(hardening) => hardening.beyond_flow_curve(peak.indentation),
+            ElasticApproach::Hardening(hardening) => Some(hardening),
             _ => None,
         }
     }

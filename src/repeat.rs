@@ -168,7 +168,9 @@ impl Repeat {
                     let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
                     let (begin, from) = (time + hit.contact_time, hit.end_indentation());
                     let Some(flight) = Flight::between(gravity, begin, from, hit.rebound_speed, touch) else {
-                        break End::InDent;
+                        // without a dent, or on the same spot, it falls back into the contact that it has left
+                        let in_dent = self.place == Place::Fresh && hit.residual_indentation > 0.0;
+                        break if in_dent { End::InDent } else { End::Captured };
                     };
                     if until.is_some_and(|until| flight.landing_speed < until) {
                         break End::Until;

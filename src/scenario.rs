@@ -202,7 +202,7 @@ impl Scenario {
         }
         self.needs_gravity()?;
         self.refuse_waves(&scene)?;
-        self.check_strength(&scene.law, scene.half_space.yield_strength)?;
+        self.check_strength(&scene.law, Some(&scene.half_space))?;
         Ok(scene)
     }
 

@@ -12,8 +12,12 @@ use crate::math::power::max_or_nan;
 pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     let stated = law.outside_stated(peak);
     let stated = stated.map(|(from, to)| Warning::OutsideStated { indentation: peak.indentation, from, to });
-    let curve = law.beyond_flow_curve(peak).map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });
-    stated.into_iter().chain(curve)
+    let hardening = law.hardening();
+    let curve = hardening.and_then(|hardening| hardening.beyond_flow_curve(peak.indentation));
+    let curve = curve.map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });
+    let step = hardening.and_then(|hardening| hardening.step(peak.indentation));
+    let step = step.map(|(strain, ratio)| Warning::FlowStep { strain, ratio });
+    stated.into_iter().chain(curve).chain(step)
 }
 
 /// The warnings for a dent of this radius, over that of the sphere, which this mean pressure has made.

@@ -14,14 +14,14 @@ pub(super) const HIGH: f64 = 0.1;
 /// A warning. Its text says what is doubtful and what to do.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum Warning {
-    /// a/R beyond the finite-element data.
+    /// a/R beyond the data behind the law, or beyond what it takes for granted.
     #[error(
-        "contact radius / sphere radius = {ratio:.3} is beyond {limit}, the range of the data behind the law: take forces and dent as estimates, or let the dent be shallower"
+        "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and dent as estimates, or let the dent be shallower"
     )]
     DeepDent {
         /// a_m/R.
         ratio: f64,
-        /// Largest a/R of the data.
+        /// Largest a/R of the loading law.
         limit: f64,
     },
     /// A strength beyond that of solids, as where a unit is mistaken.
@@ -62,6 +62,17 @@ pub enum Warning {
         strain: f64,
         /// Strain of the last point.
         last: f64,
+    },
+    /// A flow curve with a step.
+    #[error(
+        "the flow stress rises by {:.0} % within 0.1 % of strain, from a plastic strain of {} on: such a step is outside of the law, and beyond it e may rise with the speed; give points of a smooth curve",
+        100.0 * (ratio - 1.0), four_digits(*.strain)
+    )]
+    FlowStep {
+        /// Where it begins.
+        strain: f64,
+        /// Stress behind it over the stress before.
+        ratio: f64,
     },
     /// The sphere would yield as well.
     #[error(

@@ -23,7 +23,8 @@ use std::sync::{Arc, LazyLock};
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::published::{Loading, Recovered, RecoveryRule};
 use super::unloading::exponent_within;
-use super::{ElasticApproach, Law, Peak, UnloadingExponent, UnloadingShape};
+use super::{ElasticApproach, Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
+use crate::material::{HalfSpace, Pair};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
 pub use contact_radius::ContactRadius;
@@ -85,11 +86,12 @@ impl ContactLaw for Plm {
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
         let law = self.of_bodies(bodies);
-        let curve = law.loading.clone();
-        Some(Loading::new(curve, 1.0, move |x, force| {
+        let (curve, widest) = (law.loading.clone(), law.widest_contact());
+        let radius = move |x, force| {
             let elastic_approach = law.elastic_approach(x, force);
             law.contact_radius(&Peak { indentation: x, force, elastic_approach })
-        }))
+        };
+        Some(Loading { widest, ..Loading::new(curve, 1.0, radius) })
     }
 
     fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
@@ -112,5 +114,13 @@ impl ContactLaw for Plm {
 
     fn law(&self, bodies: &Bodies) -> Option<Law> {
         Some(self.of_bodies(bodies))
+    }
+
+    fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
+        let Some(bodies) = Bodies::new(pair, half_space) else { return Ok(None) };
+        if let Some(flow) = &self.flow {
+            flow.is_flatter_than(half_space.material.youngs_modulus, bodies.yield_strength)?;
+        }
+        Ok(Some(self.of_bodies(&bodies)))
     }
 }

@@ -15,6 +15,7 @@ use thiserror::Error;
 
 use super::curve::Curve;
 use super::{Peak, Unloading, UnloadingShape};
+use crate::strength::flow::FlowError;
 use crate::units::four_digits;
 
 /// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there: more than
@@ -105,6 +106,10 @@ pub(super) fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync
 /// The unloading from a peak.
 pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
+/// a/R up to which a sphere may be taken for the paraboloid of Hertz: at 0.3 its force is 1 % larger than that of the sphere
+/// itself (Sneddon 1965, a rigid one), at 0.45 it is 2 %.
+pub const WIDEST_PARABOLOID: f64 = 0.3;
+
 /// The loading half of a law.
 #[derive(Clone)]
 pub struct Loading {
@@ -116,6 +121,8 @@ pub struct Loading {
     pub holds_until: f64,
     /// The range of x that its authors state, if they do.
     pub stated: Option<(f64, f64)>,
+    /// Largest a/R of the data behind it, or of what it takes for granted.
+    pub widest: f64,
     /// a/a_Y at (x, f) of the loading curve.
     pub radius: Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>,
 }
@@ -123,7 +130,8 @@ pub struct Loading {
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self { curve, elastic_until, holds_until: f64::INFINITY, stated: None, radius: Arc::new(radius) }
+        let (holds_until, widest) = (f64::INFINITY, WIDEST_PARABOLOID);
+        Self { curve, elastic_until, holds_until, stated: None, widest, radius: Arc::new(radius) }
     }
 }
 
@@ -141,6 +149,9 @@ pub enum OutsideLaw {
         /// What is wrong there.
         problem: &'static str,
     },
+    /// A flow curve that is none.
+    #[error("the flow curve of the half-space: {0}")]
+    Flow(#[from] FlowError),
     /// Only one half of a law.
     #[error(
         "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"

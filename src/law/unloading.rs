@@ -123,7 +123,7 @@ pub struct Unloading {
 /// would give back more than the work of loading to the peak, the one that gives back just that work.
 ///
 /// ```text
-/// n = asked                 where f_m ε_m/(asked + 1) ≤ w_m
+/// n = asked                 where f_m ε_m ≤ w_m (asked + 1)
 ///     f_m ε_m/w_m − 1       elsewhere
 /// ```
 ///
@@ -132,8 +132,8 @@ pub struct Unloading {
 #[inline(always)]
 pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
-    // rounding alone changes no exponent
-    if whole * work_share(asked) > spent * (1.0 + 0.5 * GRAZING) { whole / spent - 1.0 } else { asked }
+    // rounding alone changes no exponent; one of −1 and less would give back energy without end
+    if whole > spent * (1.0 + 0.5 * GRAZING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
 }
 
 /// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform

@@ -16,9 +16,10 @@ pub enum End {
     Impacts,
     /// The next impact would be slower than `until`.
     Until,
-    /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g.
+    /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
+    /// viscous damping it may lift off, but not high enough to leave the spot.
     Captured,
-    /// The rebound does not lift the sphere out of its dent onto fresh surface.
+    /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
     InDent,
 }
 

@@ -2,6 +2,7 @@
 
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
+use crate::material::HalfSpace;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::strength::hardness::strength_of_hardness;
@@ -69,7 +70,7 @@ impl Scenario {
     }
 
     /// Refuses laws and keys that cannot stand beside a flow curve.
-    pub(super) fn check_strength(&self, law: &LawChoice, strength: Option<f64>) -> Result<(), ScenarioError> {
+    pub(super) fn check_strength(&self, law: &LawChoice, half_space: Option<&HalfSpace>) -> Result<(), ScenarioError> {
         let varies = |key: &str| self.entries.varies(key);
         let has_hardness = self.entries.has(HARDNESS) || varies(HARDNESS);
         let Some(flow) = self.flow()? else { return Ok(()) };
@@ -81,7 +82,9 @@ impl Scenario {
         if varies("law") {
             return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        let Some(strength) = strength else {
+        let Some((half_space, strength)) =
+            half_space.and_then(|half_space| Some((half_space, half_space.yield_strength?)))
+        else {
             return refuse(
                 "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0",
             );
@@ -96,7 +99,9 @@ impl Scenario {
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        flow.starts_from(strength).or_else(|error| refuse(&error.to_string()))
+        let modulus = half_space.material.youngs_modulus;
+        let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
+        sound.or_else(|error| refuse(&error.to_string()))
     }
 
     /// The yield strength \[Pa\] of a half-space whose keys stand in this table, of a scene without an impact.

@@ -50,7 +50,7 @@ impl Scenario {
             return Err(self.document.refuse("output.samples", message));
         }
         let law = self.whole_law()?;
-        self.check_strength(&law, specimens.first().and_then(|first| first.half_space.yield_strength))?;
+        self.check_strength(&law, specimens.first().map(|first| &first.half_space))?;
         Ok(IndentationScene {
             indenter: Indenter {
                 radius: self.radius()?,

@@ -44,7 +44,7 @@ pub enum FlowCurve {
 }
 
 /// Why points are refused as a flow curve.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FlowError {
     /// There are fewer than two points.
     #[error("has {0} points, and a curve needs at least 2; for a straight line write linear = {{ slope = \"4 GPa\" }}")]
@@ -90,6 +90,27 @@ pub enum FlowError {
         /// Yield strength \[Pa\].
         yield_strength: f64,
     },
+    /// The curve is steeper than the elastic line.
+    #[error(
+        "between plastic strain {} and {} the flow stress rises by {} per strain, more than Young's modulus of the half-space, {}: no metal hardens so; give {}",
+        number(*.from),
+        number(*.to),
+        describe(*.slope, Dimension::Pressure),
+        describe(*.modulus, Dimension::Pressure),
+        if *.is_measured { "points farther apart, or a larger yield strength" } else { "a smaller rise, or a larger yield strength" }
+    )]
+    Steep {
+        /// Where the steepest part begins.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+        /// Its slope \[Pa\].
+        slope: f64,
+        /// Young's modulus \[Pa\].
+        modulus: f64,
+        /// Whether the curve is of points.
+        is_measured: bool,
+    },
 }
 
 impl FlowCurve {
@@ -129,6 +150,32 @@ impl FlowCurve {
             return Err(FlowError::Start { strain, stress, yield_strength });
         }
         Ok(())
+    }
+
+    /// Whether the curve of this yield strength \[Pa\] is nowhere steeper than the elastic line, whose slope is Young's modulus
+    /// \[Pa\]. The power form never is.
+    ///
+    /// # Errors
+    /// [`FlowError::Steep`] with the steepest place.
+    pub fn is_flatter_than(&self, modulus: f64, yield_strength: f64) -> Result<(), FlowError> {
+        let (from, to, slope) = match self {
+            Self::Power { .. } => return Ok(()),
+            // up to there the stress has risen by all but 1/e of its whole rise
+            Self::Voce { saturation, rate } => (0.0, 1.0 / rate, yield_strength * saturation * rate),
+            Self::Linear { slope } => (0.0, f64::INFINITY, *slope),
+            Self::Points(points) => {
+                let start = FlowPoint { strain: 0.0, stress: yield_strength };
+                let before = std::iter::once(start).chain(points.iter().copied());
+                // a first point at strain 0 is the yield strength itself
+                let parts = before.zip(points.iter()).filter(|(low, high)| high.strain > low.strain);
+                let slopes = parts.map(|(low, high)| {
+                    (low.strain, high.strain, (high.stress - low.stress) / (high.strain - low.strain))
+                });
+                slopes.max_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((0.0, 0.0, 0.0))
+            }
+        };
+        let is_measured = matches!(self, Self::Points(_));
+        if slope <= modulus { Ok(()) } else { Err(FlowError::Steep { from, to, slope, modulus, is_measured }) }
     }
 
     /// The strain of the last measured point; `None` for a formula.
@@ -176,6 +223,30 @@ impl Rise {
                 stress / self.yield_strength
             }
         }
+    }
+}
+
+/// Within this much plastic strain the stress of a metal does not rise by half, but for the first bend of the power form.
+const STEP_WIDTH: f64 = 1e-3;
+/// By which ratio the stress rises in a step.
+const STEP: f64 = 1.5;
+
+impl Rise {
+    /// The worst step of the curve before this strain: where the stress rises by half or more within 0.1 % of strain, and by
+    /// which ratio.
+    pub fn step_before(&self, strain: f64) -> Option<(f64, f64)> {
+        // between these strains the ratio has no maximum
+        let starts: Vec<f64> = match &self.curve {
+            FlowCurve::Power { .. } | FlowCurve::Linear { .. } => return None,
+            FlowCurve::Voce { .. } => vec![0.0],
+            FlowCurve::Points(points) => {
+                let ends = points.iter().map(|point| point.strain - STEP_WIDTH).filter(|start| *start > 0.0);
+                std::iter::once(0.0).chain(points.iter().map(|point| point.strain)).chain(ends).collect()
+            }
+        };
+        let rises = starts.into_iter().filter(|start| *start < strain);
+        let rises = rises.map(|start| (start, self.at(start + STEP_WIDTH) / self.at(start)));
+        rises.filter(|(_, ratio)| *ratio >= STEP).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 

@@ -88,7 +88,7 @@ fn is_worse(new: f64, known: f64) -> bool {
 /// How far beyond its limit a warning is, comparable within its kind.
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
-        Warning::DeepDent { ratio, .. } => ratio,
+        Warning::DeepDent { ratio, .. } | Warning::FlowStep { ratio, .. } => ratio,
         Warning::HighStrength { strength, modulus, .. } => strength / modulus,
         Warning::LightBody { density, .. } => -density,
         Warning::LargeSphere { radius } => radius,

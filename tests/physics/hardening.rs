@@ -165,6 +165,18 @@ fn gravity_has_its_closed_form() {
     }
 }
 
+/// A law on a half-space of E = 200 GPa. E_s/E_h is 10^`ratio`.
+fn hardening_law(ratio: f64, yield_strength: f64, flow: FlowCurve, exponent: UnloadingExponent) -> (Law, Bodies) {
+    let half_space = Material { youngs_modulus: MODULUS, poissons_ratio: 0.3 };
+    let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: half_space, yield_strength: Some(yield_strength), density: None };
+    let pair = Pair::try_new(1.0, &sphere, &half_space).unwrap();
+    let law = Plm { exponent, flow: Some(flow), ..Plm::default() }.of_pair(&pair, &half_space).unwrap().unwrap();
+    (law, Bodies::new(&pair, &half_space).unwrap())
+}
+
+const MODULUS: f64 = 2e11;
+
 /// Random κ, a_Y/R and flow curve: in the range that was compared with finite elements, and up to N = 0.5.
 fn any_hardening_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)> {
     let curve = prop_oneof![
@@ -174,42 +186,153 @@ fn any_hardening_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)
     ];
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
     (-1.0..3.0_f64, 50.0..6000.0_f64, curve, exponent).prop_map(|(ratio, modulus_over_strength, flow, exponent)| {
-        let half_space = Material { youngs_modulus: 2e11, poissons_ratio: 0.3 };
-        let sphere = Material { youngs_modulus: 2e11 * 10_f64.powf(ratio), poissons_ratio: 0.3 };
-        let yield_strength = Some(half_space.youngs_modulus / modulus_over_strength);
-        let half_space = HalfSpace { material: half_space, yield_strength, density: None };
-        let bodies = Bodies::new(&Pair::try_new(1.0, &sphere, &half_space).unwrap(), &half_space).unwrap();
-        let plm = Plm { exponent, flow: Some(flow), ..Plm::default() };
-        (plm.law(&bodies).unwrap(), bodies, exponent)
+        let (law, bodies) = hardening_law(ratio, MODULUS / modulus_over_strength, flow, exponent);
+        (law, bodies, exponent)
     })
+}
+
+/// Random measured curves of the kind that metals have: concave, with a first part that may be as steep as the elastic line, and
+/// level from any point on. None rises by half within 0.1 % of strain.
+fn any_measured_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)> {
+    let parts = prop::collection::vec((-3.0..-1.0_f64, 0.0..450.0_f64), 2..8);
+    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
+    (-1.0..3.0_f64, 50.0..6000.0_f64, parts, exponent).prop_map(|(ratio, modulus_over_strength, parts, exponent)| {
+        let yield_strength = MODULUS / modulus_over_strength;
+        let (mut widths, mut slopes): (Vec<f64>, Vec<f64>) = parts
+            .into_iter()
+            .map(|(decades, slope)| (10_f64.powf(decades), slope.min(0.9 * modulus_over_strength)))
+            .unzip();
+        // the narrow parts first, each flatter than the one before
+        widths.sort_by(f64::total_cmp);
+        slopes.sort_by(|a, b| b.total_cmp(a));
+        let mut least = f64::INFINITY;
+        let points = widths.iter().zip(slopes).scan((0.0, yield_strength), |(strain, stress), (width, slope)| {
+            least = least.min(slope).min(0.45 / width);
+            *strain += width;
+            *stress += least * width * yield_strength;
+            Some(FlowPoint { strain: *strain, stress: *stress })
+        });
+        let flow = FlowCurve::through(points.collect::<Vec<_>>()).unwrap();
+        let (law, bodies) = hardening_law(ratio, yield_strength, flow, exponent);
+        (law, bodies, exponent)
+    })
+}
+
+/// Whether along a law the force rises, dents deepen and e falls, but for these shares: of the dent, of the indentation, and of
+/// e.
+fn is_orderly(law: &Law, bodies: &Bodies, dent: f64, rise: f64) -> Result<(), TestCaseError> {
+    let mut before = law.loaded_to(1.0);
+    let (mut least, mut deepest_dent) = (1.0_f64, 0.0_f64);
+    // up to an indentation of 0.15 R
+    let deepest = 0.15 / bodies.yield_radius_ratio().powi(2);
+    for i in 1..400 {
+        let x = deepest.powf(f64::from(i) / 400.0);
+        let peak = law.loaded_to(x);
+        let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
+        prop_assert!(growth > 0.0, "{x}: {growth}");
+        prop_assert!(peak.residual() >= deepest_dent - dent * x, "{x}: {} {deepest_dent}", peak.residual());
+        deepest_dent = deepest_dent.max(peak.residual());
+        let restitution = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
+        prop_assert!(restitution < least * (1.0 + rise) && restitution < 1.0 + 1e-12, "{x}: {restitution} {least}");
+        least = least.min(restitution);
+        before = peak;
+    }
+    Ok(())
 }
 
 proptest! {
     #![proptest_config(crate::common::cases(200))]
 
+    /// The bounds of theory.md, section 9: the force is linear between points, which lets the dent fall and e rise a little just
+    /// behind a knot.
     #[test]
     fn force_rises_dents_deepen_and_restitution_falls((law, bodies, exponent) in any_hardening_law()) {
-        let mut before = law.loaded_to(1.0);
-        let (mut least, mut deepest_dent) = (1.0_f64, 0.0_f64);
-        // documented rise after a knot: 0.05 % with 3/2, 0.10 % with pressure-shape
-        let rise = if exponent == UnloadingExponent::Paper { 5e-4 } else { 1e-3 };
-        // up to an indentation of 0.15 R
-        let deepest = 0.15 / bodies.yield_radius_ratio().powi(2);
-        for i in 1..400 {
-            let x = deepest.powf(f64::from(i) / 400.0);
-            let peak = law.loaded_to(x);
-            let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
-            prop_assert!(growth > 1.0, "{x}: {growth}");
-            // the force is linear between points; for a soft sphere this makes the dent fall a little just after the
-            // first knot
-            prop_assert!(peak.residual() >= deepest_dent - 3e-4 * x, "{x}: {} {deepest_dent}", peak.residual());
-            deepest_dent = deepest_dent.max(peak.residual());
-            let restitution = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
-            prop_assert!(restitution < least * (1.0 + rise) && restitution < 1.0 + 1e-12, "{x}: {restitution} {least}");
-            least = least.min(restitution);
-            before = peak;
+        is_orderly(&law, &bodies, 2e-4, if exponent == UnloadingExponent::Paper { 1e-3 } else { 1.2e-3 })?;
+    }
+
+    #[test]
+    fn on_measured_curves_that_level_off_the_same_holds_more_loosely((law, bodies, _) in any_measured_law()) {
+        is_orderly(&law, &bodies, 2e-3, 1e-2)?;
+    }
+}
+
+/// The error of a half-space that is steeper than its elastic line, which a contact and an indentation give.
+#[test]
+fn a_curve_steeper_than_youngs_modulus_is_refused_with_its_place() {
+    let points = |list: &[[f64; 2]]| {
+        FlowCurve::through(list.iter().map(|&[strain, stress]| FlowPoint { strain, stress }).collect::<Vec<_>>())
+            .unwrap()
+    };
+    let flow = |b: f64, rate: f64| FlowCurve::Voce { saturation: b, rate };
+    // E = 210 GPa, a strength of 345 MPa: by hand, b c = 608.7 is the elastic line
+    for (curve, place) in [
+        (flow(0.7, 869.0), None),
+        (flow(0.7, 870.0), Some("between plastic strain 0 and 0.0011494")),
+        (FlowCurve::Linear { slope: 210e9 }, None),
+        (FlowCurve::Linear { slope: 211e9 }, Some("rises by 2.11e11 Pa (211 GPa) per strain")),
+        (FlowCurve::Power { exponent: 0.5 }, None),
+        (points(&[[0.01, 400e6], [0.011, 609e6], [0.1, 700e6]]), None),
+        (points(&[[0.01, 400e6], [0.011, 611e6], [0.1, 700e6]]), Some("between plastic strain 0.01 and 0.011 ")),
+        // from the yield strength to the first point, and a first point that is the yield strength
+        (points(&[[0.001, 556e6], [0.1, 700e6]]), Some("between plastic strain 0 and 0.001 ")),
+        (points(&[[0.0, 345e6 * (1.0 + 1e-12)], [0.1, 700e6]]), None),
+    ] {
+        let plm = Plm { flow: Some(curve.clone()), ..Plm::default() };
+        let got = Contact::try_new(STEEL_SPHERE, STEEL_HALF_SPACE, &plm).map(|_| ()).map_err(|error| error.to_string());
+        match place {
+            None => assert_eq!(got, Ok(()), "{curve:?}"),
+            Some(place) => assert!(got.as_ref().is_err_and(|error| error.contains(place)), "{curve:?}: {got:?}"),
         }
     }
+}
+
+/// The pressure of a soft sphere on a hard metal grows so fast that "pressure-shape" asks for an exponent below -1. The branch
+/// then gives back just what was spent.
+#[test]
+fn an_exponent_that_no_branch_can_have_gives_back_what_was_spent() {
+    // e 1.6 GPa sphere on E = 437 GPa, as steep as the elastic line allows
+    let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: material(437e9), yield_strength: Some(130e6), density: None };
+    let sphere = Sphere { material: material(1.6e9), ..STEEL_SPHERE };
+    for flow in [FlowCurve::Voce { saturation: 22.7, rate: 148.0 }, FlowCurve::Power { exponent: 0.5 }] {
+        let plm = Plm { exponent: UnloadingExponent::PressureShape, flow: Some(flow), ..Plm::default() };
+        let contact = Contact::try_new(sphere, half_space, &plm).unwrap();
+        let yields = contact.yield_speed().unwrap();
+        let mut held = 0;
+        for i in 1..200 {
+            let impact = contact.closed_form(yields * 1.05_f64.powi(i)).unwrap();
+            assert!(impact.restitution > 0.0 && impact.restitution <= 1.0, "{i}: {}", impact.restitution);
+            assert!(impact.contact_time.is_finite() && impact.unloading_exponent > 0.0, "{i}");
+            held += u32::from(impact.restitution > 1.0 - 1e-12);
+        }
+        assert!(held > 5, "{held}");
+    }
+}
+
+/// A stress that rises by half within 0.1 % of strain is outside of the law: a contact that strains the metal so far says so.
+#[test]
+fn a_step_of_the_flow_curve_warns_where_the_contact_reaches_it() {
+    let step = |strain: f64, after: f64| {
+        let points = [(strain, 350e6), (strain + 0.0009, after), (1.0, 1.01 * after)];
+        FlowCurve::through(points.map(|(strain, stress)| FlowPoint { strain, stress }).to_vec()).unwrap()
+    };
+    let warns = |flow: FlowCurve, speed: f64| {
+        let impact = steel(Some(flow), UnloadingExponent::Paper).closed_form(speed).unwrap();
+        impact.warnings.iter().map(ToString::to_string).find(|text| text.contains("rises by"))
+    };
+    let text = warns(step(0.01, 530e6), 3.0).unwrap();
+    assert!(text.contains("rises by 51 % within 0.1 % of strain, from a plastic strain of 0.0099 on"), "{text}");
+    for (flow, speed) in [
+        // too small a rise, a contact that does not come so far, a formula that bends at first
+        (step(0.01, 510e6), 3.0),
+        (step(0.01, 530e6), 0.03),
+        (FlowCurve::Power { exponent: 0.5 }, 3.0),
+        (FlowCurve::Voce { saturation: 1.0, rate: 400.0 }, 3.0),
+    ] {
+        assert_eq!(warns(flow, speed), None);
+    }
+    assert!(warns(FlowCurve::Voce { saturation: 1.0, rate: 600.0 }, 3.0).is_none());
+    assert!(warns(FlowCurve::Voce { saturation: 0.6, rate: 1000.0 }, 3.0).is_none());
 }
 
 /// The statement of the pages on one constant strength instead of the flow curve: the strength at 0.2 % plastic strain,
@@ -240,7 +363,7 @@ fn one_strength_for_a_metal_that_hardens_is_as_far_off_as_documented() {
 /// this.
 #[test]
 fn the_force_rises_along_any_curve() {
-    for (strain, stress) in [(1e-6, 3450e6), (1e-3, 3450e6), (1e-2, 34.5e9), (1e-9, 3.45e12)] {
+    for (strain, stress) in [(1e-6, 345.2e6), (1e-3, 550e6), (1e-2, 2.4e9), (1e-9, 345.0002e6)] {
         let points = [FlowPoint { strain, stress }, FlowPoint { strain: 2.0 * strain, stress }];
         let contact = steel(Some(FlowCurve::through(points.to_vec()).unwrap()), UnloadingExponent::PressureShape);
         let (_, law, _) = contact.scaled(3.0).unwrap();

@@ -6,9 +6,13 @@
 use std::f64::consts::PI;
 
 use crate::common::{Scene, any_scene, off};
+use plm_impact::impact::{Contact, Warning};
 use plm_impact::law::curve::Curve;
-use plm_impact::law::{ElasticApproach, Law, Peak, PlmCoefficients, UnloadingExponent, pressure_shape_exponent};
-use plm_impact::material::yield_factor;
+use plm_impact::law::{
+    ContactLaw, ElasticApproach, Law, LawChoice, Peak, Plm, PlmCoefficients, UnloadingExponent, pressure_shape_exponent,
+};
+use plm_impact::material::{Material, yield_factor};
+use plm_impact::strength::flow::FlowCurve;
 use proptest::prelude::*;
 
 /// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
@@ -377,4 +381,46 @@ fn plain_laws_unload_as_they_say() {
 fn yield_factor_is_the_papers_at_nu_0_3() {
     // Xie et al. 2024, below Eq. 18
     approx::assert_relative_eq!(yield_factor(0.3), 1.61316, max_relative = 1e-5);
+}
+
+/// Every law has a limit of its own to the width of the contact: that of its finite elements, or 0.3 R where it takes the sphere
+/// for a paraboloid. There the exact force of a rigid sphere (Sneddon 1965) is 1 % below that of Hertz.
+#[test]
+fn a_contact_that_is_too_wide_for_its_law_is_told_the_limit_of_that_law() {
+    let limits = |contact: &Contact, speed: f64| {
+        let impact = contact.closed_form(speed).unwrap_or_else(|error| panic!("{speed}: {error}"));
+        let limits = impact.warnings.iter().filter_map(|warning| match warning {
+            Warning::DeepDent { limit, .. } => Some(*limit),
+            Warning::OutsideStated { .. } => Some(f64::NAN),
+            _ => None,
+        });
+        (limits.collect::<Vec<_>>(), impact.peak_contact_radius / contact.sphere().radius)
+    };
+    let plain = Scene::steel().contact();
+    let contact = |law: &dyn ContactLaw| Contact::try_new(*plain.sphere(), *plain.half_space(), law).unwrap();
+    let hardening = Plm { flow: Some(FlowCurve::Power { exponent: 0.1 }), ..Plm::default() };
+    for (law, speed, want) in [
+        (contact(&Plm::default()), 150.0, 0.45),
+        (contact(&hardening), 100.0, 0.32),
+        (contact(LawChoice::from_name("hertz").unwrap().get()), 1000.0, 0.3),
+        (contact(LawChoice::from_name("thornton").unwrap().get()), 100.0, 0.3),
+        (contact(LawChoice::from_name("jackson_green").unwrap().get()), 50.0, 0.412),
+        (contact(LawChoice::from_name("plm + brake").unwrap().get()), 150.0, 0.45),
+    ] {
+        let (found, ratio) = limits(&law, speed);
+        assert_eq!(found, [want], "a/R = {ratio}");
+        assert!(limits(&law, 1e-2 * speed).0.is_empty());
+    }
+    // a spring has no geometry
+    assert!(limits(&contact(LawChoice::from_name("walton_braun").unwrap().get()), 500.0).0.is_empty());
+    // rubber
+    let rubber = Material { youngs_modulus: 3e6, poissons_ratio: 0.49 };
+    let (found, ratio) = limits(&Scene { half_space: rubber, yield_strength: None, ..Scene::steel() }.contact(), 1.2);
+    assert!(found == [0.3] && (0.3..0.45).contains(&ratio), "{found:?} {ratio}");
+    let sneddon = |ratio: f64| {
+        let logarithm = ((1.0 + ratio) / (1.0 - ratio)).ln();
+        let (force, depth) = (0.5 * ((1.0 + ratio * ratio) * logarithm - 2.0 * ratio), 0.5 * ratio * logarithm);
+        4.0 / 3.0 * depth.powf(1.5) / force - 1.0
+    };
+    assert!((sneddon(0.3) - 0.01).abs() < 1e-3 && (sneddon(0.45) - 0.02).abs() < 3e-3, "{}", sneddon(0.45));
 }

@@ -229,6 +229,18 @@ fn capture_ends_a_series_at_its_limit() {
     }
 }
 
+/// Under viscous damping a slow ball lifts off while it is still indented, and falls back. No dent holds it: it is captured.
+#[test]
+fn a_ball_that_falls_back_into_its_contact_is_captured_and_not_in_a_dent() {
+    for zeta in [0.2, 0.4, 0.6, 0.8] {
+        for place in [Place::Same, Place::Fresh] {
+            let contact = contact(Scene::steel(), Some(Damping::Viscous(zeta)));
+            let sequence = bouncing(place, 0.005, 10_000, None).run(&contact, &auto(), 10, None).unwrap();
+            assert_eq!((sequence.end, sequence.deepest_dent()), (End::Captured, 0.0), "{zeta} {place:?}");
+        }
+    }
+}
+
 #[test]
 fn a_drop_starts_the_clock_at_the_release() {
     let contact = contact(Scene::steel(), None);

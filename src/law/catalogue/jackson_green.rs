@@ -153,7 +153,7 @@ impl ContactLaw for JacksonGreen {
             if own <= TRANSITION { x.sqrt() } else { (x * from * pow(own, b)).sqrt() }
         });
         loading.holds_until = if starts.is_some() { end * s } else { s };
-        loading.stated = Some((0.0, s * reaches(STATED_RADIUS)));
+        loading.widest = STATED_RADIUS;
         Some(loading)
     }
 

@@ -50,7 +50,9 @@ impl ContactLaw for WaltonBraun {
     }
 
     fn loading(&self, _: &Bodies) -> Option<Loading> {
-        Some(Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt()))
+        let curve = Curve::straight(self.loading_stiffness);
+        // a spring has no geometry
+        Some(Loading { widest: f64::INFINITY, ..Loading::new(curve, 0.0, |x, _| x.sqrt()) })
     }
 
     fn recovery(&self, _: &Bodies) -> RecoveryRule {

@@ -60,9 +60,18 @@ impl Hardening {
     /// The largest plastic strain at which loading to x needs the flow curve, and the largest one for which the curve is
     /// known. `None` where the curve reaches far enough.
     pub(crate) fn beyond_flow_curve(&self, x: f64) -> Option<(f64, f64)> {
-        let strain = (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0);
+        let strain = self.largest_strain(x);
         let last = self.rise.curve.last_strain()?;
         (strain > last).then_some((strain, last))
+    }
+
+    /// The worst step of the flow curve that loading to x meets, see [`Rise::step_before`].
+    pub(crate) fn step(&self, x: f64) -> Option<(f64, f64)> {
+        self.rise.step_before(self.largest_strain(x))
+    }
+
+    fn largest_strain(&self, x: f64) -> f64 {
+        (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
     }
 
     /// ε at a point (x, f) with x > 1.
