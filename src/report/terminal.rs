@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 use crate::impact::{Contact, Impact};
-use crate::scene::results::Reported;
 use crate::scene::results::impact::{Single, results};
+use crate::scene::results::{Reported, Shown};
 use crate::units::aligned::aligned;
 use crate::units::rounded::{Prefix, number, percent, quantity};
 
@@ -22,22 +22,22 @@ pub(super) type Line = [String; 3];
 pub(super) fn lines<T>(results: &[Reported<T>], of: &T) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut whole = f64::NAN;
-    for Reported { name, label, value, .. } in labelled(results) {
+    for Reported { shown, label, value, .. } in labelled(results) {
         let Some(value) = value(of) else { continue };
         let Some((before, after)) = label.split_once('{') else {
             whole = value.as_f64().unwrap_or(f64::NAN);
-            lines.push([(*label).to_owned(), text(name, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);
+            lines.push([(*label).to_owned(), text(*shown, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);
             continue;
         };
         let share =
             value.as_f64().map(|part| part / whole).filter(|share| after.starts_with('%') && share.abs() <= 1.0);
-        let (Some(shown), Some([_, _, remarks])) =
-            (share.map(percent).or_else(|| text(name, &value)), lines.last_mut())
+        let (Some(remark), Some([_, _, remarks])) =
+            (share.map(percent).or_else(|| text(*shown, &value)), lines.last_mut())
         else {
             continue;
         };
         let comma = if remarks.is_empty() { "" } else { ", " };
-        remarks.extend([comma, before, &shown, after.trim_start_matches(['%', '}'])]);
+        remarks.extend([comma, before, &remark, after.trim_start_matches(['%', '}'])]);
     }
     lines
 }
@@ -50,7 +50,7 @@ pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>
             let value = (result.value)(row)?;
             let ends = results.iter().find(|other| other.name.strip_prefix("uncertainty.") == Some(result.name));
             let ends = ends.and_then(|ends| between(&value, &(ends.value)(row)?));
-            Some(text(result.name, &value)? + &ends.unwrap_or_default())
+            Some(text(result.shown, &value)? + &ends.unwrap_or_default())
         })
     };
     let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
@@ -78,24 +78,19 @@ fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {
     results.iter().filter(|result| !result.label.is_empty())
 }
 
-/// A value as text, in the unit at the end of its name; `None` where there is no value.
-fn text(name: &str, value: &Value) -> Option<String> {
-    let number_of = match value {
+/// A value as text; `None` where there is no value.
+fn text(shown: Shown, value: &Value) -> Option<String> {
+    let value = match value {
         Value::String(word) => return Some(word.clone()),
         Value::Number(count) if !count.is_f64() => return Some(count.to_string()),
         value => value.as_f64()?,
     };
-    let is_unit = |part: &&str| ["per", "m", "s", "N", "J", "Pa", "kg"].contains(part);
-    let unit: Vec<&str> = name.rsplit('_').take_while(is_unit).collect();
-    Some(match name {
-        _ if !unit.is_empty() => {
-            let unit = unit.into_iter().rev().collect::<String>();
-            quantity(number_of, &unit.replace("per", "/"))
-        }
-        name if name.ends_with("_fraction") => percent(number_of),
-        name if name.ends_with("_deviation") => format!("{:+.1} %", 100.0 * number_of),
-        name if name.contains("drift") || name.ends_with("_error") => format!("{number_of:.1e}"),
-        _ => number(number_of),
+    Some(match shown {
+        Shown::Plain => number(value),
+        Shown::In(dimension) => quantity(value, dimension.si_unit()),
+        Shown::Percent => percent(value),
+        Shown::Deviation => format!("{:+.1} %", 100.0 * value),
+        Shown::Error => format!("{value:.1e}"),
     })
 }
 

@@ -82,18 +82,13 @@ type Part = (&'static str, fn() -> String);
 
 const PARTS: [Part; 3] = [("keys", keys), ("results", files), ("materials", materials)];
 
-/// Keys, results and materials as Markdown.
-pub fn page() -> String {
-    PARTS.iter().map(|(_, text)| text()).collect()
-}
-
 /// A page with the text between the marks written anew.
 ///
 /// # Errors
 /// The marks that the page lacks.
 pub fn renewed(page: &str) -> Result<String, [String; 2]> {
     let write = |page: String, (name, text): &Part| {
-        let begin = format!("<!-- {name}: written by `plm-impact reference` -->");
+        let begin = format!("<!-- {name}: written by a test -->");
         let end = format!("<!-- end of {name} -->");
         let parts = page.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
         let Some((before, after)) = parts else { return Err([begin, end]) };

@@ -5,6 +5,7 @@
 //!
 //! * what the result means, in one sentence;
 //! * its name. The name ends in the unit; in JSON, the part before a dot is the name of a group;
+//! * `in` and its dimension, or how its number is shown: [`Shown`];
 //! * `as` and a label, for a result that the terminal shows;
 //! * `if` and a condition, for a result that is not always there. A result without a condition is always there: as `null` (in
 //!   CSV as an empty field) where its value is not finite or `None`;
@@ -18,7 +19,7 @@ pub mod indentation;
 pub mod series;
 pub mod table;
 
-pub use entry::{Column, Fields, Needs, Reported, fields};
+pub use entry::{Column, Fields, Needs, Reported, Shown, fields};
 
 /// All results as Markdown, a table for every file, or part of one, that has them.
 pub fn files() -> String {
@@ -30,4 +31,43 @@ pub fn columns() -> Vec<Column> {
     let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
     columns.sort_by_key(|column| column.needs == Needs::Density);
     columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Dimension;
+
+    fn names<T>(results: &[Reported<T>]) -> Vec<(&'static str, Shown)> {
+        results.iter().map(|result| (result.name, result.shown)).collect()
+    }
+
+    #[test]
+    fn a_name_ends_in_the_unit_of_its_number_and_no_other_name_does() {
+        use Dimension::{Acceleration, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time};
+        let units = [Acceleration, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time];
+        let all = [
+            names(&impact::results()),
+            names(&impact::trace()),
+            names(&series::results()),
+            names(&series::impacts()),
+            names(&series::trace()),
+            names(&indentation::half_space()),
+            names(&indentation::step()),
+            names(&indentation::trace()),
+            names(&compare::row()),
+            names(&compare::peak()),
+            names(&table::totals()),
+            names(&table::drawn()),
+        ]
+        .concat();
+        assert!(all.len() > 150, "{}", all.len());
+        for (name, shown) in all {
+            // the longest end that is a unit: "_m_per_s" ends in "_s" too
+            let ends = units.into_iter().filter(|unit| name.ends_with(unit.suffix()));
+            let unit = ends.max_by_key(|unit| unit.suffix().len());
+            let said = if let Shown::In(dimension) = shown { Some(dimension) } else { None };
+            assert_eq!(said, unit, "{name}");
+        }
+    }
 }

@@ -1,14 +1,14 @@
 //! CSV as people and spreadsheets write it: with a byte order mark, comment lines that begin with `#`, empty lines, and
 //! spaces around values.
 
+use crate::error::{Details, Error};
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
-use thiserror::Error;
 
 /// The line, counted from 1, and what is wrong there.
 pub type Refusal = (Option<u64>, String);
 
 /// Why a file of numbers is refused.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
 pub struct TableError {
     /// The name of the file.
@@ -23,6 +23,14 @@ impl TableError {
     /// Gives a refusal the name of its file.
     pub(crate) fn of(name: &str) -> impl Fn(Refusal) -> Self + Copy {
         |(line, message)| Self { name: name.to_owned(), line, message }
+    }
+}
+
+impl From<TableError> for Error {
+    fn from(error: TableError) -> Self {
+        let text = error.to_string();
+        let TableError { name, line, message } = error;
+        Self::input(text).with(Details { message: Some(message), file: Some(name), line, ..Details::default() })
     }
 }
 

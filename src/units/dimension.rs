@@ -23,6 +23,8 @@ pub enum Dimension {
     Force,
     /// Joules.
     Energy,
+    /// Newtons per metre.
+    Stiffness,
     /// A plain number.
     Ratio,
 }
@@ -41,6 +43,7 @@ impl Dimension {
             Self::Pressure => ["a pressure", "Pa", "_Pa", "\"210 GPa\""],
             Self::Force => ["a force", "N", "_N", "\"1 kN\""],
             Self::Energy => ["an energy", "J", "_J", "\"1 mJ\""],
+            Self::Stiffness => ["a stiffness", "N/m", "_N_per_m", "\"1 kN/m\""],
             Self::Ratio => ["a plain number", "", "", "0.3"],
         }
     }

@@ -31,7 +31,9 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
     Unit { name, dimension, scale, is_shown: false }
 }
 
-use Dimension::{Acceleration, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Time};
+use Dimension::{
+    Acceleration, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Stiffness, Time,
+};
 
 pub(super) const UNITS: &[Unit] = &[
     shown("nm", Length, -9),
@@ -95,6 +97,10 @@ pub(super) const UNITS: &[Unit] = &[
     shown("mJ", Energy, -3),
     shown("J", Energy, 0),
     shown("kJ", Energy, 3),
+    shown("N/m", Stiffness, 0),
+    shown("kN/m", Stiffness, 3),
+    read("N/mm", Stiffness, Scale::Ten(3)),
+    shown("MN/m", Stiffness, 6),
     read("%", Ratio, Scale::Ten(-2)),
 ];
 

@@ -66,21 +66,21 @@ pub fn row() -> Vec<Reported<Row>> {
         /// The law, or `finite_elements`.
         "law" as "law": row.law.clone();
         /// Depth of the dent; `null` where the law has no answer, as for all that follows.
-        "residual_indentation_m" as "dent depth": row.branch.map(|branch| branch.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth": row.branch.map(|branch| branch.residual_indentation);
         /// Depth of the dent over the indentation at the peak.
         "residual_share" as "share of peak": row.branch.map(|branch| branch.residual_share);
         /// Energy that unloading gives back.
-        "recovered_energy_J" as "recovered": row.branch.map(|branch| branch.recovered_energy);
+        "recovered_energy_J" in Energy as "recovered": row.branch.map(|branch| branch.recovered_energy);
         /// Square root of the share of the spent work that comes back.
         "restitution" as "e": row.branch.map(|branch| branch.restitution);
         /// Relative difference of the share of the dent from the finite elements; `null` without these, as below.
-        "residual_deviation" as "depth against FE":
+        "residual_deviation" in Deviation as "depth against FE":
             row.branch.and_then(|branch| branch.deviations).map(|[share, _, _]| share);
         /// Relative difference of the recovered energy from the finite elements.
-        "recovered_energy_deviation" as "energy against FE":
+        "recovered_energy_deviation" in Deviation as "energy against FE":
             row.branch.and_then(|branch| branch.deviations).map(|[_, energy, _]| energy);
         /// Relative difference of the restitution from the finite elements.
-        "restitution_deviation" as "e against FE": row.branch.and_then(|branch| branch.deviations).map(|[_, _, e]| e);
+        "restitution_deviation" in Deviation as "e against FE": row.branch.and_then(|branch| branch.deviations).map(|[_, _, e]| e);
         /// `ok`, or `outside_law`.
         "status" as "status": if row.branch.is_some() { "ok" } else { "outside_law" };
     }
@@ -92,19 +92,19 @@ pub fn peak() -> Vec<Reported<Comparison>> {
         /// Where the peak comes from: `plm` or `given`.
         "peak.origin": if of.origin == Origin::Plm { "plm" } else { "given" };
         /// Indentation.
-        "peak.indentation_m": of.peak.indentation * of.bodies.yield_point.indentation;
+        "peak.indentation_m" in Length: of.peak.indentation * of.bodies.yield_point.indentation;
         /// Indentation over that at first yield.
         "peak.indentation_over_yield": of.peak.indentation;
         /// Force.
-        "peak.force_N": of.peak.force * of.bodies.yield_point.force;
+        "peak.force_N" in Force: of.peak.force * of.bodies.yield_point.force;
         /// Contact radius.
-        "peak.contact_radius_m": of.peak.radius * of.bodies.yield_point.contact_radius;
+        "peak.contact_radius_m" in Length: of.peak.radius * of.bodies.yield_point.contact_radius;
         /// The sphere's own indentation.
-        "peak.sphere_indentation_m": of.peak.elastic_approach.map(|approach| {
+        "peak.sphere_indentation_m" in Length: of.peak.elastic_approach.map(|approach| {
             of.bodies.pair.sphere_compliance * approach * of.bodies.yield_point.indentation
         });
         /// Work of loading up to the peak.
-        "peak.spent_work_J": of.peak.spent * of.bodies.yield_point.force * of.bodies.yield_point.indentation;
+        "peak.spent_work_J" in Energy: of.peak.spent * of.bodies.yield_point.force * of.bodies.yield_point.indentation;
     }
 }
 

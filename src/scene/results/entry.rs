@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::impact::Essentials;
 use crate::scene::Scene;
+use crate::units::Dimension;
 
 /// A result that is found from a `T`.
 #[derive(Debug, Clone, Copy)]
@@ -15,6 +16,8 @@ pub struct Reported<T> {
     pub name: &'static str,
     /// What it is, in one sentence.
     pub about: &'static str,
+    /// How the terminal shows it.
+    pub shown: Shown,
     /// The condition under which it is there; empty if it is always there.
     pub condition: &'static str,
     /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for
@@ -24,6 +27,21 @@ pub struct Reported<T> {
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
     pub column: Option<Column>,
+}
+
+/// How the terminal shows a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// As it is.
+    Plain,
+    /// In this unit, with a prefix. The name of the result ends in the unit.
+    In(Dimension),
+    /// As a share in percent.
+    Percent,
+    /// As a deviation in percent, with its sign.
+    Deviation,
+    /// As an error, in powers of ten.
+    Error,
 }
 
 /// The results of a file, or of a part of one, as Markdown for the reference page.
@@ -124,16 +142,24 @@ pub(super) const UNCERTAIN: &str = "an uncertainty is given";
 /// A list of results from its entries.
 macro_rules! results {
     (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
-        $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
+        $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
         vec![$($crate::scene::results::entry::Reported::<$type> {
             name: $name,
             about: concat!($($about),+).trim_ascii_start(),
+            shown: results!(@shown $($shown)?),
             condition: results!(@condition $($condition)?),
             label: concat!($($label)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
             value: |$of| results!(@value $value $(, $condition)?),
             column: results!(@column $($name, $needs, $column)?),
         }),+]
+    };
+    (@shown) => { $crate::scene::results::entry::Shown::Plain };
+    (@shown Percent) => { $crate::scene::results::entry::Shown::Percent };
+    (@shown Deviation) => { $crate::scene::results::entry::Shown::Deviation };
+    (@shown Error) => { $crate::scene::results::entry::Shown::Error };
+    (@shown $dimension:ident) => {
+        $crate::scene::results::entry::Shown::In($crate::units::Dimension::$dimension)
     };
     (@condition) => { "" };
     (@condition $condition:ident) => { $crate::scene::results::entry::$condition };

@@ -34,88 +34,88 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
             (of.impact.speed > 0.0).then_some(of.impact.restitution);
         /// Share of the kinetic energy that is radiated as elastic waves, to first order.
-        "wave_loss_fraction" as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
+        "wave_loss_fraction" in Percent as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
             of.impact.wave_loss_fraction;
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" if WAVES [Density: Essentials::restitution_with_waves]:
             of.impact.restitution_with_waves();
         /// Speed of the sphere when it separates.
-        "rebound_speed_m_per_s" as "rebound speed": of.impact.rebound_speed;
+        "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
         /// Time from first touch to separation; `null` for a captured sphere.
-        "contact_time_s" as "contact time" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
+        "contact_time_s" in Time as "contact time" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
             of.impact.contact_time;
         /// Time from first touch to the largest indentation.
-        "loading_time_s" as "compression {}": of.impact.loading_time;
+        "loading_time_s" in Time as "compression {}": of.impact.loading_time;
         /// Largest contact force.
-        "peak_force_N" as "peak force" [Nothing: |row| Some(row.peak_force)]: of.impact.peak_force;
+        "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)]: of.impact.peak_force;
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
-        "peak_indentation_m" as "peak indentation" [Nothing: |row| Some(row.peak_indentation)]: of.impact.peak_indentation;
+        "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)]: of.impact.peak_indentation;
         /// The sphere's own share of the largest indentation; 0 for a rigid sphere.
-        "peak_sphere_indentation_m" as "sphere {}": of.impact.peak_sphere_indentation;
+        "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
-        "peak_contact_radius_m" as "contact radius": of.impact.peak_contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": of.impact.peak_contact_radius;
         /// Peak force over the contact area there.
-        "peak_mean_pressure_Pa" as "mean pressure {}": of.impact.peak_mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": of.impact.peak_mean_pressure;
         /// The part of the largest indentation that is recovered on unloading.
-        "elastic_approach_m": of.impact.elastic_approach;
+        "elastic_approach_m" in Length: of.impact.elastic_approach;
         /// Depth of the dent; 0 without one.
-        "residual_indentation_m" as "dent depth" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
+        "residual_indentation_m" in Length as "dent depth" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
             of.plastic(of.impact.residual_indentation);
         /// Effective radius of the contact on unloading.
-        "unloading_radius_m" if YIELDS: of.plastic(of.impact.unloading_radius);
+        "unloading_radius_m" in Length if YIELDS: of.plastic(of.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
-        "residual_radius_m" as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
+        "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
         /// Radius of the dent's rim: the contact radius at the peak that shaped it; `null` without a dent.
-        "dent_radius_m" as "dent radius" if YIELDS [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)]:
+        "dent_radius_m" in Length as "dent radius" if YIELDS [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)]:
             of.plastic(of.impact.dent_radius);
         /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
+        "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
         /// Indentation at first yield.
-        "yield_indentation_m" if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
+        "yield_indentation_m" in Length if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
-        "yield_force_N" as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
+        "yield_force_N" in Force as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
         /// Share of the kinetic energy that comes back: the square of the restitution.
-        "recovered_fraction" if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())]: None::<f64>;
+        "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())]: None::<f64>;
         /// Share of the kinetic energy that is spent on the dent.
-        "plastic_fraction" if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)]: None::<f64>;
+        "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)]: None::<f64>;
         /// Whether the sphere left (`separated`) or stayed (`captured`).
         "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
         /// Time of separation; for a captured sphere, the time at which the computation ends.
-        "end_time_s" as "at {}" if FORCES: of.forced(|under| under.end_time);
+        "end_time_s" in Time as "at {}" if FORCES: of.forced(|under| under.end_time);
         /// Indentation at that time.
-        "end_indentation_m" if FORCES: of.forced(|under| under.end_indentation);
+        "end_indentation_m" in Length if FORCES: of.forced(|under| under.end_indentation);
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" as "comes to rest at an indentation of {}" if CAPTURED:
+        "static_indentation_m" in Length as "comes to rest at an indentation of {}" if CAPTURED:
             of.forced(|under| under.static_indentation).flatten();
         /// Length of a step.
-        "verlet.step_s" as "verlet step" if VERLET: of.verlet(|seen| seen.step);
+        "verlet.step_s" in Time as "verlet step" if VERLET: of.verlet(|seen| seen.step);
         /// Time from first touch to the deepest step.
-        "verlet.compression_time_s" as "compression {}" if VERLET: of.verlet(|seen| seen.compression_time);
+        "verlet.compression_time_s" in Time as "compression {}" if VERLET: of.verlet(|seen| seen.compression_time);
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
-        "verlet.separation_time_s" as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
+        "verlet.separation_time_s" in Time as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
-        "verlet.energy_drift_at_end" as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
+        "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
         /// Kinetic energy of the sphere at first touch.
-        "energy.kinetic_in_J" as "energy": of.impact.energy.kinetic_in;
+        "energy.kinetic_in_J" in Energy as "energy": of.impact.energy.kinetic_in;
         /// Kinetic energy of the sphere at separation.
-        "energy.recovered_J" as "{%} recovered": of.impact.energy.recovered;
+        "energy.recovered_J" in Energy as "{%} recovered": of.impact.energy.recovered;
         /// Energy spent on the dent.
-        "energy.plastic_J" as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
+        "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
         /// Energy taken by damping.
-        "energy.damping_J" as "{%} into damping" if DAMPING: of.forced(|under| under.damping_loss).flatten();
+        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: of.forced(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "energy.stored_at_separation_J" as "{%} left in the contact" if VISCOUS:
+        "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
             of.forced(|under| under.stored_at_separation).flatten();
         /// Work of gravity since first touch.
-        "energy.gravity_work_J" as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
+        "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
         /// Largest error of the energy balance on the way, as a share of the kinetic energy at first touch.
-        "energy.drift" as "drift {}": of.impact.energy.drift;
+        "energy.drift" in Error as "drift {}": of.impact.energy.drift;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
         "accuracy.closed_form_restitution" as "closed form": of.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.
-        "accuracy.restitution_error" as "restitution off by {}": of.impact.accuracy.restitution_error;
+        "accuracy.restitution_error" in Error as "restitution off by {}": of.impact.accuracy.restitution_error;
         /// Relative difference of the contact time from the closed form.
-        "accuracy.contact_time_error" as "contact time by {}": of.impact.accuracy.contact_time_error;
+        "accuracy.contact_time_error" in Error as "contact time by {}": of.impact.accuracy.contact_time_error;
         /// Steps of the integration.
         "work.steps" as "steps": of.impact.work.steps;
         /// Steps that were repeated with a shorter length.
@@ -125,11 +125,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Where the scene, the model or the run is doubtful.
         "warnings": of.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa": of.contact.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure: of.contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance": of.contact.pair().sphere_compliance;
         /// Mass of the sphere.
-        "sphere_mass_kg": of.contact.mass();
+        "sphere_mass_kg" in Mass: of.contact.mass();
         /// Exponent of the force on unloading.
         "unloading_exponent": of.impact.unloading_exponent;
     }
@@ -139,19 +139,19 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
 pub fn trace() -> Vec<Reported<TraceRow>> {
     results! { |row: TraceRow|
         /// Time since first touch.
-        "time_s": row.time;
+        "time_s" in Time: row.time;
         /// How far the sphere's centre has come closer to the half-space.
-        "indentation_m": row.indentation;
+        "indentation_m" in Length: row.indentation;
         /// The sphere's own share of the indentation.
-        "sphere_indentation_m": row.sphere_indentation;
+        "sphere_indentation_m" in Length: row.sphere_indentation;
         /// The half-space's share of the indentation.
-        "half_space_indentation_m": row.half_space_indentation;
+        "half_space_indentation_m" in Length: row.half_space_indentation;
         /// Speed into the half-space; negative on the way out.
-        "speed_m_per_s": row.speed;
+        "speed_m_per_s" in Speed: row.speed;
         /// Force on the sphere, with what damping adds.
-        "force_N": row.force;
+        "force_N" in Force: row.force;
         /// Force of the contact law alone.
-        "elastic_force_N" if DAMPING: row.elastic_force;
+        "elastic_force_N" in Force if DAMPING: row.elastic_force;
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
         /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `separation`

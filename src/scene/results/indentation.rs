@@ -9,27 +9,27 @@ pub fn half_space() -> Vec<Reported<Tested>> {
         /// Name of the half-space.
         "name" if NAMED: of.specimen.name.clone();
         /// Young's modulus.
-        "youngs_modulus_Pa": of.specimen.half_space.material.youngs_modulus;
+        "youngs_modulus_Pa" in Pressure: of.specimen.half_space.material.youngs_modulus;
         /// Uncertainty of the modulus: half of the width of its interval.
-        "youngs_modulus_uncertainty_Pa" if UNCERTAIN: of.specimen.modulus_uncertainty;
+        "youngs_modulus_uncertainty_Pa" in Pressure if UNCERTAIN: of.specimen.modulus_uncertainty;
         /// Poisson's ratio.
         "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
-        "yield_strength_Pa" if YIELDS: of.specimen.half_space.yield_strength;
+        "yield_strength_Pa" in Pressure if YIELDS: of.specimen.half_space.yield_strength;
         /// Uncertainty of the strength: half of the width of its interval.
-        "yield_strength_uncertainty_Pa" if UNCERTAIN: of.specimen.strength_uncertainty;
+        "yield_strength_uncertainty_Pa" in Pressure if UNCERTAIN: of.specimen.strength_uncertainty;
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa": of.pair.effective_modulus;
+        "effective_modulus_Pa" in Pressure: of.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance": of.pair.sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" if YIELDS: of.pair.yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length if YIELDS: of.pair.yield_point.map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" if YIELDS: of.pair.yield_point.map(|point| point.force);
+        "yield_force_N" in Force if YIELDS: of.pair.yield_point.map(|point| point.force);
         /// Work of all steps.
-        "work_J": of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
+        "work_J" in Energy: of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
         /// Energy spent on the dent in all steps.
-        "plastic_work_J" if YIELDS: of.can_yield.then(|| {
+        "plastic_work_J" in Energy if YIELDS: of.can_yield.then(|| {
             of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
         });
     }
@@ -61,56 +61,56 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         /// Number of the step, from 1.
         "step" as "step": of.number;
         /// Load at which the step ends.
-        "target_load_N" as "to" if GIVEN: match of.step.target {
+        "target_load_N" in Force as "to" if GIVEN: match of.step.target {
             Target::Load(load) => Some(load),
             Target::Indentation(_) => None,
         };
         /// Indentation at which the step ends.
-        "target_indentation_m" as "to" if GIVEN: match of.step.target {
+        "target_indentation_m" in Length as "to" if GIVEN: match of.step.target {
             Target::Load(_) => None,
             Target::Indentation(indentation) => Some(indentation),
         };
         /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": of.step.branch.name();
         /// Indentation at its end.
-        "indentation_m" as "indentation": of.step.indentation;
+        "indentation_m" in Length as "indentation": of.step.indentation;
         /// The sphere's own share of the indentation.
-        "sphere_indentation_m": of.step.sphere_indentation;
+        "sphere_indentation_m" in Length: of.step.sphere_indentation;
         /// Force at its end.
-        "force_N" as "force": of.step.force;
+        "force_N" in Force as "force": of.step.force;
         /// Work done in the step; negative on unloading.
-        "work_J" as "work": of.step.work;
+        "work_J" in Energy as "work": of.step.work;
         /// Elastic energy in the contact at its end.
-        "stored_energy_J": of.step.stored_energy;
+        "stored_energy_J" in Energy: of.step.stored_energy;
         /// Energy spent on the dent in the step.
-        "plastic_work_J" as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
+        "plastic_work_J" in Energy as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
         /// Largest force so far.
-        "peak_force_N": of.step.memory.force;
+        "peak_force_N" in Force: of.step.memory.force;
         /// Largest indentation so far.
-        "peak_indentation_m": of.step.memory.indentation;
+        "peak_indentation_m" in Length: of.step.memory.indentation;
         /// Contact radius at that indentation.
-        "peak_contact_radius_m" as "contact radius": of.step.memory.contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": of.step.memory.contact_radius;
         /// Largest force over the contact area there.
-        "peak_mean_pressure_Pa": of.step.memory.mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure: of.step.memory.mean_pressure;
         /// Depth of the dent.
-        "residual_indentation_m" as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
         /// Slope of the unloading branch at its top.
-        "unloading_stiffness_N_per_m" as "stiffness S": of.step.memory.unloading_stiffness;
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": of.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": of.step.memory.unloading_exponent;
         /// Lowest and highest indentation at the end of the step, over all ends of the uncertain inputs, as for the
         /// results below.
-        "uncertainty.indentation_m" if UNCERTAIN: of.span(|step| step.indentation);
+        "uncertainty.indentation_m" in Length if UNCERTAIN: of.span(|step| step.indentation);
         /// Lowest and highest force.
-        "uncertainty.force_N" if UNCERTAIN: of.span(|step| step.force);
+        "uncertainty.force_N" in Force if UNCERTAIN: of.span(|step| step.force);
         /// Lowest and highest depth of the dent.
-        "uncertainty.residual_indentation_m" if UNCERTAIN: of.span(|step| step.memory.residual_indentation);
+        "uncertainty.residual_indentation_m" in Length if UNCERTAIN: of.span(|step| step.memory.residual_indentation);
         /// Lowest and highest slope of the unloading branch at its top.
-        "uncertainty.unloading_stiffness_N_per_m" if UNCERTAIN: of.span(|step| step.memory.unloading_stiffness);
+        "uncertainty.unloading_stiffness_N_per_m" in Stiffness if UNCERTAIN: of.span(|step| step.memory.unloading_stiffness);
         /// Lowest and highest contact radius.
-        "uncertainty.peak_contact_radius_m" if UNCERTAIN: of.span(|step| step.memory.contact_radius);
+        "uncertainty.peak_contact_radius_m" in Length if UNCERTAIN: of.span(|step| step.memory.contact_radius);
         /// Lowest and highest energy spent on the dent in the step.
-        "uncertainty.plastic_work_J" if UNCERTAIN: of.span(|step| step.plastic_work);
+        "uncertainty.plastic_work_J" in Energy if UNCERTAIN: of.span(|step| step.plastic_work);
     }
 }
 
@@ -125,13 +125,13 @@ pub fn trace<'a>() -> Vec<Reported<Traced<'a>>> {
         /// Number of the step, from 1.
         "step": row.1.step;
         /// Indentation.
-        "indentation_m": row.1.indentation;
+        "indentation_m" in Length: row.1.indentation;
         /// The sphere's own share of the indentation.
-        "sphere_indentation_m": row.1.sphere_indentation;
+        "sphere_indentation_m" in Length: row.1.sphere_indentation;
         /// The half-space's share of the indentation.
-        "half_space_indentation_m": row.1.half_space_indentation;
+        "half_space_indentation_m" in Length: row.1.half_space_indentation;
         /// Force.
-        "force_N": row.1.force;
+        "force_N" in Force: row.1.force;
         /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": row.1.branch.name();
     }

@@ -72,57 +72,57 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Restitution of the last impact.
         "final_restitution" as "last restitution": of.last(|hit| hit.restitution);
         /// Rebound speed of the last impact.
-        "final_rebound_speed_m_per_s" as "rebound speed {}": of.last(|hit| hit.rebound_speed);
+        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": of.last(|hit| hit.rebound_speed);
         /// Largest contact force of all impacts.
-        "largest_peak_force_N": of.largest(|hit| hit.peak_force);
+        "largest_peak_force_N" in Force: of.largest(|hit| hit.peak_force);
         /// Largest indentation of all impacts, from the original surface.
-        "largest_peak_indentation_m": of.largest(|hit| hit.peak_indentation);
+        "largest_peak_indentation_m" in Length: of.largest(|hit| hit.peak_indentation);
         /// Depth of the deepest dent.
-        "deepest_residual_indentation_m" as "deepest dent" if YIELDS: of.plastic(of.sequence.deepest_dent());
+        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: of.plastic(of.sequence.deepest_dent());
         /// Gravity.
-        "gravity_m_per_s2" if BOUNCES: of.bouncing(|by| by.gravity);
+        "gravity_m_per_s2" in Acceleration if BOUNCES: of.bouncing(|by| by.gravity);
         /// Height of the first fall; `null` where the first speed is given.
-        "drop_height_m" if BOUNCES: of.bouncing(|by| by.drop_height);
+        "drop_height_m" in Length if BOUNCES: of.bouncing(|by| by.drop_height);
         /// Largest number of impacts.
         "most_impacts" if BOUNCES: of.bouncing(|by| by.most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
-        "until_speed_m_per_s" if BOUNCES: of.bouncing(|by| by.until);
+        "until_speed_m_per_s" in Speed if BOUNCES: of.bouncing(|by| by.until);
         /// Time of the last separation.
-        "last_separation_time_s" as "last separation" if BOUNCES:
+        "last_separation_time_s" in Time as "last separation" if BOUNCES:
             of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
         /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
         /// its dent.
-        "remaining_time_s" as "time to rest" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
+        "remaining_time_s" in Time as "time to rest" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
         /// How that time is estimated.
         "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
         /// Highest rebound over the original surface.
-        "highest_rebound_m" if BOUNCES: of.bouncing(|_| {
+        "highest_rebound_m" in Length if BOUNCES: of.bouncing(|_| {
             let flights = of.sequence.hits.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.top()).reduce(max_or_nan)
         });
         /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" as "rests at" if CAPTURED:
+        "static_indentation_m" in Length as "rests at" if CAPTURED:
             of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.forced(|forces| forces.static_indentation))).flatten();
         /// Kinetic energy at the first touch.
-        "energy.first_kinetic_in_J": of.first(|hit| hit.kinetic_in);
+        "energy.first_kinetic_in_J" in Energy: of.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J": of.last(|hit| hit.energy.recovered);
+        "energy.last_recovered_J" in Energy: of.last(|hit| hit.energy.recovered);
         /// Energy spent on dents.
-        "energy.plastic_J" if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        "energy.plastic_J" in Energy if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Largest error of the energy balance of any impact.
-        "energy.drift" as "energy drift": of.sequence.drift();
+        "energy.drift" in Error as "energy drift": of.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
         "traced_impacts": of.sequence.traced.len();
         /// Where the scene, the model or the run is doubtful.
         "warnings": of.warnings.to_vec();
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa": of.contact.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure: of.contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance": of.contact.pair().sphere_compliance;
         /// Mass of the sphere.
-        "sphere_mass_kg": of.contact.mass();
+        "sphere_mass_kg" in Mass: of.contact.mass();
         /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" if YIELDS: of.contact.yield_speed();
+        "yield_speed_m_per_s" in Speed if YIELDS: of.contact.yield_speed();
     }
 }
 
@@ -147,35 +147,35 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         /// Number of the impact, from 1.
         "impact" as "impact": row.0;
         /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
-        "time_s" as "time" if BOUNCES: row.1.time;
+        "time_s" in Time as "time" if BOUNCES: row.1.time;
         /// Speed at first touch.
-        "impact_speed_m_per_s" as "speed": row.1.speed;
+        "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
         /// Rebound speed over impact speed; 0 if captured.
         "restitution" as "e": row.1.restitution;
         /// Speed at separation.
-        "rebound_speed_m_per_s" as "rebound": row.1.rebound_speed;
+        "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
         /// Largest contact force.
-        "peak_force_N" as "peak force": row.1.peak_force;
+        "peak_force_N" in Force as "peak force": row.1.peak_force;
         /// Largest indentation, from the original surface.
-        "peak_indentation_m" as "peak depth": row.1.peak_indentation;
+        "peak_indentation_m" in Length as "peak depth": row.1.peak_indentation;
         /// Depth of the dent afterwards.
-        "residual_indentation_m" as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
+        "residual_indentation_m" in Length as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
         /// How much deeper this impact made the dent.
-        "dent_growth_m" as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
+        "dent_growth_m" in Length as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
         /// Time from first touch to separation; empty if captured.
-        "contact_time_s" as "contact": row.1.contact_time;
+        "contact_time_s" in Time as "contact": row.1.contact_time;
         /// Kinetic energy at first touch.
-        "kinetic_in_J": row.1.kinetic_in;
+        "kinetic_in_J" in Energy: row.1.kinetic_in;
         /// Kinetic energy at separation.
-        "recovered_J": row.1.energy.recovered;
+        "recovered_J" in Energy: row.1.energy.recovered;
         /// Energy spent on the dent.
-        "plastic_J" if YIELDS: row.1.energy.plastic;
+        "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
         /// Energy taken by damping.
-        "damping_J" if DAMPING: row.1.forced(|forces| forces.damping_loss);
+        "damping_J" in Energy if DAMPING: row.1.forced(|forces| forces.damping_loss);
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "stored_at_separation_J" if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
+        "stored_at_separation_J" in Energy if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
         /// Error of the energy balance.
-        "energy_drift": row.1.energy.drift;
+        "energy_drift" in Error: row.1.energy.drift;
     }
 }
 
@@ -197,13 +197,13 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         /// Number of the impact that the row belongs to or follows; 0 during the fall before the first.
         "impact": row.impact;
         /// Time of the series for a bouncing sphere; for shots, time since each first touch.
-        "time_s": row.time;
+        "time_s" in Time: row.time;
         /// Height of the lowest point of the sphere over the original surface; negative in contact.
-        "height_m": row.height;
+        "height_m" in Length: row.height;
         /// Speed towards the half-space.
-        "speed_m_per_s": row.speed;
+        "speed_m_per_s" in Speed: row.speed;
         /// Force on the sphere.
-        "force_N": row.force;
+        "force_N" in Force: row.force;
         /// Branch of the law, or `flight`.
         "branch": row.branch;
         /// The event in this row, if there is one, as in the trace of one impact; `release` where a fall begins.

@@ -47,7 +47,7 @@ pub fn totals() -> Vec<Reported<Totals>> {
         /// Mean of the restitution.
         "restitution.mean" if RANDOM: of.restitution.map(|e| e.mean);
         /// Standard deviation of the restitution, with n - 1 in the denominator.
-        "restitution.standard_deviation" if RANDOM: of.restitution.map(|e| e.standard_deviation);
+        "restitution.standard_deviation" in Deviation if RANDOM: of.restitution.map(|e| e.standard_deviation);
         /// 5 % of the restitutions are smaller.
         "restitution.quantile_05" if RANDOM: of.restitution.map(|e| e.quantile_05);
         /// Half of the restitutions are smaller.
