@@ -14,7 +14,6 @@ mod merge;
 mod names;
 mod output;
 mod pictures;
-mod reference;
 mod run;
 mod scenario;
 mod sweep;
@@ -67,7 +66,6 @@ enum Command {
   plm-impact schema > scenario.schema.json
   plm-impact schema | grep drop_height")]
     Schema,
-    Reference(reference::Arguments),
     Validate(validate::Arguments),
     FitPlm(fit_plm::Arguments),
     Bench(bench::Arguments),
@@ -89,7 +87,6 @@ pub fn run() -> Result<(), Error> {
         Command::Laws => terminal::print(&plm_impact::report::laws::list()),
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema => terminal::print(&format!("{:#}\n", schema())),
-        Command::Reference(arguments) => reference::reference(&arguments),
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
@@ -106,13 +103,13 @@ fn parse() -> Result<Cli, Error> {
         let is_json = asks || words.iter().any(|word| word == "--error-format=json");
         if is_json && error.use_stderr() {
             ErrorFormat::Json.begin();
-            return Error::Option(error.to_string().trim_start_matches("error: ").trim_end().to_owned());
+            return Error::input(error.to_string().trim_start_matches("error: ").trim_end().to_owned());
         }
         if error.kind() == ErrorKind::InvalidSubcommand
             && let Some(file) = words.get(1).filter(|word| Path::new(word).extension().is_some_and(|end| end == "toml"))
         {
             let file = file.to_string_lossy();
-            return Error::Option(format!("no command is given for {file}; write `plm-impact run {file}`"));
+            return Error::input(format!("no command is given for {file}; write `plm-impact run {file}`"));
         }
         error.exit()
     })

@@ -13,7 +13,7 @@ mod lines;
 mod request;
 mod springs;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::functions::pow;
 use crate::run::contact_alone;
 use crate::scenario::Scenario;
@@ -30,10 +30,10 @@ const POINTS: u32 = 41;
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
     let (scene, contact) = contact_alone(scenario)?;
     let speed = request.speed.or(scene.speed.is_finite().then_some(scene.speed)).ok_or_else(|| {
-        Error::Option("the scenario has no impact.speed: give --speed, such as --speed \"3 m/s\"".to_owned())
+        Error::input("the scenario has no impact.speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;
     let at = |speed: f64| {
-        let failed = |reason| Error::Impact { scenario: scenario.document.name().to_owned(), reason };
+        let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
         contact.closed_form(speed).map_err(failed)
     };
     let impact = at(speed)?;
@@ -47,7 +47,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         }
     } else if request.speeds.is_some() {
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
-        return Err(Error::Option(message.to_owned()));
+        return Err(Error::input(message.to_owned()));
     }
     let springs = Springs::of(&contact, &impact, request.equal);
     let head = lines::Head { scenario, contact: &contact, impact: &impact, springs: &springs, command };

@@ -19,8 +19,7 @@ use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
+use crate::error::{Error, ErrorKind};
 use crate::provenance::{FORMAT, PROGRAM};
 pub use lock::{Lock, LockError};
 pub use manifest::MANIFEST;
@@ -38,7 +37,7 @@ pub struct OutputFile {
 }
 
 /// Why nothing was written.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum OutputError {
     /// The file system refuses.
     #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
@@ -68,6 +67,19 @@ pub enum OutputError {
         /// Scenario, shards or command of the results to write.
         own: String,
     },
+}
+
+impl From<OutputError> for Error {
+    fn from(error: OutputError) -> Self {
+        use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+        let is_full = |reason: &io::Error| matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
+        let (OutputError::Unwritable { path, .. }
+        | OutputError::Busy { path, .. }
+        | OutputError::Foreign { path }
+        | OutputError::Taken { path, .. }) = &error;
+        let is_failure = matches!(&error, OutputError::Unwritable { reason, .. } if is_full(reason));
+        Self::of(if is_failure { ErrorKind::Failed } else { ErrorKind::Input }, &error).about(path.display())
+    }
 }
 
 impl OutputError {

@@ -28,7 +28,7 @@ mod series;
 mod style;
 pub mod sweep;
 
-use thiserror::Error;
+use crate::error::{Error, ErrorKind};
 
 pub use axis::{Axis, Scale};
 pub use chart::{Chart, Panel};
@@ -45,7 +45,7 @@ pub use style::{Mark, Style};
 pub const SIZE: (u32, u32) = (1600, 1000);
 
 /// Why a picture could not be made.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum PlotError {
     #[error("the built-in font cannot be used")]
     Font,
@@ -55,4 +55,10 @@ pub enum PlotError {
     Encoding(#[from] png::EncodingError),
     #[error("{0}")]
     Data(String),
+}
+
+impl From<PlotError> for Error {
+    fn from(error: PlotError) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
 }

@@ -16,19 +16,6 @@ pub(crate) mod summary;
 pub mod sweep;
 mod terminal;
 
-use thiserror::Error;
-
 pub use rows::trace;
 pub use summary::summary;
 pub use terminal::impact as table;
-
-/// Why a report could not be made.
-#[derive(Debug, Error)]
-pub enum ReportError {
-    /// A value cannot be written as JSON.
-    #[error("summary: {0}")]
-    Json(#[from] serde_json::Error),
-    /// A row cannot be written as CSV.
-    #[error("trace: {0}")]
-    Csv(#[from] csv::Error),
-}

@@ -8,11 +8,11 @@ mod outcome;
 pub mod repeat;
 pub mod table;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
-pub use outcome::{Order, Outcome, texts};
+pub use outcome::{Order, Outcome, no_result, texts};
 
 /// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]
@@ -67,7 +67,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
             return Err(scenario.document.refuse(table, message).into());
         }
     }
-    let failed = |reason| Error::Impact { scenario: scenario.document.name().to_owned(), reason };
+    let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
     let contact = scene.contact().map_err(failed)?;
     Ok((scene, contact))
 }
@@ -75,7 +75,8 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 /// Refuses a scenario with warnings, if `is_strict`.
 pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
-        return Err(Error::Strict { scenario: scenario.document.name().to_owned(), count: warnings });
+        let text = format!("{warnings} warning(s), which --strict makes errors; nothing was written");
+        return Err(Error::in_file(ErrorKind::Failed, scenario.document.name(), text));
     }
     Ok(())
 }

@@ -27,8 +27,7 @@ pub mod throughput;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
+use crate::error::{Error, ErrorKind};
 use crate::output::OutputError;
 
 pub use job::{Job, Written};
@@ -37,7 +36,7 @@ pub use shard::Shard;
 pub use table::Format;
 
 /// Why a sweep did not finish.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum SweepError {
     /// The file system reported an error. The rows written so far stay, and can be resumed.
     #[error("{}: {problem}", .path.display())]
@@ -128,6 +127,26 @@ pub enum SweepError {
     /// The shards do not make one table; each text names one problem.
     #[error("these shards do not make a table:\n  {}", .0.join("\n  "))]
     Shards(Vec<String>),
+}
+
+impl From<SweepError> for Error {
+    fn from(error: SweepError) -> Self {
+        let kind = match &error {
+            SweepError::File { .. } => ErrorKind::Failed,
+            SweepError::Interrupted { .. } | SweepError::Dropped => ErrorKind::Stopped(130),
+            _ => ErrorKind::Input,
+        };
+        let told = Self::of(kind, &error);
+        match error {
+            SweepError::Output(error) => error.into(),
+            SweepError::File { path, .. }
+            | SweepError::Damaged { path, .. }
+            | SweepError::Changed { table: path, .. }
+            | SweepError::Version { sidecar: path, .. }
+            | SweepError::Place { path, .. } => told.about(path.display()),
+            _ => told,
+        }
+    }
 }
 
 impl SweepError {

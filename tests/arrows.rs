@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// The folders (and single files) of `src`, the lowest first. Each may use itself and those on lines before it. Names
 /// on one line do not use each other. Every folder has to be listed here.
 const ORDER: &[&[&str]] = &[
-    &["math", "progress", "provenance"],
+    &["error", "math", "progress", "provenance"],
     &["units", "output"],
     &["material", "strength"],
     &["law", "integrate", "materials"],
@@ -26,7 +26,6 @@ const ORDER: &[&[&str]] = &[
     &["calibrate"],
     &["plot", "fit"],
     &["report", "validation"],
-    &["error"],
     &["run", "bench"],
     &["capi", "export", "python"],
     &["cli", "main"],

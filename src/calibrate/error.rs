@@ -1,14 +1,13 @@
 //! Errors of a calibration.
 
-use thiserror::Error;
-
+use crate::error::{Error, ErrorKind};
 use crate::impact::ImpactError;
 use crate::indentation::IndentationError;
 use crate::scenario::ScenarioError;
 use crate::units::csv_text::TableError;
 
 /// Why a calibration has no result.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum CalibrateError {
     /// The scenario is refused, or a file cannot be read.
     #[error(transparent)]
@@ -28,8 +27,18 @@ pub enum CalibrateError {
     },
 }
 
+impl From<CalibrateError> for Error {
+    fn from(error: CalibrateError) -> Self {
+        match error {
+            CalibrateError::Scenario(error) => error.into(),
+            CalibrateError::Data(error) => error.into(),
+            CalibrateError::NoAnswer { ref name, .. } => Self::of(ErrorKind::Input, &error).about(name),
+        }
+    }
+}
+
 /// Why the law predicts nothing.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoAnswer {
     /// An impact has no result.
     #[error(transparent)]

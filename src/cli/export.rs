@@ -45,20 +45,20 @@ pub fn export(arguments: &Arguments) -> Result<(), Error> {
 fn speed(option: &str, text: &str) -> Result<f64, Error> {
     match parse(text, Dimension::Speed) {
         Ok(speed) if speed > 0.0 && speed.is_finite() => Ok(speed),
-        Ok(_) => Err(Error::Option(format!("{option}: \"{text}\" is not allowed: a speed must be > 0 m/s and finite"))),
-        Err(error) => Err(Error::Option(format!("{option}: {error}"))),
+        Ok(_) => Err(Error::input(format!("{option}: \"{text}\" is not allowed: a speed must be > 0 m/s and finite"))),
+        Err(error) => Err(Error::input(format!("{option}: {error}"))),
     }
 }
 
 fn speeds(text: &str) -> Result<(f64, f64), Error> {
     let both = text.split_once(',').ok_or_else(|| {
-        Error::Option(format!(
+        Error::input(format!(
             "--speeds: \"{text}\" is not two speeds: write the first and the last, \"0.1 m/s,10 m/s\""
         ))
     })?;
     let (from, to) = (speed("--speeds", both.0.trim())?, speed("--speeds", both.1.trim())?);
     if from >= to {
-        return Err(Error::Option(format!("--speeds: the first speed of \"{text}\" is not below the last")));
+        return Err(Error::input(format!("--speeds: the first speed of \"{text}\" is not below the last")));
     }
     Ok((from, to))
 }

@@ -42,8 +42,7 @@ pub struct Arguments {
 }
 
 pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
-    let request = |message: String| Error::Fit(FitError::Request(message));
-    let (directory, file_name) = place(&arguments.out).map_err(request)?;
+    let (directory, file_name) = place(&arguments.out).map_err(Error::input)?;
     let curves: Result<Vec<LoadingCurve>, FitError> =
         arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
     let curves = curves?;
@@ -51,7 +50,10 @@ pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
         path.canonicalize().ok().is_some_and(|path| arguments.out.canonicalize().is_ok_and(|out| out == path))
     };
     if arguments.curves.iter().any(is_out) {
-        return Err(request(format!("--out {}: is one of the curves; name another file", arguments.out.display())));
+        return Err(Error::input(format!(
+            "--out {}: is one of the curves; name another file",
+            arguments.out.display()
+        )));
     }
     let built_in = PlmCoefficients::built_in();
     let start = match &arguments.knots[..] {

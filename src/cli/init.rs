@@ -36,8 +36,8 @@ pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> Result<(), Er
     }
     let name = out.display();
     let mut file = File::create_new(&out).map_err(|reason| match reason.kind() {
-        ErrorKind::AlreadyExists => Error::Option(format!("{name}: is there already; name another file with --out")),
-        _ => Error::Option(format!("{name}: cannot be written: {reason}; name another file with --out")),
+        ErrorKind::AlreadyExists => Error::input(format!("{name}: is there already; name another file with --out")),
+        _ => Error::input(format!("{name}: cannot be written: {reason}; name another file with --out")),
     })?;
     let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(&out)));
     written.map_err(other(format!("{name}: cannot be written")))?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
-use plm_impact::error::Error;
+use plm_impact::error::{Error, ErrorKind};
 use plm_impact::sweep::SweepError;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
@@ -56,10 +56,8 @@ impl Interrupt {
 
     /// The error of a sweep, with the exit code of the signal.
     pub fn explain(&self, error: SweepError) -> Error {
-        match error {
-            SweepError::Interrupted { .. } | SweepError::Dropped => stopped(error.to_string(), &self.code),
-            error => Error::Sweep(error),
-        }
+        let error = Error::from(error);
+        if let ErrorKind::Stopped(_) = error.kind { stopped(error.to_string(), &self.code) } else { error }
     }
 
     /// The error where a signal stopped work that leaves no files.
@@ -79,5 +77,5 @@ const GOES_ON: &str = "interrupted; the same command goes on from the rows that 
 
 fn stopped(what: String, code: &AtomicUsize) -> Error {
     let exit_code = u8::try_from(code.load(Ordering::Relaxed)).ok().filter(|code| *code > 0);
-    Error::Stopped { what, exit_code: exit_code.unwrap_or(130) }
+    Error::new(ErrorKind::Stopped(exit_code.unwrap_or(130)), what)
 }

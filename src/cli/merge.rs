@@ -51,5 +51,5 @@ pub fn merge(arguments: &Arguments) -> Result<(), Error> {
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         super::terminal::note(format_args!("wrote {}, {}", arguments.out.display(), names.join(", ")));
     }
-    super::sweep::finish(&merged.tally, arguments.out.clone())
+    super::sweep::finish(&merged.tally, &arguments.out)
 }

@@ -17,8 +17,8 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 pub fn unknown(one: &str, several: &str, name: &str, all: &[&str]) -> Error {
     let begin: Vec<&str> = all.iter().filter(|known| known.starts_with(name)).copied().collect();
     if begin.len() > 1 && !name.is_empty() {
-        return Error::Option(format!("no {one} is called \"{name}\"; those that begin so are {}", begin.join(", ")));
+        return Error::input(format!("no {one} is called \"{name}\"; those that begin so are {}", begin.join(", ")));
     }
     let known = format!("{several} are {}", all.join(", "));
-    Error::Option(format!("unknown {one} \"{name}\"{}", did_you_mean(name, all.iter().copied(), '"', &known)))
+    Error::input(format!("unknown {one} \"{name}\"{}", did_you_mean(name, all.iter().copied(), '"', &known)))
 }

@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use plm_impact::error::Error;
+use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::run::{Order, Outcome, heed};
 use plm_impact::scenario::Scenario;
@@ -74,8 +74,8 @@ impl Output {
         directory.write(&files)?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
         self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
-        let name = || scenario.document.name().to_owned();
-        contradiction.map_or(Ok(()), |reason| Err(Error::Contradicted { scenario: name(), reason }))
+        contradiction
+            .map_or(Ok(()), |reason| Err(Error::in_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
     }
 
     /// Prints the table of a run and notes where its files are, or prints the summary alone.

@@ -1,6 +1,6 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use plm_impact::error::Error;
@@ -50,7 +50,7 @@ impl Options {
             ("--threads", self.threads.is_some()),
         ];
         match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(Error::Option(format!(
+            Some((name, _)) => Err(Error::input(format!(
                 "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
             ))),
             None => Ok(()),
@@ -62,7 +62,7 @@ impl Options {
         match self.format {
             None if is_divided => Ok(Format::Parquet),
             Some(format) if is_divided && format != Format::Parquet => {
-                Err(Error::Option("--partition-by writes Parquet files; leave --format out".to_owned()))
+                Err(Error::input("--partition-by writes Parquet files; leave --format out".to_owned()))
             }
             format => Ok(format.unwrap_or(Format::Csv)),
         }
@@ -95,7 +95,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
-        return Err(Error::Option(message.to_owned()));
+        return Err(Error::input(message.to_owned()));
     }
     let interrupt = Interrupt::listen()?;
     interrupt.end_the_slow()?;
@@ -136,13 +136,15 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
     let wrote = format!("{resumed}wrote {}", names.collect::<Vec<_>>().join(", "));
     output.report(&report::sweep::lines(&written.tally), &files, wrote)?;
-    finish(&written.tally, written.table.clone())
+    finish(&written.tally, &written.table)
 }
 
 /// Rows without a result make exit code 1.
-pub fn finish(tally: &Tally, table: PathBuf) -> Result<(), Error> {
+pub fn finish(tally: &Tally, table: &Path) -> Result<(), Error> {
     if tally.failures == 0 {
         return Ok(());
     }
-    Err(Error::FailedCases { failures: tally.failures, rows: tally.rows, table })
+    let (failures, rows, table) = (tally.failures, tally.rows, table.display());
+    let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
+    Err(Error::failed(text).about(table))
 }

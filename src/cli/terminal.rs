@@ -1,7 +1,6 @@
 //! What is written to the terminal: results to standard output, errors, warnings and notes to standard error, in colour
 //! where a terminal shows it, or for programs as JSON.
 
-use std::error::Error as _;
 use std::fmt::Display;
 use std::io::{self, Write as _};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -28,24 +27,22 @@ impl ErrorFormat {
     }
 }
 
-/// Writes the error that ends the program, with its causes; gives the exit code.
+/// Writes the error that ends the program; gives the exit code.
 pub fn error(error: &Error) -> u8 {
-    let causes = std::iter::successors(error.source(), |&cause| cause.source());
-    let text = causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}"));
     let exit_code = error.exit_code();
     if is_json() {
-        let details = error.details();
-        let message = details.message.clone().unwrap_or(text);
-        say_json("error", Some(exit_code), Details { message: Some(message), ..details });
+        let mut details = (*error.details).clone();
+        details.message.get_or_insert_with(|| error.to_string());
+        say_json("error", Some(exit_code), details);
     } else {
-        say(Some((AnsiColor::Red, "error")), &text);
+        say(Some((AnsiColor::Red, "error")), &error.to_string());
     }
     exit_code
 }
 
 /// Makes an error of the system into one that says what failed, for `map_err`.
 pub fn other<E: Display>(what: impl Display) -> impl FnOnce(E) -> Error {
-    move |reason| Error::Other(format!("{what}: {reason}"))
+    move |reason| Error::failed(format!("{what}: {reason}"))
 }
 
 /// Writes a warning.

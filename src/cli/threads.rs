@@ -19,7 +19,7 @@ pub fn allowed() -> RangedI64ValueParser<u16> {
 /// the work is done on fewer.
 ///
 /// # Errors
-/// [`Error::Option`] for a number in the environment that is not allowed, or where there is not one thread.
+/// [`Error`] for a number in the environment that is not allowed, or where there is not one thread.
 pub fn with<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let wanted = match option.map_or_else(from_environment, Ok)? {
@@ -34,7 +34,7 @@ fn from_environment() -> Result<u16, Error> {
     let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MOST);
     threads.ok_or_else(|| {
         let text = text.to_string_lossy();
-        Error::Option(format!("{VARIABLE}={}: a number of threads is 0 to {MOST}", text.escape_debug()))
+        Error::input(format!("{VARIABLE}={}: a number of threads is 0 to {MOST}", text.escape_debug()))
     })
 }
 
@@ -55,7 +55,7 @@ fn start(wanted: usize) -> Result<ThreadPool, Error> {
                 return Ok(pool);
             }
             Err(_) if threads > 1 => threads /= 2,
-            Err(error) => return Err(Error::Option(format!("no thread to work on: {error}"))),
+            Err(error) => return Err(Error::input(format!("no thread to work on: {error}"))),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use plm_impact::error::Error;
+use plm_impact::error::{Error, ErrorKind};
 use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::plot::Pictures;
@@ -78,7 +78,11 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     super::terminal::note(format_args!("wrote {} and {pictures} pictures to {}", names.join(", "), out.display()));
     match check::count(&checks, Verdict::Miss) {
         0 => Ok(()),
-        missed => Err(Error::Missed { missed, checks: checks.len(), table: out.join("validation.csv") }),
+        missed => {
+            let (count, table) = (checks.len(), out.join("validation.csv"));
+            let text = format!("{missed} of {count} checks missed their tolerance: see {}", table.display());
+            Err(Error::new(ErrorKind::Mismatch, text).about(table.display()))
+        }
     }
 }
 

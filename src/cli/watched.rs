@@ -21,7 +21,7 @@ const SOON: u32 = 10;
 /// Does the work on a thread of its own, and abandons it when a signal comes.
 ///
 /// # Errors
-/// [`Error::Stopped`]; and where the system gives neither thread nor signals.
+/// [`Error`] after a signal; and where the system gives neither thread nor signals.
 pub fn watched<T: Send + 'static>(
     is_quiet: bool,
     work: impl FnOnce(&Counter) -> T + Send + 'static,
@@ -54,7 +54,7 @@ pub fn watched<T: Send + 'static>(
     }
     // it ended without a result: by a panic
     worker.join().unwrap_or_else(|panic| resume_unwind(panic));
-    Err(Error::Other("the work ended without a result".to_owned()))
+    Err(Error::failed("the work ended without a result".to_owned()))
 }
 
 /// A bar on a terminal, with a text after it.

@@ -119,7 +119,7 @@ impl Head<'_> {
         let Essentials { restitution, contact_time, .. } = self.impact.essentials;
         let (stiffness, damping) =
             spring_without_pull(self.contact.mass(), restitution, contact_time).ok_or_else(|| {
-                Error::Option(format!(
+                Error::input(format!(
                     "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
                 ))
             })?;

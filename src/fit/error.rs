@@ -1,12 +1,11 @@
 //! Errors of a fit.
 
-use thiserror::Error;
-
+use crate::error::{Error, ErrorKind};
 use crate::scenario::ScenarioError;
 use crate::units::csv_text::TableError;
 
 /// Why a fit gave no coefficients.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum FitError {
     /// A file cannot be read.
     #[error(transparent)]
@@ -23,4 +22,15 @@ pub enum FitError {
     /// The table could not be written as TOML.
     #[error("coefficients: {0}")]
     Form(#[from] toml::ser::Error),
+}
+
+impl From<FitError> for Error {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::Unreadable(error) => error.into(),
+            FitError::Curve(error) => error.into(),
+            FitError::Request(text) => Self::input(text),
+            FitError::NotConverged(_) | FitError::Form(_) => Self::of(ErrorKind::Failed, &error),
+        }
+    }
 }

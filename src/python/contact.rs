@@ -69,7 +69,7 @@ impl Contact {
                 .map(|scene| Scene { speed: f64::NAN, ..scene })
         };
         let scene = scene.map_err(exception)?;
-        let contact = scene.contact().map_err(|reason| exception(Error::impact(&scenario, reason)))?;
+        let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
         warn(py, &texts(&scene.warnings))?;
         Ok(Self(Arc::new(Inner { scenario, scene, contact })))
     }
@@ -96,7 +96,7 @@ impl Contact {
     }
 
     pub fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
-        let refuse = |reason| Error::impact(&self.scenario, reason);
+        let refuse = |reason| no_result(&self.scenario, &reason);
         self.contact.holds(speed).map_err(refuse)?;
         self.contact.impact(speed, &self.scene.solver, samples).map_err(refuse)
     }

@@ -9,8 +9,8 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
 use serde_json::Value;
 
-use crate::error::Error;
-use crate::scenario::{Place, Scenario, ScenarioError};
+use crate::error::{Details, Error};
+use crate::scenario::{Scenario, ScenarioError};
 
 /// Largest depth of dicts and lists inside of each other; no scenario needs as much.
 const DEEPEST: usize = 16;
@@ -144,12 +144,10 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
 /// The exception of an error: `ValueError` if the input has to change, `RuntimeError` if a run failed.
 pub fn exception(error: impl Into<Error>) -> PyErr {
     let error = error.into();
-    if let Error::Scenario(ScenarioError::Refused(refusal)) = &error
-        && let Place::Override { .. } = refusal.place
-    {
+    let Details { file, key, message, .. } = &*error.details;
+    if let (None, Some(key), Some(message)) = (file, key, message) {
         // the key is an argument here, so the message must not name the option --set
-        let key = refusal.key.strip_prefix("sweep.").unwrap_or(&refusal.key);
-        return PyValueError::new_err(format!("{key}: {}", refusal.message));
+        return PyValueError::new_err(format!("{}: {message}", key.strip_prefix("sweep.").unwrap_or(key)));
     }
     if error.exit_code() == 2 {
         PyValueError::new_err(error.to_string())

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use super::ReportError;
 use super::inputs::Inputs;
 use super::resolved::of_scene;
 use super::rows::written;
@@ -12,6 +11,7 @@ use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::quantity::MEASURED;
 use crate::calibrate::{Calibration, Fit, Found, Measurements, NoAnswer};
+use crate::error::Error;
 use crate::provenance::Provenance;
 use crate::scene::results::Fields;
 use crate::units::aligned::aligned;
@@ -79,7 +79,7 @@ fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
 }
 
 /// `summary.json`.
-pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenance) -> Result<String, ReportError> {
+pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenance) -> Result<String, Error> {
     let (noise, estimated_noise) = noise(of);
     let problem = &of.fit.problem;
     let keys: Vec<Value> = of.keys.iter().enumerate().map(|(i, found)| key(found, i, of)).collect();
@@ -145,7 +145,7 @@ fn file_name(path: &str) -> String {
 }
 
 /// `residuals.csv`: a line for every measured value.
-pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
+pub fn residuals(of: &Calibration) -> Result<Vec<u8>, Error> {
     let data = of.fit.problem.data;
     let mut writer = csv::Writer::from_writer(Vec::new());
     let keys = data.keys.iter().map(|key| key.column());
@@ -171,7 +171,7 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, ReportError> {
 
 /// `posterior.csv`: the density over the keys, divided by its largest value. For one key also the probability of smaller
 /// values.
-pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, ReportError> {
+pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = of.keys.iter().map(|found| found.free.key.column());
     let at = |key: usize, share: f64| of.keys[key].free.at(share).to_string();

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::ReportError;
 use super::inputs::Inputs;
 use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::{overview, terminal};
 use crate::compare::{Comparison, Origin};
+use crate::error::Error;
 use crate::law::LawChoice;
 use crate::plan::YIELD_STRENGTH;
 use crate::provenance::Provenance;
@@ -51,7 +51,7 @@ pub fn table(comparison: &Comparison, rows: &[Row]) -> String {
 }
 
 /// `comparison.csv`.
-pub fn csv(rows: &[Row]) -> Result<Vec<u8>, ReportError> {
+pub fn csv(rows: &[Row]) -> Result<Vec<u8>, Error> {
     super::rows::csv(&results::row(), rows.iter().cloned())
 }
 
@@ -62,7 +62,7 @@ pub fn summary(
     warnings: &[String],
     inputs: &Inputs,
     provenance: &Provenance,
-) -> Result<String, ReportError> {
+) -> Result<String, Error> {
     let (peak, of_row) = (fields(&results::peak(), comparison), results::row());
     let laws = rows.iter().map(|row| fields(&of_row, row)).collect();
     super::summary::of(Results { peak, laws, warnings }, inputs, provenance)

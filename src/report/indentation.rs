@@ -1,12 +1,12 @@
 //! What is written about an indentation: its inputs, `summary.json`, `trace.csv` and what the terminal shows.
 
-use super::ReportError;
 use serde::Serialize;
 
 use super::inputs::Inputs;
 use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::rows::csv;
 use super::{overview, terminal};
+use crate::error::Error;
 use crate::indentation::{Target, Tested};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
@@ -35,7 +35,7 @@ pub fn summary(
     warnings: &[String],
     inputs: &Inputs,
     provenance: &Provenance,
-) -> Result<String, ReportError> {
+) -> Result<String, Error> {
     let (list, of_step) = (half_space(), results::step());
     let half_space = |one| {
         let steps = stepped(one).iter().map(|step| fields(&of_step, step)).collect();
@@ -46,7 +46,7 @@ pub fn summary(
 }
 
 /// `trace.csv`.
-pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, ReportError> {
+pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, Error> {
     let rows = tested.iter().flat_map(|one| {
         let name = one.specimen.name.as_deref();
         one.indentation.trace.iter().map(move |row| (name, row))

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use super::rows::csv;
-use super::{ReportError, terminal};
+use super::terminal;
+use crate::error::Error;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Drive, Hit, Place, Repeat, Sequence};
 use crate::scene::results::impact::event_name;
@@ -12,12 +13,12 @@ use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
 /// `impacts.csv`: one row per impact.
-pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, ReportError> {
+pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
     csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
-pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, ReportError> {
+pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
     let mut rows = Vec::new();
     if let Some(fall) = &sequence.fall {
         fly(0, fall, samples, &mut rows);

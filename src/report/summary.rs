@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::ReportError;
 use super::inputs::Inputs;
+use crate::error::Error;
 use crate::impact::{Contact, Impact};
 use crate::provenance::Provenance;
 use crate::repeat::Drive;
@@ -24,22 +24,17 @@ struct Summary<'a, R> {
 }
 
 /// A summary as text, with a newline at its end.
-fn pretty(summary: &impl Serialize) -> Result<String, ReportError> {
+fn pretty(summary: &impl Serialize) -> Result<String, Error> {
     Ok(serde_json::to_string_pretty(summary)? + "\n")
 }
 
 /// The summary of these results.
-pub fn of(results: impl Serialize, inputs: &Inputs, provenance: &Provenance) -> Result<String, ReportError> {
+pub fn of(results: impl Serialize, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
     pretty(&Summary { results, inputs, lists: Fields(Vec::new()), provenance })
 }
 
 /// The summary of one impact.
-pub fn summary(
-    contact: &Contact,
-    impact: &Impact,
-    inputs: &Inputs,
-    provenance: &Provenance,
-) -> Result<String, ReportError> {
+pub fn summary(contact: &Contact, impact: &Impact, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
     of(fields(&impact::results(), &Single { contact, impact }), inputs, provenance)
 }
 
@@ -47,7 +42,7 @@ pub fn summary(
 const LISTED: usize = 1000;
 
 /// The summary of a series of impacts.
-pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, ReportError> {
+pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
     let lists = match &of.repeat.drive {
         Drive::Shots(speeds) if speeds.len() <= LISTED => vec![("shot_speeds_m_per_s", speeds.clone().into())],
         _ => Vec::new(),

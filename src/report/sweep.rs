@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::ReportError;
 use super::inputs::Inputs;
+use crate::error::Error;
 use crate::plan::random;
 use crate::plan::{Cases, Plan};
 use crate::provenance::Provenance;
@@ -26,12 +26,7 @@ struct Results<'a> {
 }
 
 /// `summary.json`.
-pub fn summary(
-    plan: &Plan,
-    tally: &Tally,
-    warnings: &[String],
-    provenance: &Provenance,
-) -> Result<String, ReportError> {
+pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: &Provenance) -> Result<String, Error> {
     let (random, seed) = match &plan.cases {
         Cases::MonteCarlo { seed, variables, .. } => {
             (Some(variables.iter().map(|one| fields(&drawn(), &random_key(one))).collect()), Some(*seed))

@@ -1,6 +1,6 @@
 //! One impact.
 
-use super::outcome::{self, Order, Outcome, file, texts};
+use super::outcome::{self, Order, Outcome, file, no_result, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::output::SUMMARY;
@@ -18,7 +18,7 @@ use crate::scene::Scene;
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
     let (scene, contact) = prepare(scenario)?;
     let impact = contact.impact(scene.speed, &scene.solver, samples);
-    let mut impact = impact.map_err(|reason| Error::impact(scenario, reason))?;
+    let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
     impact.warnings.extend(&scene.warnings);
     Ok((scene, contact, impact))
 }
@@ -34,7 +34,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 /// Refuses a method without a trace, which a run writes.
 pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
     if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
-        return Err(Error::impact(scenario, ImpactError::NoClosedForm));
+        return Err(no_result(scenario, &ImpactError::NoClosedForm));
     }
     Ok(())
 }
@@ -43,9 +43,9 @@ pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Er
 pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let scene = scenario.resolve()?;
-    let contact = scene.contact().map_err(|error| Error::impact(scenario, error))?;
+    let contact = scene.contact().map_err(|error| no_result(scenario, &error))?;
     // where the closed form leaves double precision, an integration does too
-    contact.holds(scene.speed).map_err(|reason| Error::impact(scenario, reason))?;
+    contact.holds(scene.speed).map_err(|reason| no_result(scenario, &reason))?;
     Ok((scene, contact))
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::outcome::{self, Order, Outcome, file, texts};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::impact::{of_half_space, of_sphere};
 use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::output::SUMMARY;
@@ -86,7 +86,7 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
     let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
     match reason {
         reason @ (IndentationError::Range(_) | IndentationError::Law(_)) => {
-            Error::Indentation { scenario: scenario.document.name().to_owned(), reason: format!("{on}{reason}") }
+            Error::in_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
         }
         step => scenario.document.refuse("indentation.steps", format!("{on}{step}")).into(),
     }

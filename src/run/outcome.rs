@@ -1,7 +1,7 @@
 //! The outcome of a scenario of any kind.
 
-use crate::error::Error;
-use crate::impact::Warning;
+use crate::error::{Error, ErrorKind};
+use crate::impact::{ImpactError, Warning};
 use crate::law::LawChoice;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
@@ -71,4 +71,23 @@ pub(super) fn provenance(
     };
     let scenario_file = Some(scenario.document.name().to_owned());
     Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256()?, command) })
+}
+
+/// The error of a scenario without a result. If one key is the reason, the error points at it.
+pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
+    if let ImpactError::Range(range) = reason
+        && let Some(refusal) = scenario.too_extreme(range)
+    {
+        return refusal.into();
+    }
+    let key = match reason {
+        ImpactError::Law(_) => "law",
+        ImpactError::NoClosedForm => "solver.method",
+        ImpactError::Range(_) | ImpactError::Integration(_) => "",
+    };
+    if scenario.document.has(key) {
+        return scenario.document.refuse(key, reason.to_string()).into();
+    }
+    let kind = if matches!(reason, ImpactError::Integration(_)) { ErrorKind::Failed } else { ErrorKind::Input };
+    Error::in_file(kind, scenario.document.name(), reason)
 }

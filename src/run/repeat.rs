@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, held, provenance};
-use super::outcome::{Order, Outcome, file, texts};
+use super::outcome::{Order, Outcome, file, no_result, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
 use crate::output::SUMMARY;
@@ -28,7 +28,7 @@ struct Computed {
 /// The scene of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
     let (mut scene, contact) = held(scenario)?;
-    let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::Option("the scenario has no [repeat]".to_owned()))?;
+    let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
     if !scenario.names_method() {
         // a series needs no steps where there is a closed form
         scene.solver.method = Method::Auto;
@@ -40,7 +40,7 @@ fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     let (scene, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &scene)?;
     let sequence = repeat.run(&contact, &scene.solver, scene.samples, Some(progress));
-    let sequence = sequence.map_err(|reason| Error::impact(scenario, reason))?;
+    let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&scene.warnings)).collect();
     Ok(Computed { scene, contact, repeat, sequence, warnings })

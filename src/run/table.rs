@@ -1,6 +1,6 @@
 //! Summary, pictures and warnings of a table, whether it is written at once or merged from shards.
 
-use super::outcome::{Outcome, file, texts};
+use super::outcome::{Outcome, file, no_result, texts};
 use crate::error::Error;
 use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
@@ -17,7 +17,7 @@ use crate::sweep::sidecar::Tally;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
-    let contact = plan.scene.contact().map_err(|error| Error::impact(scenario, error))?;
+    let contact = plan.scene.contact().map_err(|error| no_result(scenario, &error))?;
     let (warnings, depth) = cautions(&plan);
     let strength = strength::which(&plan.scene.half_space, plan.scene.has_flow(), depth);
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact) + &strength.unwrap_or_default();
@@ -26,7 +26,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 
 /// The plan of a scenario that is a table.
 pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
-    let none = || Error::Option("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
+    let none = || Error::input("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
     scenario.plan()?.ok_or_else(none)
 }
 

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use thiserror::Error;
+use crate::error::Error;
 
 /// Part `index` of `count`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub struct Shard {
 pub const MOST_SHARDS: u64 = 100_000;
 
 /// Why a text or a number names no shard.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ShardError {
     /// The text is not of the form `i/n`.
     #[error("shard \"{0}\": write i/n, two whole numbers, such as 0/16")]
@@ -43,6 +43,12 @@ pub enum ShardError {
         "the environment variable {0} is not set; it holds the shard's number, counted from 0, under the job scheduler"
     )]
     Unset(String),
+}
+
+impl From<ShardError> for Error {
+    fn from(error: ShardError) -> Self {
+        Self::input(format!("--shard: {error}"))
+    }
 }
 
 impl Shard {

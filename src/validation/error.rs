@@ -1,7 +1,6 @@
 //! Errors of a validation, and the exponents that it compares.
 
-use thiserror::Error;
-
+use crate::error::{Error, ErrorKind};
 use crate::impact::ImpactError;
 use crate::law::UnloadingExponent;
 use crate::material::OutOfFloatRange;
@@ -11,7 +10,7 @@ use crate::scenario::ScenarioError;
 use crate::units::csv_text::TableError;
 
 /// Why a validation has no result.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum ValidationError {
     /// A file of the user cannot be read, or its keys are refused.
     #[error(transparent)]
@@ -36,6 +35,17 @@ pub enum ValidationError {
     Plot(#[from] PlotError),
     #[error("table: {0}")]
     Csv(#[from] csv::Error),
+}
+
+impl From<ValidationError> for Error {
+    fn from(error: ValidationError) -> Self {
+        match error {
+            ValidationError::Unreadable(error) => error.into(),
+            ValidationError::Experiment(error) => error.into(),
+            ValidationError::Coefficients { ref file, .. } => Self::of(ErrorKind::Input, &error).about(file),
+            error => Self::of(ErrorKind::Failed, &error),
+        }
+    }
 }
 
 impl From<OutOfFloatRange> for ValidationError {
