@@ -89,12 +89,6 @@ fn the_table_of_commands_knows_every_command_and_no_option_that_is_not_there() {
     }
 }
 
-#[test]
-fn the_front_page_is_short() {
-    let size = read("README.md").len();
-    assert!(size <= 10 << 10, "{size} bytes");
-}
-
 /// The anchor that GitHub gives a heading.
 fn anchor(heading: &str) -> String {
     let kept = |c: &char| c.is_alphanumeric() || " -_".contains(*c);

@@ -4,13 +4,15 @@
 pub mod command;
 pub mod picture;
 
+use std::cell::Cell;
+
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
 use proptest::strategy::Strategy;
-use proptest::test_runner::{Config, RngSeed};
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
 /// A sphere of steel with 5 mm radius on the same steel, at 3 m/s: a scenario to which tests add tables.
 pub const STEEL: &str = r#"[sphere]
@@ -43,6 +45,23 @@ pub fn cases(count: u32) -> Config {
     };
     let cases = if std::env::var_os("PROPTEST_CASES").is_some() { from_environment.cases } else { count };
     Config { cases, rng_seed, failure_persistence: None, ..from_environment }
+}
+
+/// Checks a property on `count` random cases, and returns in how many of them it could be judged: `property` is true
+/// where it was, and false where the case has no answer.
+pub fn checked<S: Strategy>(
+    count: u32,
+    strategy: &S,
+    property: impl Fn(S::Value) -> Result<bool, TestCaseError>,
+) -> usize {
+    let judged = Cell::new(0);
+    let mut runner = TestRunner::new(cases(count));
+    let result = runner.run(strategy, |case| {
+        judged.set(judged.get() + usize::from(property(case)?));
+        Ok(())
+    });
+    result.unwrap_or_else(|error| panic!("{error}"));
+    judged.get()
 }
 
 /// A solver with this method and tolerance.

@@ -208,6 +208,7 @@ fn results(impact: &Impact) -> [f64; 7] {
 
 #[test]
 fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
+    let mut computed = 0;
     for radius in [1e-300, 1e-100, 1e-30, 1e30, 1e100, 1e300] {
         for modulus in [1e-300, 1e-30, 1e30, 1e300] {
             for speed in [1e-300, 1.0, 1e300] {
@@ -222,6 +223,7 @@ fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
                             "{impact:?}"
                         );
                         assert!(impact.restitution <= 1.0 + 1e-9);
+                        computed += 1;
                     }
                     Err(ImpactError::Range(_)) => {}
                     Err(error) => panic!("R = {radius:e}, E = {modulus:e}, v = {speed:e}: {error}"),
@@ -229,4 +231,5 @@ fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
             }
         }
     }
+    assert!(computed >= 10, "{computed} of 72 scenes");
 }

@@ -111,7 +111,6 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
     assert not table["restitution"].flags.writeable
     del table
     rows = [pyarrow.table(arrow).to_pydict(), polars.DataFrame(arrow).to_dict(as_series=False)]
-    rows.append(pandas.DataFrame(expected).to_dict("list"))
     fresh = plm.impacts(contact, speed=np.linspace(0.001, 5, 6))
     rows.append(polars.DataFrame(fresh).to_dict(as_series=False))
     rows.append(pandas.DataFrame(dict(fresh)).to_dict("list"))
@@ -119,7 +118,9 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
         rows.append(pandas.DataFrame.from_arrow(fresh).to_dict("list"))
     for other in rows:
         for name, column in expected.items():
-            assert np.array_equal(np.array(other[name]), np.array(column)) or name.startswith("dent"), name
+            # where there is no value, some write NaN and some None
+            got, want = ([None if value != value else value for value in values] for values in (other[name], column))
+            assert got == want, name
     structured = fresh.to_numpy()
     assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
 

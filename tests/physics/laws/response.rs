@@ -17,9 +17,11 @@ fn bodies(yield_strength: Option<f64>) -> (Sphere, HalfSpace) {
 /// the stored energy plus the plastic work. At the peak and at the end both agree with the closed form.
 #[test]
 fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
-    for law in LawChoice::all() {
+    // the others have no loading curve
+    let whole = LawChoice::all().into_iter().filter(LawChoice::has_loading);
+    for law in whole.clone() {
         let (sphere, half_space) = bodies(Some(345e6));
-        let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
+        let contact = Contact::try_new(sphere, half_space, law.get()).expect("a contact");
         let exact = contact.closed_form(1.0).expect("an impact at 1 m/s");
         let deepest = exact.peak_indentation;
         let mut memory = Memory::default();
@@ -47,6 +49,7 @@ fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
         assert!((memory.force / exact.peak_force - 1.0).abs() < 1e-12, "{law:?}");
         assert!((memory.dent() - exact.residual_indentation).abs() < 1e-9 * deepest, "{law:?}");
     }
+    assert!(whole.count() >= 10);
 }
 
 /// The stiffness is the derivative of the force (central difference), on both branches and on the curve of Hertz.

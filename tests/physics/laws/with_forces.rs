@@ -47,6 +47,7 @@ fn laws() -> Vec<(String, LawChoice)> {
 #[test]
 fn damping_of_nothing_changes_no_law_at_any_speed() {
     for (name, choice) in laws() {
+        let mut compared = 0;
         let plain = contact(&Scene::case_3(), &choice);
         let none = under(&Scene::case_3(), &choice, None, Some(NOTHING));
         for share in [1e-3, 0.1, 0.5, 0.9, 1.1, 3.0, 50.0] {
@@ -57,11 +58,13 @@ fn damping_of_nothing_changes_no_law_at_any_speed() {
                     assert!(off(got.peak_force, want.peak_force) < 1e-10, "{name} at {share}");
                     assert!(off(got.contact_time, want.contact_time) < 1e-10, "{name} at {share}");
                     assert_eq!(got.has_dent(), want.has_dent(), "{name} at {share}");
+                    compared += 1;
                 }
                 (Err(_), Err(_)) => {}
                 (want, got) => panic!("{name} at {share}: {:?} but {:?}", want.err(), got.err()),
             }
         }
+        assert!(compared >= 1, "{name}: {compared} of 7 speeds");
     }
 }
 
@@ -243,6 +246,7 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
 
 #[test]
 fn samples_between_long_steps_keep_the_tolerance_on_every_law() {
+    let mut compared = 0;
     for (name, choice) in laws() {
         for damping in [None, Some(NOTHING)] {
             let contact = under(&Scene::case_3(), &choice, None, damping);
@@ -251,13 +255,16 @@ fn samples_between_long_steps_keep_the_tolerance_on_every_law() {
                 let Ok(impact) = contact.impact(20.0, &solver(Method::Rk8, tolerance), Some(60)) else { continue };
                 let drift = impact.energy.drift;
                 assert!(drift < 10.0 * tolerance, "{name} at {tolerance:e}: {drift:e}");
+                compared += 1;
             }
         }
     }
+    assert!(compared >= 150, "{compared} impacts");
 }
 
 #[test]
 fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
+    let mut compared = 0;
     for (name, choice) in laws() {
         let contact = contact(&Scene::case_3(), &choice);
         let Some(yield_speed) = contact.yield_speed() else { continue };
@@ -266,5 +273,7 @@ fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
         let memory = |share: f64| Law::loaded_to(law, share * law.elastic_until());
         assert_eq!(Spot::loaded_to(&contact, memory(0.99)), Spot::fresh(), "{name}");
         assert_ne!(Spot::loaded_to(&contact, memory(1.5)), Spot::fresh(), "{name}");
+        compared += 1;
     }
+    assert!(compared >= 21, "{compared} laws");
 }

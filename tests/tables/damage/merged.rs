@@ -99,7 +99,7 @@ fn damaged(bytes: &[u8], foreign: &[u8], damage: &Damage) -> Vec<u8> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(crate::common::cases(150))]
 
     #[test]
     fn a_damaged_shard_is_never_merged(
