@@ -282,7 +282,10 @@ impl StaticContact {
                 force: peak_force,
                 indentation: peak.indentation * length,
                 residual_indentation: peak.residual() * length,
-                unloading_stiffness: normal("unloading stiffness (N/m)", unloading.initial_slope() * force / length)?,
+                unloading_stiffness: normal(
+                    "unloading stiffness (N/m)",
+                    unloading.slope_of(peak.elastic_approach) * force / length,
+                )?,
                 unloading_exponent: unloading.exponent,
                 contact_radius: radius,
                 mean_pressure: peak_force / (std::f64::consts::PI * radius) / radius,

@@ -134,9 +134,8 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
             atan(omega * entry / (ACCELERATION * piece.force)) * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
-        Shape::Power { exponent, .. } => power_time(exponent, distance, entry, 0.0),
+        Shape::Power { exponent, lead, .. } => time_on_power(piece, exponent, lead, distance, entry, 0.0),
         Shape::Smooth(smooth) => smooth_time_to_turn(piece, &smooth, distance, entry),
-        Shape::LatePower { .. } => late_time(piece, distance, entry, 0.0),
     }
 }
 
@@ -162,15 +161,24 @@ fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
             arctangent(omega * distance / (entry + exit)) * inverse_root * (2.0 / ROOT_ACCELERATION)
         }
-        Shape::Power { exponent, .. } => power_time(exponent, distance, entry, exit),
+        Shape::Power { exponent, lead, .. } => time_on_power(piece, exponent, lead, distance, entry, exit),
         Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, exit, ACCELERATION),
-        Shape::LatePower { .. } => late_time(piece, distance, entry, exit),
     }
 }
 
-/// Time on a power law that is entered beyond its zero: the time from the zero, less the time from the zero to the start.
-fn late_time(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
-    let Shape::LatePower { exponent, lead, .. } = piece.shape else { return f64::NAN };
+/// Time on a power law; one that is entered beyond its zero takes the time from the zero, less the time from the zero to the
+/// start.
+#[inline(always)]
+fn time_on_power(piece: &Piece, exponent: f64, lead: f64, distance: f64, entry: f64, exit: f64) -> f64 {
+    if lead == 0.0 {
+        power_time(exponent, distance, entry, exit)
+    } else {
+        late_time(piece, exponent, lead, distance, entry, exit)
+    }
+}
+
+#[cold]
+fn late_time(piece: &Piece, exponent: f64, lead: f64, distance: f64, entry: f64, exit: f64) -> f64 {
     let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
     let whole = (entry * entry + before).sqrt();
     power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)

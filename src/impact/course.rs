@@ -302,7 +302,7 @@ fn back_to(forces: &ScaledForces, unloading: &Unloading, is_captured: bool) -> f
 #[inline(always)]
 fn restoring(piece: &Piece) -> Restoring {
     match piece.shape {
-        Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
+        Shape::Power { stiffness, exponent, .. } => {
             Restoring::Power { coefficient: ACCELERATION * stiffness, exponent }
         }
         Shape::Straight { slope, .. } => {

@@ -89,7 +89,7 @@ impl<'a> Ledger<'a> {
             *point;
         let law = self.case.law;
         let potential = if is_unloading {
-            self.outcome.unloading.stored_after(elastic_approach, force) + self.spent
+            self.outcome.unloading.stored_of(elastic_approach) + self.spent
         } else {
             law.work_to(&Peak { indentation: x, force, elastic_approach })
         };

@@ -66,10 +66,10 @@ impl Along<'_> {
                 let recovered = at.distance.max(0.0);
                 let peak = Peak {
                     indentation: unloading.peak.residual() + at.distance,
-                    force: unloading.force_after(recovered),
+                    force: unloading.force_of(recovered),
                     elastic_approach: at.distance,
                 };
-                let point = loading_point(peak, || unloading.slope_after(recovered), drag, at, event);
+                let point = loading_point(peak, || unloading.slope_of(recovered), drag, at, event);
                 Point { is_unloading: true, ..point }
             }
         }

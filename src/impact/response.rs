@@ -76,9 +76,7 @@ impl Contact {
             return ContactEnergy { stored: 0.0 * force, plastic: 0.0 };
         };
         let unloading = law.unloading(peak);
-        let recovered = indentation / scales.length - peak.residual();
-        let stored =
-            if recovered > 0.0 { unloading.stored_after(recovered, force / scales.force) } else { 0.0 * force };
+        let stored = unloading.stored_of(indentation / scales.length - peak.residual());
         let taken = law.loading.work(peak.indentation) - unloading.capacity();
         ContactEnergy { stored: stored * scales.energy(), plastic: taken * scales.energy() }
     }
@@ -91,10 +89,8 @@ impl Contact {
         };
         let x = indentation / scales.length;
         let slope = match memory.peak(scales.length, scales.force) {
-            Some(peak) if x <= peak.indentation => match x - peak.residual() {
-                recovered if recovered <= 0.0 => 0.0,
-                recovered => law.unloading(peak).slope_after(recovered),
-            },
+            Some(peak) if x <= peak.residual() => 0.0,
+            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_of(x - peak.residual()),
             None if x <= 0.0 => 0.0,
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };

@@ -45,7 +45,7 @@ impl ScaledForces {
 
     /// Tangent stiffness of the branch there, at the elastic approach `at_rest`.
     pub(crate) fn static_slope(&self, unloading: &Unloading, at_rest: f64) -> f64 {
-        if unloading.is_power() { unloading.exponent * self.weight / at_rest } else { unloading.slope_after(at_rest) }
+        if unloading.is_power() { unloading.exponent * self.weight / at_rest } else { unloading.slope_of(at_rest) }
     }
 
     /// x at which the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has

@@ -58,7 +58,7 @@ impl<'a> Remembering<'a> {
         let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
         let recovered = distance - (unloading.peak.residual() - touch);
         let force = unloading.force_of(recovered);
-        (force, drag.at(force, || unloading.slope_after(recovered.max(0.0)) / ACCELERATION) * speed)
+        (force, drag.at(force, || unloading.slope_of(recovered.max(0.0)) / ACCELERATION) * speed)
     }
 
     /// The state in which the sphere left the contact, within the step of this length from `before` to `end`. At `end` nothing

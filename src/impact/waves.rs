@@ -93,15 +93,13 @@ fn loading_integral(law: &Law, peak: &Peak) -> f64 {
             _ => (peak.indentation, 0.0),
         };
         integral += match piece.shape {
-            Shape::Power { exponent, .. } if i == last => {
+            Shape::Power { exponent, lead: 0.0, .. } if i == last => {
                 let run = end - piece.start;
                 power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, exponent)
             }
             Shape::Straight { slope, .. } => straight_integral(slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
-            Shape::Power { .. } | Shape::LatePower { .. } | Shape::Smooth(_) => {
-                integral_by_quadrature(piece, end, speed_at)
-            }
+            Shape::Power { .. } | Shape::Smooth(_) => integral_by_quadrature(piece, end, speed_at),
         };
         entry = exit;
     }

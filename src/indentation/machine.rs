@@ -39,7 +39,9 @@ impl<'a> Machine<'a> {
     /// The x at which the force is `force` ≥ 0.
     pub fn indentation_at_force(&self, force: f64) -> f64 {
         match &self.memory {
-            Some(unloading) if force <= unloading.peak.force => unloading.indentation_at_force(force),
+            Some(unloading) if force <= unloading.peak.force => {
+                unloading.peak.residual() + unloading.recovered_at(force)
+            }
             _ => self.law.loading.indentation_at_force(force),
         }
     }

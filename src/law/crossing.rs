@@ -86,7 +86,7 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
         match piece.shape {
-            Shape::Power { exponent, .. } => {
+            Shape::Power { exponent, lead: 0.0, .. } => {
                 let mut term = length;
                 for (k, moment) in moments.iter_mut().enumerate() {
                     *moment = term / (k as f64 * (exponent + 1.0) + 1.0);
@@ -106,7 +106,7 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
                     }
                 }
             }
-            Shape::Smooth(_) | Shape::LatePower { .. } => break,
+            Shape::Smooth(_) | Shape::Power { .. } => break,
         }
         if index % EVERY == 0 {
             let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / next.start, 1.0 / next.work);

@@ -5,6 +5,7 @@
 
 use super::crossing::{self, Crossing};
 use super::piece::{Piece, Shape};
+use crate::math::power::power;
 use crate::math::smooth::Smooth;
 
 /// An increasing loading curve from (0, 0) on; its last piece has no end. Where a published law jumps, the next piece begins
@@ -19,7 +20,7 @@ pub struct Curve {
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     pub fn hertz() -> Self {
-        Self::of(Vec::new()).then(0.0, 0.0, Shape::Power { stiffness: 1.0, exponent: 1.5 })
+        Self::of(Vec::new()).then(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
@@ -43,6 +44,12 @@ impl Curve {
     #[must_use]
     pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
         self.then(start, force, Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() })
+    }
+
+    /// The same curve, going on from `start` as k x^n; the force may jump there.
+    #[must_use]
+    pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
+        self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
     /// The same curve, going on from `start` as a formula says; the force may jump there.

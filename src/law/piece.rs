@@ -8,12 +8,15 @@ use crate::math::smooth::Smooth;
 /// How the force goes on from the start of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    /// f = k d^n with d = x − x_i measured from the start of the piece, where the force vanishes; Hertz is n = 3/2.
+    /// f = k (d + l)^n with d = x − x_i from the start of the piece; Hertz is n = 3/2.
     Power {
         /// k > 0.
         stiffness: f64,
-        /// n > 1.
+        /// n ≥ 1.
         exponent: f64,
+        /// l ≥ 0: how far the zero of the force lies before the start of the piece. It is 0 where the piece begins without
+        /// force, and more where it goes on from other pieces or from a dent.
+        lead: f64,
     },
     /// f = f_i + s d from the start (x_i, f_i) of the piece.
     Straight {
@@ -24,24 +27,29 @@ pub enum Shape {
     },
     /// Anything else that is smooth and increases.
     Smooth(Smooth),
-    /// f = k (d + l)^n: a power law that is entered beyond its zero, as in a reload that continues on the loading curve.
-    LatePower {
-        /// k > 0.
-        stiffness: f64,
-        /// n > 1.
-        exponent: f64,
-        /// l > 0: how far the zero of the force lies before the start of the piece.
-        lead: f64,
-    },
 }
 
 impl Shape {
+    /// f = k d^n.
+    pub const fn power(stiffness: f64, exponent: f64) -> Self {
+        Self::Power { stiffness, exponent, lead: 0.0 }
+    }
+
+    /// The same force on a piece that starts so much later.
+    #[must_use]
+    pub(super) fn later(self, by: f64) -> Self {
+        match self {
+            Self::Power { stiffness, exponent, lead } => Self::Power { stiffness, exponent, lead: lead + by },
+            same @ (Self::Straight { .. } | Self::Smooth(_)) => same,
+        }
+    }
+
     /// l: how far the zero of a power law lies before the start of its piece.
     #[inline]
     pub fn lead(&self) -> f64 {
         match *self {
-            Self::LatePower { lead, .. } => lead,
-            Self::Power { .. } | Self::Straight { .. } | Self::Smooth(_) => 0.0,
+            Self::Power { lead, .. } => lead,
+            Self::Straight { .. } | Self::Smooth(_) => 0.0,
         }
     }
 }
@@ -65,10 +73,9 @@ impl Piece {
     pub fn force_at(&self, x: f64) -> f64 {
         let d = x - self.start;
         match self.shape {
-            Shape::Power { stiffness, exponent } => stiffness * power(d, exponent),
+            Shape::Power { stiffness, exponent, lead } => stiffness * power(d + lead, exponent),
             Shape::Straight { slope, .. } => self.force + slope * d,
             Shape::Smooth(smooth) => smooth.value(self.start, d),
-            Shape::LatePower { stiffness, exponent, lead } => stiffness * power(d + lead, exponent),
         }
     }
 
@@ -80,9 +87,7 @@ impl Piece {
     /// The same at a distance from the start of the piece.
     pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
         match self.shape {
-            Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
-                stiffness * exponent * power(distance + self.shape.lead(), exponent - 1.0)
-            }
+            Shape::Power { stiffness, exponent, lead } => stiffness * exponent * power(distance + lead, exponent - 1.0),
             Shape::Straight { slope, .. } => slope,
             Shape::Smooth(smooth) => smooth.slope(self.start, distance),
         }
@@ -93,24 +98,20 @@ impl Piece {
     pub fn work_at(&self, x: f64) -> f64 {
         let d = x - self.start;
         match self.shape {
-            Shape::Power { stiffness, exponent } => {
-                self.work + stiffness * power(d, exponent) * d * work_share(exponent)
+            Shape::Power { stiffness, exponent, lead } => {
+                let from_zero = |d: f64| stiffness * power(d, exponent) * d * work_share(exponent);
+                let before = if lead == 0.0 { 0.0 } else { from_zero(lead) };
+                self.work + (from_zero(d + lead) - before)
             }
             Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
             Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
-            Shape::LatePower { stiffness, exponent, lead } => {
-                let from_zero = |d: f64| power(d, exponent) * d;
-                self.work + stiffness * (from_zero(d + lead) - from_zero(lead)) / (exponent + 1.0)
-            }
         }
     }
 
     /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         let distance = match self.shape {
-            Shape::Power { stiffness, exponent } | Shape::LatePower { stiffness, exponent, .. } => {
-                pow(force / stiffness, 1.0 / exponent) - self.shape.lead()
-            }
+            Shape::Power { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
             Shape::Straight { slope, .. } => (force - self.force) / slope,
             Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
         };
@@ -128,14 +129,16 @@ impl Piece {
     pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
         let rest = work - self.work;
         match self.shape {
-            Shape::Power { stiffness, exponent } => pow((exponent + 1.0) / stiffness * rest, work_share(exponent)),
+            Shape::Power { stiffness, exponent, lead: 0.0 } => {
+                pow((exponent + 1.0) / stiffness * rest, work_share(exponent))
+            }
             // the root of ½ s d² + f_i d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
                 2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
             }
             Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
             // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
-            Shape::LatePower { stiffness, exponent, lead } => {
+            Shape::Power { stiffness, exponent, lead } => {
                 let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);
                 lead * exp_m1(ln_1p(rest / before) / (exponent + 1.0))
             }

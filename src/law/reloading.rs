@@ -14,7 +14,7 @@
 //! ```
 
 use super::curve::Curve;
-use super::piece::{Piece, Shape};
+use super::piece::Piece;
 use super::unloading::GRAZING;
 use super::{ElasticApproach, Law, Peak, Reloaded, Unloading};
 
@@ -27,14 +27,7 @@ impl Curve {
         let stored = branch.capacity();
         let index = self.index_at(peak.indentation);
         let cut = &self.pieces[index];
-        let cut_off = peak.indentation - cut.start;
-        let shape = match cut.shape {
-            Shape::Power { stiffness, exponent } => Shape::LatePower { stiffness, exponent, lead: cut_off },
-            Shape::LatePower { stiffness, exponent, lead } => {
-                Shape::LatePower { stiffness, exponent, lead: lead + cut_off }
-            }
-            same @ (Shape::Straight { .. } | Shape::Smooth(_)) => same,
-        };
+        let shape = cut.shape.later(peak.indentation - cut.start);
         let spent = cut.work_at(peak.indentation);
         let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
         let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
@@ -85,7 +78,7 @@ impl Reloaded {
             return peak;
         }
         let indentation = (peak.residual() + distance).min(peak.indentation);
-        Peak { indentation, force: self.branch.force_after(distance), elastic_approach: distance }
+        Peak { indentation, force: self.branch.force_of(distance), elastic_approach: distance }
     }
 }
 
@@ -179,7 +172,7 @@ impl Law {
     /// Work from first touch to a state of the loading curve; on the branch it follows from ε, which has more digits than x.
     pub(crate) fn work_to(&self, state: &Peak) -> f64 {
         match self.branch_at(state.indentation) {
-            Some(branch) => branch.stored_after(state.elastic_approach, state.force),
+            Some(branch) => branch.stored_of(state.elastic_approach),
             None => self.loading.work(state.indentation),
         }
     }

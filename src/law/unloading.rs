@@ -200,35 +200,26 @@ impl Unloading {
 
     /// Force where `recovered`, x − x_r, is still to be recovered.
     pub(crate) fn force_of(&self, recovered: f64) -> f64 {
-        if recovered <= 0.0 {
-            return 0.0;
-        }
         match self.curve {
+            _ if recovered <= 0.0 => 0.0,
             None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
             Some(ref curve) => curve.value(self.peak.residual(), recovered),
-        }
-    }
-
-    /// The x at which the force is `force`, 0 to f_m: the inverse of [`Unloading::force`].
-    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
-        self.peak.residual() + self.recovered_at(force)
-    }
-
-    /// df/dx where unloading begins, n f_m/ε_m.
-    pub(crate) fn initial_slope(&self) -> f64 {
-        match self.curve {
-            None => self.exponent * self.peak.force / self.peak.elastic_approach,
-            Some(curve) => curve.slope(self.peak.residual(), self.peak.elastic_approach),
         }
     }
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[inline]
     pub fn stored(&self, x: f64) -> f64 {
+        self.stored_of(if x == self.peak.indentation { self.peak.elastic_approach } else { x - self.peak.residual() })
+    }
+
+    /// The same where `recovered` is still to be recovered.
+    pub(crate) fn stored_of(&self, recovered: f64) -> f64 {
         match self.curve {
-            None => self.force(x) * (x - self.peak.residual()) * work_share(self.exponent),
-            Some(_) if x == self.peak.indentation => self.capacity(),
-            Some(ref curve) => curve.work(self.peak.residual(), 0.0, (x - self.peak.residual()).max(0.0)),
+            _ if recovered <= 0.0 => 0.0,
+            _ if recovered == self.peak.elastic_approach => self.capacity(),
+            None => self.force_of(recovered) * recovered * work_share(self.exponent),
+            Some(ref curve) => curve.work(self.peak.residual(), 0.0, recovered),
         }
     }
 
@@ -239,18 +230,11 @@ impl Unloading {
         self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
     }
 
-    /// Force with `recovered` = x − x_r ≥ 0 still to be recovered.
-    pub(crate) fn force_after(&self, recovered: f64) -> f64 {
+    /// df/dx there; n f_m/ε_m where unloading begins.
+    pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
+        let Peak { force, elastic_approach, .. } = self.peak;
         match self.curve {
-            None => self.stiffness() * power(recovered, self.exponent),
-            Some(ref curve) => curve.value(self.peak.residual(), recovered),
-        }
-    }
-
-    /// df/dx there.
-    pub(crate) fn slope_after(&self, recovered: f64) -> f64 {
-        match self.curve {
-            None => self.stiffness() * self.exponent * power(recovered, self.exponent - 1.0),
+            None => self.exponent * force / elastic_approach * power(recovered / elastic_approach, self.exponent - 1.0),
             Some(curve) => curve.slope(self.peak.residual(), recovered),
         }
     }
@@ -264,14 +248,6 @@ impl Unloading {
         }
     }
 
-    /// Elastic energy stored there; `force` is the force there.
-    pub(crate) fn stored_after(&self, recovered: f64, force: f64) -> f64 {
-        match self.curve {
-            None => force * recovered * work_share(self.exponent),
-            Some(ref curve) => curve.work(self.peak.residual(), 0.0, recovered.max(0.0)),
-        }
-    }
-
     /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power
     /// law that gives back the same energy; [`Unloading::branch`] is the branch itself.
     pub fn stiffness(&self) -> f64 {
@@ -280,8 +256,7 @@ impl Unloading {
 
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
     pub fn branch(&self) -> Piece {
-        let power = Shape::Power { stiffness: self.stiffness(), exponent: self.exponent };
-        let shape = self.curve.map_or(power, Shape::Smooth);
+        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Smooth);
         Piece { start: self.peak.residual(), force: 0.0, work: 0.0, shape }
     }
 }

@@ -59,9 +59,9 @@ fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
             let root = (pull * pull + 2.0 * slope * rest).sqrt();
             if pull > 0.0 { 2.0 * rest / (pull + root) } else { (root - pull) / slope }
         }
-        Shape::Power { stiffness, exponent } => power_turn(stiffness, exponent, rest, weight),
+        Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(stiffness, exponent, rest, weight),
         Shape::Smooth(smooth) => smooth.distance_at_work_against(piece.start, piece.work, rest, weight),
-        Shape::LatePower { stiffness, exponent, lead } => {
+        Shape::Power { stiffness, exponent, lead } => {
             let p = exponent + 1.0;
             let from_zero = rest + stiffness * power(lead, exponent) * lead / p - weight * lead;
             let mut d = power_turn(stiffness, exponent, from_zero.max(0.0), weight);
@@ -248,8 +248,7 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
 fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
     match piece.shape {
         Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
-        Shape::Power { stiffness, exponent } => stiffness * power_between(exponent, distance, by),
-        Shape::LatePower { stiffness, exponent, lead } => stiffness * power_between(exponent, lead + distance, by),
+        Shape::Power { stiffness, exponent, lead } => stiffness * power_between(exponent, lead + distance, by),
         Shape::Smooth(smooth) => smooth.work(piece.start, distance, distance + by),
     }
 }

@@ -8,7 +8,6 @@ use crate::law::curve::Curve;
 use crate::law::jumps::Jumps;
 use crate::law::published::{Loading, Recovered, RecoveryRule};
 use crate::math::functions::pow;
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Kogut and Etsion.
 ///
@@ -45,17 +44,6 @@ pub struct KogutEtsion {
     pub yield_factor: Option<f64>,
     /// How the printed jumps are treated.
     pub jumps: Jumps,
-}
-
-/// k x^p; parameters k, p.
-static FIT: Formula = Formula::new(fit::<f64>, fit::<Jet>, Some(fit_integral));
-
-fn fit<N: Number>([k, p, _]: &Parameters, x: N) -> N {
-    x.powf(*p) * *k
-}
-
-fn fit_integral([k, p, _]: &Parameters, x: f64) -> f64 {
-    k / (p + 1.0) * pow(x, p + 1.0)
 }
 
 /// H/σ_Y.
@@ -104,12 +92,11 @@ impl ContactLaw for KogutEtsion {
             _ => third,
         };
         let is_whole = third >= 1.0;
-        // k s^1.5 (x/s)^p
-        let fit = |k: f64, p: f64| Smooth::new(&FIT, [k * pow(s, 1.5 - p), p, 0.0]);
         let mut curve = Curve::hertz();
         for (from, k, p) in [(first, k1, p1), (second, k2, p2)] {
             if from < third {
-                curve = curve.then_smooth(from * s, fit(k, p));
+                // k s^1.5 (x/s)^p
+                curve = curve.then_power(from * s, k * pow(s, 1.5 - p), p);
             }
         }
         if is_whole {
