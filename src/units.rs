@@ -16,5 +16,5 @@ mod table;
 
 pub use csv_text::TableError;
 pub use dimension::Dimension;
-pub use format::{capital, describe, four_digits, human, number, si};
+pub use format::{capital, describe, exact, four_digits, human, number, si};
 pub use parse::{UnitError, parse};

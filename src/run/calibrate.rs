@@ -2,10 +2,10 @@
 
 use std::path::absolute;
 
-use toml_edit::{DocumentMut, Item, Table, value};
+use toml_edit::{DocumentMut, Item, Table, TableLike, value};
 
 use super::outcome::{self, Order, Outcome, file, texts};
-use crate::calibrate::{Calibration, Measurements};
+use crate::calibrate::{Calibration, Found, Measurements};
 use crate::error::Error;
 use crate::output::SUMMARY;
 use crate::plot::calibrate::pictures;
@@ -13,6 +13,7 @@ use crate::progress::Counter;
 use crate::provenance::PROGRAM;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
+use crate::units::{Dimension, exact};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
@@ -43,7 +44,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
 }
 
 fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
-    let unbounded = |key: &crate::calibrate::Found| {
+    let unbounded = |key: &Found| {
         key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
@@ -67,9 +68,10 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
             merge(document.as_table_mut(), change.as_table());
         }
     }
+    choose_law(&mut document, &measured.wanted.scene.law.name());
     document.remove("calibrate");
-    for key in &found.keys {
-        set(&mut document, key.free.key.path, value(key.estimate));
+    for Found { free, estimate, .. } in &found.keys {
+        set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
     }
     for (key, path) in scenario.files() {
         if let Ok(path) = absolute(path) {
@@ -85,7 +87,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     } else if found.fit.problem.scene.speed.is_nan() {
         let mut speeds = found.fit.problem.speeds();
         speeds.sort_by(f64::total_cmp);
-        set(&mut document, "impact.speed", value(speeds[speeds.len() / 2]));
+        set(&mut document, "impact.speed", quantity(speeds[speeds.len() / 2], Dimension::Speed));
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
     format!(
@@ -98,7 +100,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
 /// Sets the value of a key. A comment beside the old value stays.
 fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
     let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
+    let mut table: &mut dyn TableLike = document.as_table_mut();
     for part in tables.split('.').filter(|part| !part.is_empty()) {
         let inner = table.entry(part).or_insert_with(|| Item::Table(Table::new()));
         let Some(inner) = inner.as_table_like_mut() else { return };
@@ -111,30 +113,37 @@ fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
     table.insert(name, new);
 }
 
-/// Merges the changes of the command line. A scenario has one law, so a law of the command line replaces that of the file.
-fn merge(into: &mut dyn toml_edit::TableLike, from: &dyn toml_edit::TableLike) {
-    for (name, item) in from.iter() {
-        if name == "law" {
-            let mut law = Table::new();
-            law.set_implicit(true);
-            match item.as_str() {
-                Some(name) => {
-                    let mut keys = Table::new();
-                    let halves = name.split_once('+');
-                    for (half, name) in halves.into_iter().flat_map(|(one, two)| [("loading", one), ("unloading", two)])
-                    {
-                        keys.insert(half, value(name.trim()));
-                    }
-                    law.insert(halves.map_or(name.trim(), |_| "combined"), Item::Table(keys));
-                }
-                None => merge(&mut law, item.as_table_like().unwrap_or(&Table::new())),
-            }
-            into.insert(name, Item::Table(law));
-            continue;
-        }
+/// A number as people write it: with its unit, and all digits.
+fn quantity(number: f64, dimension: Dimension) -> Item {
+    if dimension == Dimension::Ratio { value(number) } else { value(exact(number, dimension)) }
+}
+
+/// Merges the changes of the command line. The name of a law is no table that could be merged.
+fn merge(into: &mut dyn TableLike, from: &dyn TableLike) {
+    for (name, item) in from.iter().filter(|(name, item)| *name != "law" || item.is_table_like()) {
         match (into.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
             (Some(old), Some(new)) => merge(old, new),
             _ => drop(into.insert(name, item.clone())),
         }
+    }
+}
+
+/// Leaves the law of the calibration as the only one.
+fn choose_law(document: &mut DocumentMut, law: &str) {
+    let halves = law.split_once(" + ");
+    let chosen = halves.map_or(law, |_| "combined");
+    if chosen != "plm" && document.get("law").is_none() {
+        let mut laws = Table::new();
+        laws.set_implicit(true);
+        document.insert("law", Item::Table(laws));
+    }
+    let Some(laws) = document.get_mut("law").and_then(Item::as_table_like_mut) else { return };
+    let others: Vec<String> = laws.iter().map(|(name, _)| name.to_owned()).filter(|name| name != chosen).collect();
+    for other in others {
+        laws.remove(&other);
+    }
+    laws.entry(chosen).or_insert_with(|| Item::Table(Table::new()));
+    for (half, name) in halves.into_iter().flat_map(|(one, two)| [("loading", one), ("unloading", two)]) {
+        set(document, &format!("law.combined.{half}"), value(name));
     }
 }

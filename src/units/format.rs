@@ -27,25 +27,43 @@ pub fn si(value: f64, dimension: Dimension) -> String {
 
 /// In a suitable unit, to six digits: "5 mm".
 pub fn human(value: f64, dimension: Dimension) -> String {
+    in_suitable_unit(value, &format!("{value:.5e}"), dimension)
+}
+
+/// In a suitable unit, with all digits: it is read back to the same number.
+pub fn exact(value: f64, dimension: Dimension) -> String {
+    in_suitable_unit(value, &format!("{value:e}"), dimension)
+}
+
+/// A number as text with an exponent, in a suitable unit. The exponent is changed in the text, so that no digit changes.
+fn in_suitable_unit(value: f64, scientific: &str, dimension: Dimension) -> String {
     let shown = || {
         dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
             Scale::Ten(power) => Some((unit.name, power)),
             Scale::Times(_) | Scale::Over(_) => None,
         })
     };
-    if value == 0.0 {
-        return si(value, dimension);
-    }
     let fits = |&(_, power): &(&str, i32)| value.abs() >= powi(10_f64, power);
-    let scientific = format!("{value:.5e}");
-    let (Some((name, power)), Some((digits, exponent))) =
-        (shown().filter(fits).last().or_else(|| shown().next()), scientific.split_once('e'))
-    else {
-        return si(value, dimension);
-    };
-    // the exponent is changed in the decimal text, so that no digit changes
-    let shifted = exponent.parse::<i32>().ok().and_then(|e| format!("{digits}e{}", e - power).parse().ok());
-    format!("{} {name}", number(shifted.unwrap_or(value)))
+    let suitable = shown().filter(fits).last().or_else(|| shown().next()).filter(|_| value != 0.0);
+    let text = suitable.and_then(|(name, power)| {
+        let (digits, exponent) = scientific.split_once('e')?;
+        Some(format!("{} {name}", written(digits, exponent.parse::<i32>().ok()? - power)))
+    });
+    text.unwrap_or_else(|| si(value, dimension))
+}
+
+/// Digits with a point behind the first, times ten to this power, as [`number`] writes it.
+fn written(digits: &str, exponent: i32) -> String {
+    let (sign, digits) = digits.strip_prefix('-').map_or(("", digits), |digits| ("-", digits));
+    let digits = if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+    if !(-4..6).contains(&exponent) {
+        return format!("{sign}{digits}e{exponent}");
+    }
+    let zeros = "0".repeat(usize::try_from(-exponent).unwrap_or(0));
+    let all = zeros + &digits.replace('.', "");
+    let whole = 1 + usize::try_from(exponent).unwrap_or(0);
+    let (before, after) = all.split_at_checked(whole).unwrap_or((&all, ""));
+    format!("{sign}{before:0<whole$}.{after}").trim_end_matches('.').to_owned()
 }
 
 /// Both: "0.005 m (5 mm)"; one where they are the same.

@@ -1,6 +1,6 @@
 //! Spellings of quantities that are understood, and spellings that are refused with their messages.
 
-use plm_impact::units::{Dimension, describe, human, parse, si};
+use plm_impact::units::{Dimension, describe, exact, human, parse, si};
 use proptest::prelude::*;
 
 #[test]
@@ -120,9 +120,10 @@ proptest! {
     #![proptest_config(crate::common::cases(256))]
 
     #[test]
-    fn what_is_shown_in_si_is_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
+    fn what_is_shown_with_all_digits_is_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed, Dimension::Ratio] {
             prop_assert_eq!(parse(&si(value, dimension), dimension), Ok(value));
+            prop_assert_eq!(parse(&exact(value, dimension), dimension), Ok(value));
         }
     }
 

@@ -196,12 +196,23 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
         "{new}"
     );
     assert!(new.contains("[law.thornton]") && new.contains("\"4 mm\""), "{new}");
+    // the strength has a unit, and all digits
+    let estimate = summary["keys"][0]["estimate"].as_f64().unwrap();
+    let written = new.split("yield_strength = \"").nth(1).unwrap().split(" MPa\"").next().unwrap();
+    assert_eq!(format!("{written}e6").parse::<f64>().unwrap(), estimate, "{new}");
     let run = desk.call(&["run", "o/calibrated.toml", "--set", "impact.speed=2.5", "--out", "p"]);
     assert_eq!(run.status.code(), Some(0), "{}", text_of(&run.stderr));
     let again: Value = serde_json::from_str(&desk.read("p/summary.json")).unwrap();
     let predicted = column(&desk.read("o/residuals.csv"), "predicted")[6].parse::<f64>().unwrap();
     near(&again["restitution"], predicted, 1e-8);
     assert_eq!(summary["inputs"]["law"], "thornton");
+    // a law of two, chosen over that of the file
+    let text = text.clone() + "[law.plm]\nunloading_exponent = 1.6\n";
+    let (desk, summary) = calibrated(&text, &restitutions(), &["--set", "law=jackson_green + brake"], 0);
+    assert_eq!(summary["inputs"]["law"], "jackson_green + brake");
+    let new = desk.read("o/calibrated.toml");
+    assert!(new.contains("loading = \"jackson_green\"") && !new.contains("law.plm"), "{new}");
+    assert_eq!(desk.call(&["check", "o/calibrated.toml"]).status.code(), Some(0), "{new}");
 }
 
 fn text_of(bytes: &[u8]) -> String {
