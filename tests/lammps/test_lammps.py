@@ -106,7 +106,7 @@ def energies(output: str) -> "np.ndarray":
 
 def test_a_rain_of_three_sizes(plugin: Path, tmp_path: Path) -> None:
     data, out = tmp_path / "rain.data", tmp_path / "rain"
-    radius, speed = write_rain(data, 100_000)
+    radius, speed = write_rain(data, 10_000)
     # the step is 3/10000 of a contact of the smallest sphere; the error of e by Verlet is then below 1e-6
     output = lammps(plugin, "rain.in", data=data, out=out, scenario=STEEL, dt="4e-8", half=800, wall="plane 0")
     rows = table(Path(f"{out}.dump"))

@@ -1,0 +1,85 @@
+"""The schema, by the validator of another project: it takes what the program takes, and refuses what it refuses."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import jsonschema
+import pytest
+from conftest import ROOT
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+SCENARIOS = sorted((ROOT / "scenarios").glob("*.toml"))
+KINDS = ["impact", "sweep", "monte_carlo", "indentation", "repeat", "compare", "calibrate"]
+STEEL = """
+[sphere]
+radius = "5 mm"
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+density = "7850 kg/m^3"
+[half_space]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "345 MPa"
+[impact]
+speed = "3 m/s"
+"""
+
+
+@pytest.fixture(scope="module")
+def validator(command: Path) -> jsonschema.protocols.Validator:
+    schema = json.loads(subprocess.run([command, "schema"], check=True, capture_output=True).stdout)
+    kind = jsonschema.validators.validator_for(schema)
+    kind.check_schema(schema)
+    return kind(schema)
+
+
+@pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
+def test_every_scenario_of_the_repository_keeps_to_the_schema(path: Path, validator: jsonschema.protocols.Validator) -> None:
+    assert not [error.message for error in validator.iter_errors(tomllib.loads(path.read_text()))]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_init_writes_keeps_to_the_schema(kind: str, command: Path, validator: jsonschema.protocols.Validator) -> None:
+    written = subprocess.run([command, "init", kind, "--out", "-"], check=True, capture_output=True, text=True).stdout
+    # with all lines that can be put in, which stand there as comments without a blank
+    lines = [line.lstrip("#") for line in written.splitlines() if not line.startswith("# ")]
+    for text in [written, "\n".join(lines)]:
+        assert not [error.message for error in validator.iter_errors(tomllib.loads(text))], text
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        'radius = "5 mm" -> raduis = "5 mm"',
+        'radius = "5 mm" -> radius = -5',
+        'radius = "5 mm" -> radius = true',
+        "poissons_ratio = 0.3 -> poissons_ratio = 0.5",
+        "[impact] -> [impakt]",
+        "[impact] -> [law.plm]\n[law.hertz]\n[impact]",
+        "[impact] -> [law.pml]\n[impact]",
+        "[impact] -> [law.plm]\nunloading_exponent = 1\n[impact]",
+        "[impact] -> [law.hertz]\nx = 1\n[impact]",
+        '[impact] -> [solver]\nmethod = "rk7"\n[impact]',
+        "[impact] -> [output]\nsamples = 1\n[impact]",
+        '[impact] -> [sweep]\n"impact.sped" = [1]\n[impact]',
+        '[impact] -> [sweep]\n"impact.speed" = { linspace = [1, 2] }\n[impact]',
+        '[impact] -> [monte_carlo]\n"impact.speed" = { uniform = [1, 2] }\n[impact]',
+        '[impact] -> [repeat]\nspot = "some"\n[impact]',
+        "[impact] -> [indentation]\nsteps = [{ lode = 1 }]\n[impact]",
+    ],
+)
+def test_what_the_schema_refuses_the_program_refuses_too(
+    wrong: str, command: Path, validator: jsonschema.protocols.Validator, tmp_path: Path
+) -> None:
+    old, new = wrong.split(" -> ")
+    assert old in STEEL and validator.is_valid(tomllib.loads(STEEL))
+    text = STEEL.replace(old, new, 1)
+    assert not validator.is_valid(tomllib.loads(text))
+    (tmp_path / "wrong.toml").write_text(text)
+    assert subprocess.run([command, "check", tmp_path / "wrong.toml"], capture_output=True).returncode == 2
