@@ -2,13 +2,10 @@
 
 mod bench;
 mod calibrate;
-mod check;
-mod completions;
 mod export;
 mod fit_plm;
 mod init;
 mod interrupt;
-mod man;
 mod materials;
 mod merge;
 mod names;
@@ -16,6 +13,7 @@ mod output;
 mod pictures;
 mod run;
 mod scenario;
+mod shells;
 mod sweep;
 pub mod terminal;
 mod threads;
@@ -51,7 +49,7 @@ struct Cli {
 enum Command {
     Init(init::Arguments),
     Run(run::Arguments),
-    Check(check::Arguments),
+    Check(run::CheckArguments),
     Calibrate(calibrate::Arguments),
     Merge(merge::Arguments),
     Export(export::Arguments),
@@ -69,8 +67,8 @@ enum Command {
     Validate(validate::Arguments),
     FitPlm(fit_plm::Arguments),
     Bench(bench::Arguments),
-    Completions(completions::Arguments),
-    Man(man::Arguments),
+    Completions(shells::Completions),
+    Man(shells::Manual),
 }
 
 /// Does what the command line says.
@@ -80,7 +78,7 @@ pub fn run() -> Result<(), Error> {
     match command {
         Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),
-        Command::Check(arguments) => check::check(&arguments),
+        Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Merge(arguments) => merge::merge(&arguments),
         Command::Export(arguments) => export::export(&arguments),
@@ -90,8 +88,8 @@ pub fn run() -> Result<(), Error> {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
-        Command::Completions(arguments) => completions::completions(&arguments, Cli::command()),
-        Command::Man(arguments) => man::man(&arguments, Cli::command()),
+        Command::Completions(arguments) => shells::completions(&arguments, Cli::command()),
+        Command::Man(arguments) => shells::man(&arguments, Cli::command()),
     }
 }
 

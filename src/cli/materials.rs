@@ -1,9 +1,13 @@
 //! `plm-impact materials`
 
-use clap::Args;
+use std::ffi::OsStr;
+
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Command};
 use plm_impact::error::Error;
 use plm_impact::materials::{all, find};
 use plm_impact::report::materials::{list, one};
+use plm_impact::units::nearest::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
 #[derive(Debug, Args)]
@@ -11,19 +15,38 @@ use plm_impact::report::materials::{list, one};
   plm-impact materials
   plm-impact materials aluminium-6061-t6")]
 pub struct Arguments {
-    /// Name of one material
+    /// Name of one material, or the beginning of several
+    #[arg(hide_possible_values = true, value_parser = Names)]
     name: Option<String>,
 }
 
-pub fn materials(Arguments { name }: &Arguments) -> Result<(), Error> {
-    let text = match name {
-        None => list(),
-        Some(name) => one(find(name).ok_or_else(|| unknown(name))?),
-    };
-    super::terminal::print(&text)
+/// Any text; shells complete the names of materials.
+#[derive(Clone)]
+struct Names;
+
+impl TypedValueParser for Names {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(all().iter().map(|entry| PossibleValue::new(entry.name.as_str()))))
+    }
 }
 
-fn unknown(name: &str) -> Error {
-    let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
-    super::names::unknown("material", "materials", name, &names)
+pub fn materials(Arguments { name }: &Arguments) -> Result<(), Error> {
+    let name = name.as_deref().unwrap_or_default();
+    let text = match find(name) {
+        Some(entry) => one(entry),
+        None if all().iter().any(|entry| entry.name.starts_with(name)) => list(name),
+        None => {
+            let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
+            let known = format!("materials are {}", names.join(", "));
+            let text = format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known));
+            return Err(Error::input(text));
+        }
+    };
+    super::terminal::print(&text)
 }

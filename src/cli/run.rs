@@ -1,4 +1,4 @@
-//! `plm-impact run`
+//! `plm-impact run` and `plm-impact check`
 
 use clap::Args;
 use plm_impact::error::Error;
@@ -30,4 +30,21 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
         }
         Run::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &scenario),
     }
+}
+
+/// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact check impact.toml
+  plm-impact check impact.toml --set sphere.youngs_modulus=rigid --error-format json")]
+pub struct CheckArguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+}
+
+pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load()?;
+    let outcome = plm_impact::run::check(&scenario)?;
+    super::output::warn(&outcome.warnings);
+    super::terminal::print(&outcome.text)
 }

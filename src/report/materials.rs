@@ -7,11 +7,11 @@ use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
-/// All materials, one per line.
-pub fn list() -> String {
+/// The materials whose names begin so, one per line.
+pub fn list(begin: &str) -> String {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
-    rows.extend(all().iter().map(|entry| {
+    rows.extend(all().iter().filter(|entry| entry.name.starts_with(begin)).map(|entry| {
         let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
         let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]

@@ -164,6 +164,10 @@ fn completions_and_manual_pages_know_every_command() {
     let line = "eval \"$(plm-impact completions bash)\"; COMP_WORDS=(plm-impact run --pic); COMP_CWORD=2; \
                 complete -p plm-impact | sed 's/.*-F //; s/ .*//' > name; $(cat name) plm-impact --pic run; echo \"${COMPREPLY[@]}\"";
     assert_eq!(text(&shell(&desk, line).stdout).trim(), "--pictures");
+    let line = line.replace("run --pic", "materials st").replace("--pic run", "st materials");
+    let steels = text(&shell(&desk, &line).stdout);
+    assert!(steels.split_whitespace().count() > 5, "{steels}");
+    assert!(steels.split_whitespace().all(|name| name.starts_with("steel-")), "{steels}");
     let page = |command: &[&str]| {
         let output = desk.call(&[&["man"], command].concat());
         assert_eq!(output.status.code(), Some(0), "{command:?}: {}", text(&output.stderr));
