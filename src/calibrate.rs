@@ -10,10 +10,12 @@
 //!
 //! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
 //! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
-//! The posterior has a flat prior on the range of the key; for a logarithmic range it is flat in the logarithm.
+//! Of two keys there is also the posterior over their plane; its prior is flat on the ranges, in the logarithm if that is
+//! their scale.
 //!
 //! No interval is given if the keys can be changed together while the predictions change by less than the error of the
-//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together.
+//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
+//! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
 
 pub mod data;
 mod error;
@@ -26,26 +28,33 @@ pub mod profile;
 pub mod quantity;
 pub mod statistics;
 
+use nalgebra::DMatrix;
+
 use crate::law::LawChoice;
+use crate::math::functions::hypot;
 use crate::plan::Source as Text;
 use crate::progress::Counter;
 use crate::scenario::calibrate::{Source, Wanted};
 use crate::scenario::{Scenario, read_text};
 use crate::scene::Scene;
 use crate::units::csv_text::TableError;
+use crate::units::human;
+use crate::units::rounded::number;
 use data::Data;
 pub use error::{CalibrateError, NoAnswer};
-pub use fit::Fit;
+pub use fit::{Fit, Noise};
 use fit::{in_order, shifts};
 use found::OUTLIER;
-pub use found::{Calibration, Found};
-use identify::identify;
+pub use found::{Calibration, Found, OfLaw};
+use identify::{Identifiability, identify};
 use problem::Problem;
-use quantity::{CURVE, MEASURED, Measured};
+use quantity::Measured;
 use statistics::{chance, chance_of_runs};
 
 /// Largest file of measurements \[MiB\]: enough for a million lines.
 const LARGEST: u64 = 64;
+/// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
+const LEAST_DEVIATION: f64 = 1e-9;
 
 /// The keys that are wanted, and the measurements.
 #[derive(Debug, Clone)]
@@ -56,8 +65,6 @@ pub struct Measurements {
     pub data: Data,
     /// SHA-256 of the file; `None` if the measurements are in the scenario.
     pub sha256: Option<String>,
-    /// The largest measured value.
-    largest: f64,
 }
 
 impl Measurements {
@@ -74,61 +81,81 @@ impl Measurements {
             }
         };
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
-        let largest = data.values.iter().map(|value| value.value).fold(0.0, f64::max);
-        let measured = Self { wanted, data, sha256, largest };
+        let measured = Self { wanted, data, sha256 };
         measured.check()?;
         Ok(measured)
     }
 
     fn check(&self) -> Result<(), CalibrateError> {
         let refuse = |message: String| Err(self.refusal(None, message));
-        let (values, keys) = (self.data.values.len(), self.wanted.free.len());
+        let (values, keys, measured) = (self.data.values.len(), self.wanted.free.len(), self.data.measured());
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
-        let has_height = self.data.measured().iter().any(|what| MEASURED[*what].name == "rebound_height");
-        if has_height && self.wanted.scene.forces.gravity.is_none() {
+        if measured.contains(&Measured::ReboundHeight) && self.wanted.scene.forces.gravity.is_none() {
             return refuse(
                 "a rebound height needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"".to_owned(),
             );
         }
-        let measured = self.data.measured();
         let is_idle = |name: &String| !Measured::find(name).is_some_and(|what| measured.contains(&what));
         if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
         }
-        Ok(())
+        // the limit is known if speed and gravity are not to be found
+        let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
+        let ones = vec![1.0; values];
+        let problem = Problem::new(&self.wanted.scene, &self.wanted.free, &self.data, ones, false);
+        match problem.beyond_elastic() {
+            Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
+                let said = [value.value, limit].map(|value_of| human(value_of, value.what.quantity().dimension));
+                let [found, limit] = said.map(|text| text.trim_end().to_owned());
+                let message = format!(
+                    "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
+                    value.what.name()
+                );
+                Err(self.refusal(self.line_of(value), message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The line of a value; `None` if the measurements are in the scenario.
+    fn line_of(&self, value: &data::Value) -> Option<u64> {
+        self.sha256.is_some().then(|| self.data.rows[value.row].line)
     }
 
     /// The standard deviation of every value, and whether only their ratios are known.
     fn deviations(&self) -> Result<(Vec<f64>, bool), CalibrateError> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
-        let given = |what: usize| deviations.iter().find(|(name, _)| name == MEASURED[what].name).map(|(_, sd)| *sd);
+        let given = |what: Measured| deviations.iter().find(|(name, _)| name == what.name()).map(|(_, sd)| *sd);
         let of = |value: &data::Value| value.deviation.or_else(|| given(value.what));
-        let is_known = |value: &data::Value| of(value).is_some();
-        let is_given = self.data.values.iter().any(is_known);
+        let is_given = self.data.values.iter().any(|value| of(value).is_some());
         let is_estimated = *is_estimated || *model_error == 0.0 && !is_given && deviations.is_empty();
-        let deviation = |value: &data::Value| {
-            let size = self.size(value);
+        let deviation = |(value, size): (&data::Value, f64)| {
+            let name = value.what.name();
             if is_estimated && !is_given {
                 return Ok(size);
             }
-            if is_known(value) || *model_error > 0.0 {
-                return Ok(crate::math::functions::hypot(of(value).unwrap_or(0.0), size * model_error));
+            let own = of(value);
+            if own.is_none() && *model_error == 0.0 {
+                let message = format!(
+                    "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
+                );
+                return Err(self.refusal(self.line_of(value), message));
             }
-            let name = MEASURED[value.what].name;
-            let message = format!(
-                "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
-            );
-            Err(self.refusal(Some(self.data.rows[value.row].line), message))
+            let whole = hypot(own.unwrap_or(0.0), size * model_error);
+            if whole < LEAST_DEVIATION * size {
+                let message = format!(
+                    "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
+                    number(whole),
+                    number(LEAST_DEVIATION)
+                );
+                return Err(self.refusal(self.line_of(value), message));
+            }
+            Ok(whole)
         };
-        Ok((self.data.values.iter().map(deviation).collect::<Result<_, _>>()?, is_estimated))
-    }
-
-    /// The number that relative errors of a value refer to: the value itself, or for a curve its largest force, because
-    /// a force may be zero.
-    fn size(&self, value: &data::Value) -> f64 {
-        if value.what == CURVE { self.largest } else { value.value }
+        let sizes = self.data.sizes();
+        Ok((self.data.values.iter().zip(sizes).map(deviation).collect::<Result<_, _>>()?, is_estimated))
     }
 
     fn refusal(&self, line: Option<u64>, message: String) -> CalibrateError {
@@ -147,9 +174,8 @@ impl Measurements {
         Fit::of(problem, is_estimated).map_err(|reason| self.no_answer(reason))
     }
 
-    /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
-    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, CalibrateError> {
-        progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
+    /// The fits of all laws that were asked for, the best first.
+    fn ranked(&self, progress: &Counter) -> Result<Vec<OfLaw<'_>>, CalibrateError> {
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
             let fit = match self.fit(law) {
@@ -161,54 +187,40 @@ impl Measurements {
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
         laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
+        Ok(laws)
+    }
+
+    /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
+    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, CalibrateError> {
+        progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
+        let laws = self.ranked(progress)?;
         let fit = self.fit(&self.wanted.scene.law)?;
         progress.step();
-        let (problem, best) = (&fit.problem, fit.best());
+        let (problem, shares) = (&fit.problem, &fit.best().shares);
         let no_answer = |reason| self.no_answer(reason);
-        let predicted = problem.predict(&best.shares).map_err(no_answer)?;
-        let residuals = problem.residuals(&best.shares).map_err(no_answer)?;
-        let columns = problem.jacobian(&best.shares).map_err(no_answer)?;
-        let identifiability = identify(problem, best);
-        let refusal = if fit.has_no_noise {
-            Some("no standard deviation was given, and as many values as keys leave no scatter to estimate it from: give calibrate.noise, or measure more".to_owned())
-        } else {
-            identifiability.as_ref().and_then(|told| told.refusal.clone())
-        };
-        let (sheet, posteriors) = match problem.free {
-            free if fit.has_no_noise => (None, vec![None; free.len()]),
-            [_] => (None, vec![Some(fit.posterior())]),
-            _ => {
-                let (sheet, first) = fit.sheet(0);
-                (Some(sheet), vec![Some(first), Some(fit.sheet(1).1)])
-            }
-        };
-        let mut keys = Vec::new();
-        let told = fit.covariance.as_ref().filter(|_| refusal.is_none());
-        for ((i, free), posterior) in problem.free.iter().enumerate().zip(posteriors) {
-            let slope = free.slope(best.shares[i]);
-            let common = told.filter(|_| self.wanted.model_error > 0.0);
-            let intervals = || fit.intervals(i).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
-            keys.push(Found {
-                free: *free,
-                estimate: free.at(best.shares[i]),
-                sd: told.map(|covariance| slope * covariance[i][i].sqrt()),
-                sd_of_common_error: common
-                    .map(|covariance| slope * self.of_common_error(problem, &covariance[i], &columns)),
-                intervals: refusal.is_none().then(intervals),
-                posterior,
-            });
+        let predicted = problem.predict(shares).map_err(no_answer)?;
+        let residuals = problem.residuals(shares).map_err(no_answer)?;
+        let matrix = problem.jacobian(shares).map_err(no_answer)?;
+        let identifiability = identify(problem, fit.best());
+        let refusal = refusal(&fit, identifiability.as_ref());
+        let keys = (0..problem.free.len()).map(|key| {
+            let found = self.found(&fit, key, &matrix, refusal.is_none());
             progress.step();
-        }
-        let outlies = |residual: &&f64| self.wanted.is_robust && residual.abs() > OUTLIER;
+            found
+        });
+        let keys: Vec<Found> = keys.collect();
+        let has_sd = self.wanted.is_robust && !fit.has_no_noise();
+        let outlies = |residual: &&f64| has_sd && residual.abs() > OUTLIER;
         let outliers = residuals.iter().filter(outlies).count();
         let freedom = (residuals.len() - outliers).saturating_sub(keys.len());
-        let chi_square =
-            residuals.iter().filter(|residual| !outlies(residual)).map(|residual| residual * residual).sum();
+        let inliers = residuals.iter().filter(|residual| !outlies(residual));
+        let chi_square = inliers.map(|residual| residual * residual).sum();
         Ok(Calibration {
-            p: if fit.freedom.is_some() || fit.has_no_noise { None } else { chance(chi_square, freedom) },
-            p_of_runs: chance_of_runs(&in_order(problem, &residuals)),
-            shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &columns, &residuals)),
+            p: if fit.noise == Noise::Given { chance(chi_square, freedom) } else { None },
+            runs: chance_of_runs(&in_order(problem, &residuals)),
+            shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
             misfit: misfit(&self.data, &predicted),
+            sheet: (keys.len() == 2 && !fit.has_no_noise()).then(|| fit.sheet()),
             fit,
             keys,
             predicted,
@@ -218,29 +230,66 @@ impl Measurements {
             outliers,
             identifiability,
             refusal,
-            sheet,
             laws,
         })
     }
 
-    /// Standard deviation of the share of a key, if the law has the same error for all values of a quantity.
-    /// `covariance` has the covariances of this key.
-    fn of_common_error(&self, problem: &Problem, covariance: &[f64], columns: &[Vec<f64>]) -> f64 {
-        let (mut own, mut common) = (0.0, [0.0; MEASURED.len()]);
-        for (i, at) in problem.counted.iter().enumerate() {
-            let gain: f64 = covariance.iter().zip(columns).map(|(part, column)| part * column[i]).sum();
-            let (value, whole) = (&problem.data.values[*at], problem.deviations[*at]);
-            let error = self.wanted.model_error * self.size(value) / whole;
+    /// The result for one key.
+    fn found(&self, fit: &Fit, key: usize, matrix: &DMatrix<f64>, is_told: bool) -> Found {
+        let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
+        let slope = free.slope(share);
+        let told = fit.covariance.as_ref().filter(|_| is_told);
+        let common = told.filter(|_| self.wanted.model_error > 0.0);
+        let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
+        Found {
+            free,
+            estimate: free.at(share),
+            sd: told.map(|covariance| slope * covariance[(key, key)].sqrt()),
+            sd_of_common_error: common.map(|all| slope * self.of_common_error(&fit.problem, &(matrix * all), key)),
+            intervals: is_told.then(intervals),
+        }
+    }
+
+    /// Standard deviation of the share of a key, if the law has the same error for all values of a quantity. `gains`
+    /// has the change of every key (column) by every value (row), in standard deviations.
+    fn of_common_error(&self, problem: &Problem, gains: &DMatrix<f64>, key: usize) -> f64 {
+        let (mut own, mut common) = (0.0, [0.0; Measured::ALL.len()]);
+        let sizes = self.data.sizes();
+        for (gain, at) in gains.column(key).iter().zip(&problem.counted) {
+            let error = self.wanted.model_error * sizes[*at] / problem.deviations[*at];
             own += gain * gain * (1.0 - error * error).max(0.0);
-            common[value.what] += gain * error;
+            common[problem.data.values[*at].what as usize] += gain * error;
         }
         (own + common.iter().map(|sum| sum * sum).sum::<f64>()).sqrt()
     }
 }
 
+/// Why the keys get no interval; `None` if they get one.
+fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<String> {
+    let problem = &fit.problem;
+    if let Some([low, high]) = fit.grid.plateau(problem, fit.best()) {
+        let free = problem.free[0];
+        let [low, high] = [low, high].map(|share| free.say(free.at(share), 4));
+        return Some(format!(
+            "every {} from {low} to {high} gives the same, as these impacts stay elastic there: measure faster impacts",
+            free.key.path
+        ));
+    }
+    let message = match fit.noise {
+        Noise::TooFew => {
+            "no standard deviation was given, and as many values as keys leave no scatter to estimate it from: give calibrate.noise, or measure more"
+        }
+        Noise::NoScatter => {
+            "the readings repeat without scatter, so that nothing is known of their noise: readings are rounded; give calibrate.noise, at least half of their last digit"
+        }
+        _ => return identifiability.and_then(|told| told.refusal.clone()),
+    };
+    Some(message.to_owned())
+}
+
 /// See [`Calibration::misfit`].
 fn misfit(data: &Data, predicted: &[f64]) -> f64 {
-    let of = |what: usize| {
+    let of = |what: Measured| {
         let values = data.values.iter().zip(predicted).filter(|(value, _)| value.what == what);
         let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
             (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)

@@ -8,6 +8,7 @@ pub mod laws;
 pub mod materials;
 pub(crate) mod overview;
 pub(crate) mod plan;
+pub mod reference;
 pub(crate) mod repeat;
 pub mod resolved;
 pub(crate) mod rows;

@@ -3,7 +3,7 @@
 //! Every line is one impact, or one point of an indentation curve. The name of a column says its quantity and ends in
 //! its unit: `speed_m_per_s`, `drop_height_mm`, `restitution`, `dent_diameter_um`. A column may hold
 //!
-//! * a measured quantity (see [`MEASURED`]); if a field is empty, the quantity was not measured;
+//! * a measured quantity (see [`Measured`]); if a field is empty, the quantity was not measured;
 //! * the standard deviation of a measured quantity: the name of the quantity with `_sd` at the end;
 //! * any numeric key of the scenario that changes from line to line, such as `sphere_radius_mm`; `speed` and
 //!   `drop_height` are the keys of `[impact]`;
@@ -13,7 +13,7 @@
 //!
 //! Lines that begin with `#` are comments.
 
-use super::quantity::{CURVE, MEASURED, Measured};
+use super::quantity::Measured;
 use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scene::{KEYS, Key};
 use crate::units::csv_text::{CsvText, TableError};
@@ -25,8 +25,8 @@ use crate::units::{Dimension, parse};
 pub struct Value {
     /// The row of the value.
     pub row: usize,
-    /// The place of the quantity in [`MEASURED`].
-    pub what: usize,
+    /// What was measured.
+    pub what: Measured,
     /// The value in SI units.
     pub value: f64,
     /// Standard deviation, SI, if the data give it.
@@ -61,10 +61,9 @@ pub struct Data {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Role {
     Key(usize),
-    Measured(usize),
-    Deviation(usize),
+    Measured(Measured),
+    Deviation(Measured),
     Indentation,
-    Note,
 }
 
 struct Column {
@@ -87,12 +86,19 @@ impl Data {
 
     /// Whether the rows are points of an indentation curve, not impacts.
     pub fn is_curve(&self) -> bool {
-        self.values.iter().any(|value| value.what == CURVE)
+        self.values.iter().any(|value| value.what == Measured::Force)
     }
 
-    /// The quantities that were measured, in the order of [`MEASURED`].
-    pub fn measured(&self) -> Vec<usize> {
-        (0..MEASURED.len()).filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
+    /// The quantities that were measured, in the order of [`Measured::ALL`].
+    pub fn measured(&self) -> Vec<Measured> {
+        Measured::ALL.into_iter().filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
+    }
+
+    /// For every value the number that its relative errors refer to: the value itself, or for a curve its largest force,
+    /// because a force may be zero.
+    pub fn sizes(&self) -> Vec<f64> {
+        let largest = self.values.iter().map(|value| value.value).fold(0.0, f64::max);
+        self.values.iter().map(|value| if value.what == Measured::Force { largest } else { value.value }).collect()
     }
 
     /// Reads measurements from a text. Messages use `name` for the file.
@@ -114,25 +120,27 @@ impl Data {
         Ok(data)
     }
 
-    fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Column>, String> {
-        let mut columns: Vec<Column> = Vec::new();
+    /// The columns; `None` for a note.
+    fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Option<Column>>, String> {
+        let mut columns: Vec<Option<Column>> = Vec::new();
         for name in header {
-            let column = self.column(name)?;
-            if columns.iter().any(|other| other.role == column.role && column.role != Role::Note) {
+            let column = if name == "note" { None } else { Some(self.column(name)?) };
+            let is_same = |other: &Column| column.as_ref().is_some_and(|column| column.role == other.role);
+            if columns.iter().flatten().any(is_same) {
                 return Err(format!("the column `{name}` is there twice, or says the same as another; leave one out"));
             }
             columns.push(column);
         }
-        let has = |role: Role| columns.iter().any(|column| column.role == role);
-        for column in &columns {
+        let has = |role: Role| columns.iter().flatten().any(|column| column.role == role);
+        for column in columns.iter().flatten() {
             if let Role::Deviation(what) = column.role
                 && !has(Role::Measured(what))
             {
-                return Err(format!("the column `{}` has no column `{}` beside it", column.name, MEASURED[what].name));
+                return Err(format!("the column `{}` has no column `{}` beside it", column.name, what.name()));
             }
         }
-        let is_impact = columns.iter().any(|column| matches!(column.role, Role::Measured(what) if what != CURVE));
-        match (has(Role::Indentation), has(Role::Measured(CURVE))) {
+        let is_impact = Measured::ALL.into_iter().any(|what| what != Measured::Force && has(Role::Measured(what)));
+        match (has(Role::Indentation), has(Role::Measured(Measured::Force))) {
             (true, true) | (false, false) if is_impact != has(Role::Indentation) => Ok(columns),
             (false, false) => Err(format!("no column is a measured quantity; {}", all())),
             (true, true) => Err("a file holds impacts or an indentation curve, not both; make two files".to_owned()),
@@ -141,13 +149,9 @@ impl Data {
     }
 
     fn column(&mut self, name: &str) -> Result<Column, String> {
-        if name == "note" {
-            let quantity = *MEASURED[0].quantity;
-            return Ok(Column { name: name.to_owned(), role: Role::Note, quantity, unit: String::new() });
-        }
         let (base, is_deviation) = name.strip_suffix("_sd").map_or((name, false), |base| (base, true));
         let measured =
-            MEASURED.iter().enumerate().map(|(what, one)| (one.name.to_owned(), Role::Measured(what), one.quantity));
+            Measured::ALL.into_iter().map(|one| (one.name().to_owned(), Role::Measured(one), one.quantity()));
         let alias = |key: &Key| match key.path.split_once('.') {
             Some(("impact", short)) => short.to_owned(),
             _ => key.path.replace('.', "_"),
@@ -159,14 +163,15 @@ impl Data {
         // the longest name that fits, because one name may be the beginning of another
         let fitting = known.filter_map(|(known, role, quantity)| {
             let unit = plain.strip_prefix(known.as_str()).filter(|unit| unit.is_empty() || unit.starts_with('_'))?;
-            Some((known.len(), role, quantity, unit.trim_start_matches('_').replace("_per_", "/")))
+            let unit = unit.trim_start_matches('_').replace("_per_", "/");
+            Some((known, role, quantity, unit))
         });
-        let Some((_, role, quantity, unit)) = fitting.max_by_key(|(length, ..)| *length) else {
-            let names: Vec<&str> = MEASURED.iter().map(|one| one.name).chain(["speed", "drop_height"]).collect();
+        let Some((known, role, quantity, unit)) = fitting.max_by_key(|(known, ..)| known.len()) else {
+            let names: Vec<&str> = Measured::ALL.iter().map(|one| one.name()).chain(["speed", "drop_height"]).collect();
             return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
         };
         let dimension = quantity.dimension;
-        let example = format!("{}{}", plain.trim_end_matches(&format!("_{unit}")), dimension.suffix());
+        let example = format!("{known}{}", dimension.suffix());
         if unit.is_empty() && dimension != Dimension::Ratio {
             return Err(format!("the column `{name}` has no unit: write {example}"));
         }
@@ -175,8 +180,9 @@ impl Data {
             return Err(format!("{message}: write {example}, or another unit"));
         }
         let quantity = match role {
-            Role::Measured(CURVE) => LOAD,
             _ if is_deviation => crate::scene::quantity::positive_of(dimension),
+            // the force of a curve may be 0
+            Role::Measured(Measured::Force) => LOAD,
             _ => *quantity,
         };
         let role = match role {
@@ -192,33 +198,33 @@ impl Data {
         Ok(Column { name: name.to_owned(), role, quantity, unit })
     }
 
-    fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Column]) -> Result<(), String> {
+    fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Option<Column>]) -> Result<(), String> {
         let row = self.rows.len();
         let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), indentation: None };
         let first = self.values.len();
+        let mut deviations = Vec::new();
         for (number, (field, column)) in (1..).zip(record.iter().zip(columns)) {
+            let Some(column) = column else { continue };
             let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
-            let is_optional = matches!(column.role, Role::Measured(what) if what != CURVE)
-                || matches!(column.role, Role::Deviation(_) | Role::Note);
-            if field.is_empty() && !is_optional {
-                return Err(refuse("is empty; give a value, or leave the line out".to_owned()));
-            }
-            if field.is_empty() || column.role == Role::Note {
-                continue;
+            if field.is_empty() {
+                match column.role {
+                    Role::Deviation(_) => continue,
+                    Role::Measured(what) if what != Measured::Force => continue,
+                    _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),
+                }
             }
             let value = column.read(field).map_err(refuse)?;
             match column.role {
                 Role::Key(_) => read.keys.push(value),
                 Role::Indentation => read.indentation = Some(value),
                 Role::Measured(what) => self.values.push(Value { row, what, value, deviation: None }),
-                Role::Deviation(_) | Role::Note => {}
+                Role::Deviation(what) => deviations.push((what, value)),
             }
         }
-        for (field, column) in record.iter().zip(columns).filter(|(field, _)| !field.is_empty()) {
-            let Role::Deviation(what) = column.role else { continue };
+        // the column of a standard deviation may stand before that of its quantity
+        for (what, deviation) in deviations {
             if let Some(value) = self.values[first..].iter_mut().find(|value| value.what == what) {
-                let message = |message: String| format!("`{}`: {message}", column.name);
-                value.deviation = Some(column.read(field).map_err(message)?);
+                value.deviation = Some(deviation);
             }
         }
         if self.values.len() == first {
@@ -246,8 +252,7 @@ impl Column {
 
 /// The names that columns may have, for messages.
 fn all() -> String {
-    let names = MEASURED.iter().map(|one| format!("{}{}", one.name, one.quantity.dimension.suffix()));
-    let names: Vec<String> = names.collect();
+    let names = Measured::ALL.map(|one| format!("{}{}", one.name(), one.quantity().dimension.suffix()));
     format!(
         "columns are speed_m_per_s, drop_height_m, {}, indentation_m, each of the measured ones with _sd at the end, the numeric keys of a scenario such as sphere_radius_m, and note",
         names.join(", ")

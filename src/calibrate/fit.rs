@@ -6,6 +6,27 @@ use super::error::NoAnswer;
 use super::minimum::{Grid, Place, minima};
 use super::problem::{Problem, TAILS};
 
+/// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
+const NO_SCATTER: f64 = 1e-6;
+
+/// What is known of the noise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Noise {
+    /// The standard deviations are given.
+    Given,
+    /// Only the ratios of the standard deviations are given. The rest comes from the scatter.
+    Estimated {
+        /// Degrees of freedom of the estimate.
+        freedom: f64,
+        /// The noise as a share of every value, if it is the same share of all.
+        share: Option<f64>,
+    },
+    /// As many values as keys leave no scatter to estimate the noise from.
+    TooFew,
+    /// All values, or more than half of them if outliers are expected, are met to the last digit.
+    NoScatter,
+}
+
 /// The best values of the keys under one law.
 #[derive(Debug, Clone)]
 pub struct Fit<'a> {
@@ -16,11 +37,9 @@ pub struct Fit<'a> {
     /// The grid on which the basins were found.
     pub(super) grid: Grid,
     /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
-    pub covariance: Option<Vec<Vec<f64>>>,
-    /// Degrees of freedom of the estimated noise; `None` if the noise is known.
-    pub freedom: Option<f64>,
-    /// Whether the noise would have to be estimated, but there are only as many values as keys.
-    pub has_no_noise: bool,
+    pub covariance: Option<DMatrix<f64>>,
+    /// What is known of the noise.
+    pub noise: Noise,
     /// Akaike's information criterion: lower is better.
     pub aic: f64,
 }
@@ -33,34 +52,36 @@ impl<'a> Fit<'a> {
     /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
     pub fn of(mut problem: Problem<'a>, is_estimated: bool) -> Result<Self, NoAnswer> {
         let (values, keys) = (problem.counted.len(), problem.free.len());
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
-        let (count, freedom) = (values as f64, values.saturating_sub(keys) as f64);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
         let mut grid = Grid::of(&problem);
         let mut found = minima(&problem, &grid);
-        if is_estimated && values > keys {
-            // with long tails the scale comes from the median of the residuals; scale and keys are found in turn
-            for _ in 0..if is_robust { 8 } else { 1 } {
-                let Some(place) = found.first() else { break };
-                let residuals = problem.residuals(&place.shares)?;
-                let scale = if is_robust {
-                    let mut sizes: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
-                    sizes.sort_by(f64::total_cmp);
-                    1.482_602_218_505_602 * sizes[values / 2] * (count / freedom).sqrt()
-                } else {
-                    (residuals.iter().map(|residual| residual * residual).sum::<f64>() / freedom).sqrt()
-                };
-                // data without scatter would give a scale of 0
-                problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale.max(1e-12));
-                problem.is_robust = is_robust;
-                if is_robust {
-                    grid = Grid::of(&problem);
-                    found = minima(&problem, &grid);
-                } else {
-                    for place in &mut found {
-                        place.sum = problem.sum(&place.shares);
-                    }
+        let mut noise = match is_estimated {
+            true if values <= keys => Noise::TooFew,
+            true => Noise::estimated(&problem, 1.0),
+            false => Noise::Given,
+        };
+        // with long tails the scale comes from the median of the residuals; scale and keys are found in turn
+        let (mut whole, sizes) = (1.0, problem.data.sizes());
+        for _ in 0..if is_robust { 8 } else { 1 } {
+            let (Noise::Estimated { .. }, Some(place)) = (noise, found.first()) else { break };
+            let residuals = problem.residuals(&place.shares)?;
+            let scale = scatter(&residuals, keys, is_robust);
+            let shares = problem.counted.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
+            if shares.fold(0.0, f64::max) < NO_SCATTER {
+                noise = Noise::NoScatter;
+                break;
+            }
+            whole *= scale;
+            noise = Noise::estimated(&problem, whole);
+            problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale);
+            problem.is_robust = is_robust;
+            if is_robust {
+                grid = Grid::of(&problem);
+                found = minima(&problem, &grid);
+            } else {
+                for place in &mut found {
+                    place.sum = problem.sum(&place.shares);
                 }
             }
         }
@@ -70,10 +91,8 @@ impl<'a> Fit<'a> {
         #[allow(clippy::cast_precision_loss)] // a few keys
         let parameters = (keys + usize::from(is_estimated)) as f64;
         let aic = problem.full(best.sum) + 2.0 * parameters;
-        let has_no_noise = is_estimated && values <= keys;
-        let freedom = (is_estimated && !has_no_noise).then_some(freedom);
-        let covariance = problem.jacobian(&best.shares).ok().and_then(|columns| covariance(&problem, &columns));
-        Ok(Self { problem, minima: found, grid, covariance, freedom, has_no_noise, aic })
+        let covariance = problem.jacobian(&best.shares).ok().and_then(|matrix| covariance(&problem, &matrix));
+        Ok(Self { problem, minima: found, grid, covariance, noise, aic })
     }
 
     /// The lowest minimum.
@@ -85,33 +104,63 @@ impl<'a> Fit<'a> {
     pub fn values(&self) -> Vec<f64> {
         self.problem.values(&self.best().shares)
     }
+
+    /// Whether nothing is known of the noise.
+    pub fn has_no_noise(&self) -> bool {
+        matches!(self.noise, Noise::TooFew | Noise::NoScatter)
+    }
+
+    /// Degrees of freedom of the estimated noise; `None` if the noise is not estimated.
+    pub fn freedom(&self) -> Option<f64> {
+        if let Noise::Estimated { freedom, .. } = self.noise { Some(freedom) } else { None }
+    }
+}
+
+impl Noise {
+    fn estimated(problem: &Problem, scale: f64) -> Self {
+        #[allow(clippy::cast_precision_loss)] // counts of measurements
+        let freedom = (problem.counted.len() - problem.free.len()) as f64;
+        let is_share = problem.data.values.iter().all(|value| value.deviation.is_none());
+        Self::Estimated { freedom, share: is_share.then_some(scale) }
+    }
+}
+
+/// The scale of residuals about a law with so many keys.
+#[allow(clippy::cast_precision_loss)] // counts of measurements
+fn scatter(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
+    let (count, freedom) = (residuals.len() as f64, (residuals.len() - keys) as f64);
+    if is_robust {
+        let mut sizes: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        1.482_602_218_505_602 * sizes[sizes.len() / 2] * (count / freedom).sqrt()
+    } else {
+        (residuals.iter().map(|residual| residual * residual).sum::<f64>() / freedom).sqrt()
+    }
 }
 
 /// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
-fn covariance(problem: &Problem, columns: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+fn covariance(problem: &Problem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     // with long tails the same residuals hold less information
     let factor = if problem.is_robust { (TAILS + 1.0) / (TAILS + 3.0) } else { 1.0 };
-    let product = |i: usize, j: usize| factor * columns[i].iter().zip(&columns[j]).map(|(a, b)| a * b).sum::<f64>();
-    let inverse = DMatrix::from_fn(columns.len(), columns.len(), product).try_inverse()?;
-    let rows: Vec<Vec<f64>> = inverse.row_iter().map(|row| row.iter().copied().collect()).collect();
-    (0..rows.len()).all(|i| rows[i][i].is_finite() && rows[i][i] > 0.0).then_some(rows)
+    let inverse = (matrix.tr_mul(matrix) * factor).try_inverse()?;
+    inverse.diagonal().iter().all(|square| square.is_finite() && *square > 0.0).then_some(inverse)
 }
 
-/// For each value, the change of each key (in shares) if this value were left out: the first step of Newton's method.
+/// For each value (row), the change of each key (in shares) if this value were left out: the first step of Newton's
+/// method.
 pub(super) fn shifts(
     problem: &Problem,
-    covariance: &[Vec<f64>],
-    columns: &[Vec<f64>],
+    covariance: &DMatrix<f64>,
+    matrix: &DMatrix<f64>,
     residuals: &[f64],
-) -> Vec<Vec<f64>> {
-    let of = |i: usize| {
-        let row: Vec<f64> = columns.iter().map(|column| column[i]).collect();
-        let gain: Vec<f64> = covariance.iter().map(|line| line.iter().zip(&row).map(|(a, b)| a * b).sum()).collect();
-        let leverage: f64 = gain.iter().zip(&row).map(|(a, b)| a * b).sum();
-        let weight = if problem.is_robust { (TAILS + 1.0) / (TAILS + residuals[i] * residuals[i]) } else { 1.0 };
-        gain.into_iter().map(|gain| -gain * weight * residuals[i] / (1.0 - leverage).max(f64::EPSILON)).collect()
-    };
-    (0..residuals.len()).map(of).collect()
+) -> DMatrix<f64> {
+    let mut gains = matrix * covariance;
+    for ((mut gain, row), residual) in gains.row_iter_mut().zip(matrix.row_iter()).zip(residuals) {
+        let leverage = gain.dot(&row);
+        let weight = if problem.is_robust { (TAILS + 1.0) / (TAILS + residual * residual) } else { 1.0 };
+        gain *= -weight * residual / (1.0 - leverage).max(f64::EPSILON);
+    }
+    gains
 }
 
 /// The residuals, quantity after quantity, in the order of rising speed. Points of a curve stay in their order.

@@ -1,9 +1,12 @@
 //! The result of a calibration.
 
+use nalgebra::DMatrix;
+
 use super::error::NoAnswer;
-use super::fit::Fit;
+use super::fit::{Fit, Noise};
 use super::identify::{Identifiability, LAW};
-use super::profile::{Ends, Marginal, Sheet};
+use super::profile::{Ends, Sheet};
+use super::statistics::{Runs, chance};
 use crate::plan::free::Free;
 use crate::units::four_digits;
 use crate::units::rounded::percent;
@@ -14,6 +17,9 @@ pub(super) const OUTLIER: f64 = 3.0;
 const MOST_OUTLIERS: f64 = 0.2;
 /// The law is rejected if the measurements have a smaller probability than this.
 const REJECTED: f64 = 0.01;
+
+/// The fit of a law, by the name of the law.
+pub type OfLaw<'a> = (String, Result<Fit<'a>, NoAnswer>);
 
 /// The result for one key.
 #[derive(Debug, Clone)]
@@ -29,8 +35,6 @@ pub struct Found {
     /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
     /// key.
     pub intervals: Option<[Ends; 2]>,
-    /// The posterior; `None` if there is no scatter to estimate the noise from.
-    pub posterior: Option<Marginal>,
 }
 
 /// The result of a calibration.
@@ -44,8 +48,8 @@ pub struct Calibration<'a> {
     pub predicted: Vec<f64>,
     /// Residual of every value: measured minus predicted, over the standard deviation.
     pub residuals: Vec<f64>,
-    /// For every value, the change of every key (in shares) if this value were left out, to first order.
-    pub shifts: Option<Vec<Vec<f64>>>,
+    /// For every value (row), the change of every key (in shares) if this value were left out, to first order.
+    pub shifts: Option<DMatrix<f64>>,
     /// Sum of the squares of the residuals, without outliers.
     pub chi_square: f64,
     /// Degrees of freedom of the residuals.
@@ -57,8 +61,8 @@ pub struct Calibration<'a> {
     pub misfit: f64,
     /// Probability of this chi-square or a larger one; `None` if the noise is estimated.
     pub p: Option<f64>,
-    /// Probability of as few runs of equal signs in the residuals, in the order of the speeds, or fewer.
-    pub p_of_runs: Option<f64>,
+    /// The test of runs of equal signs in the residuals, in the order of the speeds.
+    pub runs: Option<Runs>,
     /// How well the measurements determine the keys together.
     pub identifiability: Option<Identifiability>,
     /// Why there is no interval; `None` if there is one.
@@ -66,16 +70,7 @@ pub struct Calibration<'a> {
     /// The posterior of two keys; `None` for one key.
     pub sheet: Option<Sheet>,
     /// The fit of every law that was asked for, the best first.
-    pub laws: Vec<(String, Result<Fit<'a>, NoAnswer>)>,
-}
-
-impl Found {
-    /// Values of the key, and the density of the posterior there over the highest density.
-    pub fn relative_posterior(&self) -> Vec<(f64, f64)> {
-        let Some(Marginal { shares, density }) = &self.posterior else { return Vec::new() };
-        let highest = density.iter().copied().fold(0.0, f64::max);
-        shares.iter().zip(density).map(|(share, density)| (self.free.at(*share), density / highest)).collect()
-    }
+    pub laws: Vec<OfLaw<'a>>,
 }
 
 impl Calibration<'_> {
@@ -89,19 +84,20 @@ impl Calibration<'_> {
             return Some(format!("the law {law} does not fit: {what} from it; outliers are fewer"));
         }
         let unreached = self.residuals.iter().map(|residual| residual.abs()).fold(0.0, f64::max);
-        if self.fit.has_no_noise && unreached > 1e-6 {
+        if self.fit.noise == Noise::TooFew && unreached > 1e-6 {
             let key = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
             return Some(format!(
                 "no value of {key} in its range gives what was measured under the law {law}; the nearest is off by {}",
                 percent(unreached)
             ));
         }
-        let (p, what) = if let Some(p) = self.p {
-            let chi_square = four_digits(self.chi_square);
-            (p, format!("chi-square is {chi_square} on {} degrees of freedom", self.freedom))
+        let (p, what) = if self.fit.noise == Noise::Given {
+            // with as many values as keys the law can meet all of them, if their noise allows it
+            let freedom = self.freedom.max(1);
+            let p = chance(self.chi_square, freedom)?;
+            (p, format!("chi-square is {} on {freedom} degrees of freedom", four_digits(self.chi_square)))
         } else {
-            // a law that is off by less than the usual error of laws is not contradicted
-            let p = self.p_of_runs.filter(|_| !self.fit.has_no_noise && self.misfit > LAW)?;
+            let p = self.doubtful()?.p;
             let off = percent(self.misfit);
             (p, format!("it is off by {off}, and the residuals keep their signs for too long"))
         };
@@ -113,10 +109,33 @@ impl Calibration<'_> {
         })
     }
 
+    /// The test of runs where it decides: the noise is estimated, and the law is off by more than the usual error of
+    /// laws.
+    fn doubtful(&self) -> Option<Runs> {
+        self.runs.filter(|_| self.fit.freedom().is_some() && self.misfit > LAW)
+    }
+
+    /// Why it cannot be judged whether the law fits, although it is off; `None` if it can.
+    pub fn undecided(&self) -> Option<String> {
+        let few = self.doubtful().filter(|runs| runs.p >= REJECTED && runs.least >= REJECTED)?;
+        Some(format!(
+            "whether the law fits cannot be judged: it is off by {}, but with {} values any noise explains that (the test of runs cannot fall below p = {}); give calibrate.noise, or measure more",
+            percent(self.misfit),
+            self.residuals.len(),
+            four_digits(few.least)
+        ))
+    }
+
+    /// Whether the law fits; `None` if these measurements cannot tell.
+    pub fn fits(&self) -> Option<bool> {
+        let is_judged = self.freedom > 0 && !self.fit.has_no_noise() && self.undecided().is_none();
+        if self.contradiction().is_some() { Some(false) } else { is_judged.then_some(true) }
+    }
+
     /// Correlation of the two keys.
     pub fn correlation(&self) -> Option<f64> {
-        let covariance = self.fit.covariance.as_ref().filter(|covariance| covariance.len() == 2)?;
-        Some(covariance[0][1] / (covariance[0][0] * covariance[1][1]).sqrt())
+        let covariance = self.fit.covariance.as_ref().filter(|covariance| covariance.ncols() == 2)?;
+        Some(covariance[(0, 1)] / (covariance[(0, 0)] * covariance[(1, 1)]).sqrt())
     }
 
     /// The smallest AIC of all laws; NaN without one.

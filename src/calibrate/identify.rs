@@ -3,12 +3,12 @@
 //! A law has an error of one or two per cent. If the keys can be changed together while all predictions stay the same
 //! within this error, the measurements do not determine them, even if there are many of them with little noise.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::data::{Data, Value};
 use super::minimum::Place;
 use super::problem::Problem;
-use super::quantity::{CURVE, MEASURED};
+use super::quantity::Measured;
 use crate::math::functions::{exp, ln};
 use crate::units::rounded::{number, percent};
 
@@ -36,53 +36,45 @@ pub struct Identifiability {
 
 /// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
 /// key.
-fn by_logarithms(problem: &Problem, place: &Place) -> Option<Vec<Vec<f64>>> {
-    let columns = problem.jacobian(&place.shares).ok()?;
-    let scaled = columns.into_iter().zip(problem.free).zip(&place.shares).map(|((column, free), share)| {
+fn by_logarithms(problem: &Problem, place: &Place) -> Option<DMatrix<f64>> {
+    let mut matrix = problem.jacobian(&place.shares).ok()?;
+    for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
         let value = free.at(*share);
         // a key at 0 has no logarithm: a step over its whole range counts as a doubling
-        let scale = if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
-        column.into_iter().map(|slope| slope * scale).collect()
-    });
-    Some(scaled.collect())
+        column *= if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
+    }
+    Some(matrix)
 }
 
 /// Singular values and right singular vectors, the largest value first.
-fn decomposed(columns: &[Vec<f64>]) -> Option<Vec<(f64, Vec<f64>)>> {
-    let matrix = DMatrix::from_fn(columns[0].len(), columns.len(), |i, j| columns[j][i]);
+fn decomposed(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
     // from the eigenvalues of the product, which is small even if there are many rows
-    let eigen = (matrix.transpose() * matrix).symmetric_eigen();
-    let vectors = eigen.eigenvectors.column_iter().map(|vector| vector.iter().copied().collect());
-    let mut all: Vec<(f64, Vec<f64>)> =
-        eigen.eigenvalues.iter().map(|square| square.max(0.0).sqrt()).zip(vectors).collect();
+    let eigen = matrix.tr_mul(matrix).symmetric_eigen();
+    let vectors = eigen.eigenvectors.column_iter().map(|vector| vector.into_owned());
+    let mut all: Vec<_> = eigen.eigenvalues.iter().map(|square| square.max(0.0).sqrt()).zip(vectors).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     all.iter().all(|(value, _)| value.is_finite()).then_some(all)
 }
 
 /// Length of the step along a unit direction that doubles the key that changes most.
-fn doubling(direction: &[f64]) -> f64 {
-    ln(2.0) / direction.iter().fold(0.0_f64, |largest, part| largest.max(part.abs()))
+fn doubling(direction: &DVector<f64>) -> f64 {
+    ln(2.0) / direction.amax()
 }
 
 /// How well the measurements determine the keys, at the best place.
 pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
-    let columns = by_logarithms(problem, place)?;
+    let matrix = by_logarithms(problem, place)?;
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let root = (problem.counted.len() as f64).sqrt();
-    let sizes = sizes(problem);
-    let relative: Vec<Vec<f64>> = columns
-        .iter()
-        .map(|column| {
-            let scaled = column.iter().zip(&problem.counted);
-            scaled
-                .map(|(slope, at)| slope * problem.deviations[*at] / sizes[problem.data.values[*at].what] / root)
-                .collect()
-        })
-        .collect();
+    let sizes = Measured::ALL.map(|what| size(problem, what));
+    let mut relative = matrix.clone();
+    for (mut row, at) in relative.row_iter_mut().zip(&problem.counted) {
+        row *= problem.deviations[*at] / sizes[problem.data.values[*at].what as usize] / root;
+    }
     let relative = decomposed(&relative)?;
     let (least, direction) = relative.last()?;
     let change = least * doubling(direction);
-    let (strongest, combination) = decomposed(&columns)?.swap_remove(0);
+    let (strongest, combination) = decomposed(&matrix)?.swap_remove(0);
     let refusal = (change < LAW).then(|| refusal(problem, place, direction, change));
     Some(Identifiability {
         singular_values: relative.iter().map(|(value, _)| *value).collect(),
@@ -93,18 +85,14 @@ pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
     })
 }
 
-/// Root mean square of the values of every quantity.
-fn sizes(problem: &Problem) -> Vec<f64> {
-    let of = |what: usize| {
-        let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.what == what);
-        let (count, sum) =
-            values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
-        f64::sqrt(sum / count)
-    };
-    (0..MEASURED.len()).map(of).collect()
+/// Root mean square of the values of a quantity.
+fn size(problem: &Problem, what: Measured) -> f64 {
+    let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.what == what);
+    let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
+    f64::sqrt(sum / count)
 }
 
-fn refusal(problem: &Problem, place: &Place, direction: &[f64], change: f64) -> String {
+fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f64) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
     let off = percent(LAW);
     let what = if let [name] = names[..] {
@@ -116,7 +104,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &[f64], change: f64) -> 
         let step = doubling(direction);
         let factors: Vec<String> = names
             .iter()
-            .zip(direction)
+            .zip(direction.iter())
             .map(|(name, part)| format!("{name} times {}", number(exp(step * part))))
             .collect();
         format!(
@@ -142,25 +130,23 @@ fn refusal(problem: &Problem, place: &Place, direction: &[f64], change: f64) -> 
 }
 
 /// Quantities that were not measured but change along a direction, each with its relative change.
-fn helpful(problem: &Problem, place: &Place, direction: &[f64]) -> Vec<(&'static str, f64)> {
+fn helpful(problem: &Problem, place: &Place, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
+    if problem.data.is_curve() {
+        return Vec::new();
+    }
     let measured = problem.data.measured();
-    let has_restitution = measured.iter().any(|what| MEASURED[*what].is_of_restitution);
-    let is_new = |what: &usize| !(measured.contains(what) || has_restitution && MEASURED[*what].is_of_restitution);
-    let change = |what: usize| {
+    let has_restitution = measured.iter().any(|what| what.is_of_restitution());
+    let is_new = |what: &Measured| !(measured.contains(what) || has_restitution && what.is_of_restitution());
+    let change = |what: Measured| {
         let rows = 0..problem.data.rows.len();
         let values = rows.map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
         let data = Data { values, ..problem.data.clone() };
         let problem = problem.predicting(&data).thinned(ENOUGH);
         let predicted = problem.predict(&place.shares).ok()?;
-        let columns = by_logarithms(&problem, place)?;
-        let (mut moved, mut size) = (0.0, 0.0);
-        for (i, at) in problem.counted.iter().enumerate() {
-            let slope: f64 = columns.iter().zip(direction).map(|(column, part)| column[i] * part).sum();
-            moved += slope * slope;
-            size += predicted[*at] * predicted[*at];
-        }
-        Some((MEASURED[what].name, doubling(direction) * (moved / size).sqrt()))
-            .filter(|(_, change)| *change > 2.0 * LAW)
+        let moved = (by_logarithms(&problem, place)? * direction).norm();
+        let size = problem.counted.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
+        Some((what.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
     };
-    if problem.data.is_curve() { Vec::new() } else { (0..CURVE).filter(is_new).filter_map(change).collect() }
+    let of_impacts = Measured::ALL.into_iter().filter(|what| *what != Measured::Force);
+    of_impacts.filter(is_new).filter_map(change).collect()
 }

@@ -9,6 +9,11 @@ use crate::math::least_squares::least_squares;
 
 /// This number of impacts is enough to find the basins.
 const ENOUGH: usize = 1000;
+/// Number of finer grids on which the edge of a plateau is searched, and cells along their sides.
+const ZOOMS: u32 = 4;
+const FINER: usize = 32;
+/// With more values than this the kinks of single values are too small to matter.
+const MOST_KINKS: usize = 20_000;
 /// Largest number of basins whose minimum is computed.
 const MOST_BASINS: usize = 8;
 /// Two minima are in different basins if the sum between them rises by this multiple of its mean per value.
@@ -23,63 +28,130 @@ pub struct Place {
     pub sum: f64,
 }
 
-/// The sums of the thinned data on a grid over the ranges of the keys, with `side` places along each range.
+/// The sums of the thinned data on a grid of cells, with `side` cells along the range of each key, or along a part of it.
 #[derive(Debug, Clone)]
 pub struct Grid {
     side: usize,
     sums: Vec<f64>,
-    n_keys: usize,
+    /// Lower ends of the parts of the ranges, as shares.
+    low: Vec<f64>,
+    /// Width of these parts.
+    width: f64,
 }
 
 impl Grid {
-    /// Computes the sums.
+    /// Computes the sums over the whole ranges.
     pub fn of(problem: &Problem) -> Self {
-        let problem = problem.thinned(ENOUGH);
         let n_keys = problem.free.len();
-        let side = if n_keys == 1 { 64 } else { 32 };
-        let mut grid = Self { side, sums: Vec::new(), n_keys };
-        grid.sums = (0..if n_keys == 1 { side } else { side * side }).map(|at| problem.sum(&grid.shares(at))).collect();
+        Self::over(&problem.thinned(ENOUGH), vec![0.0; n_keys], 1.0, if n_keys == 1 { 64 } else { 32 })
+    }
+
+    fn over(problem: &Problem, low: Vec<f64>, width: f64, side: usize) -> Self {
+        let cells = if low.len() == 1 { side } else { side * side };
+        let mut grid = Self { side, sums: Vec::new(), low, width };
+        grid.sums = (0..cells).map(|at| problem.sum(&grid.shares(at))).collect();
         grid
+    }
+
+    fn cell(&self) -> f64 {
+        #[allow(clippy::cast_precision_loss)] // a few cells
+        let side = self.side as f64;
+        self.width / side
     }
 
     /// The shares at the middle of a cell.
     #[allow(clippy::cast_precision_loss)] // a few cells
     fn shares(&self, at: usize) -> Vec<f64> {
-        let share = |place: usize| (place as f64 + 0.5) / self.side as f64;
-        if self.n_keys == 1 { vec![share(at)] } else { vec![share(at / self.side), share(at % self.side)] }
+        let places = if self.low.len() == 1 { vec![at] } else { vec![at / self.side, at % self.side] };
+        self.low.iter().zip(places).map(|(low, place)| low + (place as f64 + 0.5) * self.cell()).collect()
     }
 
-    /// The middles of the cells that are not higher than any neighbour, the lowest first.
-    fn basins(&self) -> Vec<Vec<f64>> {
+    /// The sums of the cells around a cell.
+    fn around(&self, at: usize) -> impl Iterator<Item = f64> {
         let side = self.side.cast_signed();
-        let rows = if self.n_keys == 1 { 1 } else { side };
-        let is_lowest = |at: usize| {
-            let (row, column) = (at.cast_signed() / side, at.cast_signed() % side);
-            let inside = |&(row, column): &(isize, isize)| (0..rows).contains(&row) && (0..side).contains(&column);
-            let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (row + i, column + j)));
-            let mut around =
-                around.filter(inside).map(|(row, column)| self.sums[(row * side + column).cast_unsigned()]);
-            self.sums[at].is_finite() && around.all(|other| other >= self.sums[at])
+        let rows = if self.low.len() == 1 { 1 } else { side };
+        let (row, column) = (at.cast_signed() / side, at.cast_signed() % side);
+        let inside = move |&(row, column): &(isize, isize)| (0..rows).contains(&row) && (0..side).contains(&column);
+        let around = (-1..=1).flat_map(move |i| (-1..=1).map(move |j| (row + i, column + j)));
+        let around = around.filter(move |place| *place != (row, column)).filter(inside);
+        around.map(move |(row, column)| self.sums[(row * side + column).cast_unsigned()])
+    }
+
+    /// The cells that are not higher than any neighbour, the lowest first. Cells inside of a plateau do not count.
+    fn lowest(&self) -> Vec<usize> {
+        let is_lowest = |at: &usize| {
+            let own = self.sums[*at];
+            let mut has_higher = false;
+            let mut around = self.around(*at);
+            own.is_finite()
+                && around.all(|other| {
+                    has_higher |= !is_same(other, own);
+                    other >= own || is_same(other, own)
+                })
+                && has_higher
         };
-        let mut lowest: Vec<usize> = (0..self.sums.len()).filter(|at| is_lowest(*at)).collect();
+        let mut lowest: Vec<usize> = (0..self.sums.len()).filter(is_lowest).collect();
+        if lowest.is_empty() {
+            // one plateau is everywhere
+            lowest.extend(self.sums.iter().position(|sum| sum.is_finite()));
+        }
         lowest.sort_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
-        lowest.truncate(MOST_BASINS);
-        lowest.into_iter().map(|at| self.shares(at)).collect()
+        lowest
+    }
+
+    /// A place in every basin, the lowest first. Where impacts stay elastic, e is 1 and the sum has a plateau. The basin
+    /// beside it may be narrower than a cell, so the edge of the plateau is searched on finer grids.
+    fn basins(&self, problem: &Problem) -> Vec<Vec<f64>> {
+        let problem = problem.thinned(ENOUGH);
+        let start = |at: usize| {
+            let (mut finer, mut at) = (self.clone(), at);
+            for _ in 0..ZOOMS {
+                if !finer.around(at).any(|other| is_same(other, finer.sums[at])) {
+                    break;
+                }
+                let width = 4.0 * finer.cell();
+                let low = finer.shares(at).into_iter().map(|share| (share - 0.5 * width).clamp(0.0, 1.0 - width));
+                finer = Self::over(&problem, low.collect(), width, FINER);
+                let Some(lowest) = finer.lowest().first().copied() else { break };
+                at = lowest;
+            }
+            finer.shares(at)
+        };
+        self.lowest().into_iter().take(MOST_BASINS).map(start).collect()
     }
 
     /// The cell with the lowest sum among those that contain this share of the key `held`.
     pub(super) fn best_beside(&self, held: usize, share: f64) -> Option<Vec<f64>> {
-        #[allow(clippy::cast_precision_loss)] // a few cells
-        let near = |at: &usize| (self.shares(*at)[held] - share).abs() <= 0.5 / self.side as f64 + 1e-12;
+        let near = |at: &usize| (self.shares(*at)[held] - share).abs() <= 0.5 * self.cell() + 1e-12;
         let best = (0..self.sums.len()).filter(near).min_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
         best.map(|at| self.shares(at))
     }
+
+    /// The range of shares around `place` of the only key in which the sum is the same; `None` if it is one point.
+    pub(super) fn plateau(&self, problem: &Problem, place: &Place) -> Option<[f64; 2]> {
+        let [best] = place.shares[..] else { return None };
+        let is_level = |share: &f64| is_same(problem.sum(&[*share]), place.sum);
+        let cells: Vec<f64> = (0..self.side).map(|at| self.shares(at)[0]).collect();
+        let level = |end: f64, cells: &mut dyn Iterator<Item = f64>| {
+            let last = cells.take_while(is_level).last();
+            last.map(|last| if (last - end).abs() < self.cell() && is_level(&end) { end } else { last })
+        };
+        let above = level(1.0, &mut cells.iter().copied().filter(|cell| *cell > best));
+        let below = level(0.0, &mut cells.iter().rev().copied().filter(|cell| *cell < best));
+        (above.is_some() || below.is_some()).then(|| [below.unwrap_or(best), above.unwrap_or(best)])
+    }
+}
+
+/// Whether two sums differ only by rounding.
+fn is_same(a: f64, b: f64) -> bool {
+    a == b || (a - b).abs() <= 1e-9 * a.abs().max(b.abs()) + 1e-24
 }
 
 /// The minima of all basins, the lowest first; empty if the law gives no result anywhere.
 pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
-    let starts = grid.basins();
-    let mut places: Vec<Place> = starts.iter().map(|start| polished(problem, start, None)).collect();
+    let starts = grid.basins(problem);
+    let mut places: Vec<Place> =
+        starts.iter().map(|start| past_kinks(problem, polished(problem, start, None))).collect();
     places.retain(|place| place.sum.is_finite());
     places.sort_by(|a, b| a.sum.total_cmp(&b.sum));
     let mut found: Vec<Place> = Vec::new();
@@ -89,6 +161,44 @@ pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
         }
     }
     found
+}
+
+/// The sum has a kink wherever an impact passes a knot of the law. The method of Levenberg and Marquardt takes the sum for
+/// smooth, so it may stop at a kink from which the sum falls to one side. From there a search in steps along the
+/// principal axes goes on, first of one standard deviation, then of ever smaller ones.
+fn past_kinks(problem: &Problem, place: Place) -> Place {
+    let values = problem.counted.len();
+    let Ok(matrix) = problem.jacobian(&place.shares) else { return place };
+    if values > MOST_KINKS || !place.sum.is_finite() {
+        return place;
+    }
+    #[allow(clippy::cast_precision_loss)] // counts of measurements
+    let per_value = place.sum / values as f64;
+    let eigen = matrix.tr_mul(&matrix).symmetric_eigen();
+    let axes: Vec<DVector<f64>> = eigen
+        .eigenvectors
+        .column_iter()
+        .zip(eigen.eigenvalues.iter())
+        .map(|(axis, square)| axis * (per_value / square).sqrt().clamp(0.0, 0.1))
+        .collect();
+    let mut directions = axes.clone();
+    if let [a, b] = &axes[..] {
+        directions.extend([a + b, a - b]);
+    }
+    let (mut best, mut step) = (place.clone(), 1.0);
+    while step > 1e-5 {
+        let tried = directions.iter().flat_map(|direction| [step, -step].map(|step| direction * step)).map(|move_by| {
+            let shares: Vec<f64> =
+                best.shares.iter().zip(move_by.iter()).map(|(share, by)| (share + by).clamp(0.0, 1.0)).collect();
+            Place { sum: problem.sum(&shares), shares }
+        });
+        match tried.min_by(|a, b| a.sum.total_cmp(&b.sum)).filter(|tried| tried.sum < best.sum - 1e-9 * per_value) {
+            Some(lower) => best = lower,
+            None => step *= 0.5,
+        }
+    }
+    // a smooth minimum stays where it was found
+    if best.sum < place.sum - 1e-5 * per_value { best } else { place }
 }
 
 /// Whether the sum rises between two places. If it does not, both are in one flat basin or on one plateau.

@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::data::Data;
+use super::data::{Data, Value};
 use super::error::NoAnswer;
-use super::quantity::MEASURED;
 use crate::indentation::{Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
 use crate::plan::axis::keeps_contact;
@@ -128,6 +128,16 @@ impl<'a> Problem<'a> {
         (0..self.data.rows.len()).map(speed).collect()
     }
 
+    /// The first value that is more than a rebound without loss would give, with that limit.
+    pub fn beyond_elastic(&self) -> Option<(&Value, f64)> {
+        let mut scene = self.scene.clone();
+        self.data.values.iter().find_map(|value| {
+            self.with_row(&mut scene, value.row);
+            let limit = value.what.of_rebound(1.0, &scene)?;
+            (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
+        })
+    }
+
     /// Puts the keys of a row into a scene.
     fn with_row(&self, scene: &mut Scene, row: usize) {
         for (key, value) in self.data.keys.iter().zip(&self.data.rows[row].keys) {
@@ -143,7 +153,7 @@ impl<'a> Problem<'a> {
             self.with_row(&mut scene, *row);
             let result = contact.essentials_by(scene.speed, &scene.solver)?;
             for value in &self.data.values[self.ranges[*row].clone()] {
-                let found = (MEASURED[value.what].predict)(&result, &scene).filter(|value| value.is_finite());
+                let found = value.what.predict(&result, &scene).filter(|value| value.is_finite());
                 predicted.push(found.ok_or(NoAnswer::Captured)?);
             }
         }
@@ -198,21 +208,23 @@ impl<'a> Problem<'a> {
         self.counted.iter().map(|at| 2.0 * ln(self.deviations[*at]) + 2.0 * constant).sum::<f64>() + sum
     }
 
-    /// Derivatives of the predictions, over the standard deviations, by the shares: one column for every key.
+    /// Derivatives of the predictions, over the standard deviations, by the shares: a row for every value that is used,
+    /// a column for every key.
     ///
     /// # Errors
     /// [`NoAnswer`] if a row has no result.
-    pub fn jacobian(&self, shares: &[f64]) -> Result<Vec<Vec<f64>>, NoAnswer> {
+    pub fn jacobian(&self, shares: &[f64]) -> Result<DMatrix<f64>, NoAnswer> {
         let column = |i: usize| {
             let moved = |by: f64| {
                 let mut moved = shares.to_vec();
                 moved[i] = (shares[i] + by).clamp(0.0, 1.0);
-                (moved[i], self.residuals(&moved))
+                Ok::<_, NoAnswer>((moved[i], DVector::from_vec(self.residuals(&moved)?)))
             };
-            let ((low, before), (high, after)) = (moved(-STEP), moved(STEP));
-            Ok(before?.iter().zip(after?).map(|(before, after)| (before - after) / (high - low)).collect())
+            let ((low, before), (high, after)) = (moved(-STEP)?, moved(STEP)?);
+            Ok((before - after) / (high - low))
         };
-        (0..shares.len()).map(column).collect()
+        let columns: Vec<DVector<f64>> = (0..shares.len()).map(column).collect::<Result<_, NoAnswer>>()?;
+        Ok(DMatrix::from_columns(&columns))
     }
 }
 

@@ -1,30 +1,21 @@
-//! Intervals by the profile likelihood, and the posterior on a grid.
+//! Intervals by the profile likelihood, and the posterior of two keys on a grid.
 
 use super::error::NoAnswer;
 use super::fit::Fit;
 use super::minimum::{Place, polished};
 use super::statistics::{LEVELS, reach};
-use crate::math::functions::{exp, ln_1p};
+use crate::math::functions::{exp, hypot, ln, ln_1p, sinh};
 use crate::math::root::bracketed;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];
-
-/// The posterior of one key.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Marginal {
-    /// Shares of the key, rising.
-    pub shares: Vec<f64>,
-    /// Probability density at each share; its integral over the shares is 1.
-    pub density: Vec<f64>,
-}
 
 /// The posterior of two keys: each share of the first key, with shares of the second key and the density there.
 pub type Sheet = Vec<(f64, Vec<(f64, f64)>)>;
 
 impl Fit<'_> {
     fn sd(&self, key: usize) -> f64 {
-        self.covariance.as_ref().map_or(1.0, |covariance| covariance[key][key].sqrt()).min(1.0)
+        self.covariance.as_ref().map_or(1.0, |covariance| covariance[(key, key)].sqrt()).min(1.0)
     }
 
     /// The place with the lowest sum that has this share of this key.
@@ -34,9 +25,10 @@ impl Fit<'_> {
         if best.len() == 1 {
             return Place { shares: vec![share], sum: self.problem.sum(&[share]) };
         }
+        // there are two keys
         let other = 1 - key;
         if let Some(covariance) = &self.covariance {
-            let slope = covariance[0][1] / covariance[key][key];
+            let slope = covariance[(0, 1)] / covariance[(key, key)];
             start[other] = (best[other] + slope * (share - best[key])).clamp(0.0, 1.0);
         }
         start[key] = share;
@@ -55,7 +47,7 @@ impl Fit<'_> {
 
     /// The intervals of the share of a key at both levels.
     pub fn intervals(&self, key: usize) -> [Ends; 2] {
-        LEVELS.map(|level| self.ends(key, reach(level, self.freedom)))
+        LEVELS.map(|level| self.ends(key, reach(level, self.freedom())))
     }
 
     /// The shares on both sides at which the sum has risen by the square of `reach`.
@@ -109,90 +101,58 @@ impl Fit<'_> {
         let excess = (sum - self.best().sum).max(0.0);
         #[allow(clippy::cast_precision_loss)] // counts of measurements
         let values = self.problem.counted.len() as f64;
-        exp(self.freedom.map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
+        exp(self.freedom().map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
     }
 
-    /// Shares of a key at which the posterior is computed.
-    fn nodes(&self, key: usize, count: u32) -> Vec<f64> {
-        let [low, high] = self.ends(key, WIDE);
+    /// The posterior of both keys. If the measurements determine a combination of the keys, it is a narrow ridge. So for
+    /// each share of the first key the second is sampled around the crest of the ridge.
+    pub fn sheet(&self) -> Sheet {
+        let (nodes, across) = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
+        let wide = self.wide();
+        let [low, high] = self.ends(0, wide);
         let (low, high) = (low.unwrap_or(0.0), high.unwrap_or(1.0));
-        let even = |low: f64, high: f64| (0..=count).map(move |i| low + (high - low) * f64::from(i) / f64::from(count));
-        let sd = self.sd(key);
-        let about = self.minima.iter().filter(|place| place.sum - self.best().sum < WIDE * WIDE);
-        let about = about.map(|place| place.shares[key]).filter(|_| WIDE * sd < 0.25 * (high - low));
-        let about: Vec<f64> = about.flat_map(|at| even(at - WIDE * sd, at + WIDE * sd)).collect();
-        let mut nodes: Vec<f64> = even(low, high).chain(about).filter(|at| (low..=high).contains(at)).collect();
-        nodes.sort_by(f64::total_cmp);
-        nodes.dedup();
-        nodes
+        let sd = self.sd(0);
+        let about = self.minima.iter().filter(|place| place.sum - self.best().sum < wide * wide);
+        let about = about.map(|place| place.shares[0]).filter(|_| WIDE * sd < 0.25 * (high - low));
+        let about = about.flat_map(|at| spread(at, sd, wide, nodes));
+        let even = (0..=nodes).map(|i| low + (high - low) * f64::from(i) / f64::from(nodes));
+        let mut shares: Vec<f64> = even.chain(about).filter(|at| (low..=high).contains(at)).collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup();
+        shares.into_iter().map(|share| (share, self.across(share, wide, across))).collect()
     }
 
-    /// The posterior of the only key.
-    pub fn posterior(&self) -> Marginal {
-        let shares = self.nodes(0, if self.problem.counted.len() > MANY { 60 } else { 400 });
-        let density = shares.iter().map(|share| self.relative(self.problem.sum(&[*share]))).collect();
-        Marginal { shares, density }.normalised()
+    /// Half of the range of the posterior, in standard deviations. Student's distribution, for an estimated noise, is
+    /// wider than the normal one.
+    fn wide(&self) -> f64 {
+        reach(OUTSIDE, self.freedom()).min(MOST_WIDE)
     }
 
-    /// The posterior of both keys, for every share of `key`, and the posterior of `key` alone. If the measurements
-    /// determine a combination of the keys, the posterior is a narrow ridge. So for each share of `key` the other key
-    /// is sampled around the crest of the ridge.
-    pub fn sheet(&self, key: usize) -> (Sheet, Marginal) {
-        let other = 1 - key;
-        let many = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
-        let sheet: Sheet =
-            self.nodes(key, many.0).into_iter().map(|share| (share, self.across(key, other, share, many.1))).collect();
-        let mass = |line: &Vec<(f64, f64)>| trapezoids(line.iter().copied());
-        let (shares, density) = sheet.iter().map(|(share, line)| (*share, mass(line))).unzip();
-        (sheet, Marginal { shares, density }.normalised())
-    }
-
-    fn across(&self, key: usize, other: usize, share: f64, count: u32) -> Vec<(f64, f64)> {
-        let crest = self.lowest(key, share);
+    /// The posterior along the second key.
+    fn across(&self, share: f64, wide: f64, count: u32) -> Vec<(f64, f64)> {
+        let crest = self.lowest(0, share);
         let columns = self.problem.jacobian(&crest.shares);
-        let square = columns.map(|columns| columns[other].iter().map(|slope| slope * slope).sum::<f64>());
-        let sd = square.map_or(1.0, |square| 1.0 / square.sqrt()).min(1.0);
-        let (low, high) = ((crest.shares[other] - WIDE * sd).max(0.0), (crest.shares[other] + WIDE * sd).min(1.0));
-        let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(count);
-        let density = |at: f64| {
-            let mut shares = crest.shares.clone();
-            shares[other] = at;
-            (at, self.relative(self.problem.sum(&shares)))
-        };
-        (0..=count).map(|i| density(at(i))).collect()
+        let sd = columns.map_or(1.0, |columns| 1.0 / columns.column(1).norm()).min(1.0);
+        let density = |at: f64| (at, self.relative(self.problem.sum(&[share, at])));
+        let mut places: Vec<f64> = spread(crest.shares[1], sd, wide, count).map(|at| at.clamp(0.0, 1.0)).collect();
+        places.dedup();
+        places.into_iter().map(density).collect()
     }
 }
 
 /// With more values than this each place takes seconds. The posterior is then smooth, so fewer places are enough.
 const MANY: usize = 3000;
-/// Range of the posterior on each side, in standard deviations.
+/// The normal distribution is sampled this far on each side, in standard deviations;
 const WIDE: f64 = 4.5;
+/// this is its probability inside, which others are sampled to as well, but not farther than
+const OUTSIDE: f64 = 0.999_993_204_653_750_7;
+/// so many standard deviations.
+const MOST_WIDE: f64 = 1000.0;
 /// Number of places at which separate basins are searched.
 const CELLS: u32 = 32;
 
-/// The area under the points, by the trapezoidal rule.
-fn trapezoids(points: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let points: Vec<(f64, f64)> = points.collect();
-    points.windows(2).map(|pair| 0.5 * (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1)).sum()
-}
-
-impl Marginal {
-    fn normalised(mut self) -> Self {
-        let area = trapezoids(self.shares.iter().copied().zip(self.density.iter().copied()));
-        self.density.iter_mut().for_each(|density| *density /= area);
-        self
-    }
-
-    /// The share below which the posterior has this probability.
-    pub fn quantile(&self, probability: f64) -> f64 {
-        let mut below = 0.0;
-        for (x, p) in self.shares.windows(2).zip(self.density.windows(2)) {
-            let area = 0.5 * (x[1] - x[0]) * (p[0] + p[1]);
-            if below + area >= probability && area > 0.0 {
-                return x[0] + (x[1] - x[0]) * (probability - below) / area;
-            }
-            below += area;
-        }
-        self.shares.last().copied().unwrap_or(f64::NAN)
-    }
+/// Places about `at`, dense near it, up to `wide` standard deviations away; nearly even up to [`WIDE`].
+fn spread(at: f64, sd: f64, wide: f64, count: u32) -> impl Iterator<Item = f64> {
+    let end = ln(wide / WIDE + hypot(wide / WIDE, 1.0));
+    (0..=count).map(move |i| at + WIDE * sd * sinh(end * (2.0 * f64::from(i) / f64::from(count) - 1.0)))
 }

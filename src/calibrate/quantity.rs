@@ -5,56 +5,100 @@ use crate::scene::Scene;
 use crate::scene::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
 
 /// A measured quantity.
-#[derive(Debug, Clone, Copy)]
-pub struct Measured {
-    /// The name, without the unit.
-    pub name: &'static str,
-    /// Dimension and allowed range.
-    pub quantity: &'static Quantity,
-    /// The value in an impact of a scene; `None` if the impact has no such value.
-    pub predict: fn(&Essentials, &Scene) -> Option<f64>,
-    /// Whether the quantity depends only on the restitution and known keys.
-    pub is_of_restitution: bool,
-}
-
-/// All measured quantities. The last one, the force of an indentation curve, is not a quantity of an impact.
-pub const MEASURED: [Measured; 9] = [
-    of("restitution", &RESTITUTION, true, |row, _| Some(restitution(row))),
-    of("rebound_speed", &SPEED, true, |row, scene| Some(restitution(row) * scene.speed)),
-    of("rebound_height", &LENGTH, true, |row, scene| {
-        let speed = restitution(row) * scene.speed;
-        Some(0.5 * speed * speed / scene.forces.gravity?)
-    }),
-    of("leeb", &LEEB, true, |row, _| Some(1000.0 * restitution(row))),
-    of("dent_diameter", &LENGTH, false, |row, _| {
-        Some(if row.has_dent() { 2.0 * row.peak_contact_radius } else { 0.0 })
-    }),
-    of("dent_depth", &LENGTH, false, |row, _| Some(row.residual_indentation)),
-    of("contact_time", &TIME, false, |row, _| Some(row.contact_time)),
-    of("peak_force", &FORCE, false, |row, _| Some(row.peak_force)),
-    of("force", &FORCE, false, |_, _| None),
-];
-
-/// The place of the force of an indentation curve in [`MEASURED`].
-pub const CURVE: usize = 8;
-
-const fn of(
-    name: &'static str,
-    quantity: &'static Quantity,
-    is_of_restitution: bool,
-    predict: fn(&Essentials, &Scene) -> Option<f64>,
-) -> Measured {
-    Measured { name, quantity, predict, is_of_restitution }
-}
-
-/// The restitution that is measured: less by the energy of elastic waves, if the half-space has a density.
-fn restitution(row: &Essentials) -> f64 {
-    row.restitution_with_waves().unwrap_or(row.restitution)
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Measured {
+    /// Rebound speed over impact speed.
+    Restitution,
+    /// Speed of the rebound.
+    ReboundSpeed,
+    /// Height of the rebound under gravity.
+    ReboundHeight,
+    /// Leeb hardness: 1000 times the restitution.
+    Leeb,
+    /// Diameter of the dent's rim.
+    DentDiameter,
+    /// Depth of the dent.
+    DentDepth,
+    /// Time in contact.
+    ContactTime,
+    /// Largest force.
+    PeakForce,
+    /// Force of an indentation curve. All others are quantities of an impact.
+    Force,
 }
 
 impl Measured {
-    /// The place in [`MEASURED`] of the quantity of this name.
-    pub fn find(name: &str) -> Option<usize> {
-        MEASURED.iter().position(|measured| measured.name == name)
+    /// All measured quantities.
+    pub const ALL: [Self; 9] = [
+        Self::Restitution,
+        Self::ReboundSpeed,
+        Self::ReboundHeight,
+        Self::Leeb,
+        Self::DentDiameter,
+        Self::DentDepth,
+        Self::ContactTime,
+        Self::PeakForce,
+        Self::Force,
+    ];
+
+    /// The name, without the unit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Restitution => "restitution",
+            Self::ReboundSpeed => "rebound_speed",
+            Self::ReboundHeight => "rebound_height",
+            Self::Leeb => "leeb",
+            Self::DentDiameter => "dent_diameter",
+            Self::DentDepth => "dent_depth",
+            Self::ContactTime => "contact_time",
+            Self::PeakForce => "peak_force",
+            Self::Force => "force",
+        }
+    }
+
+    /// The quantity of this name.
+    pub fn find(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|measured| measured.name() == name)
+    }
+
+    /// Dimension and allowed range.
+    pub fn quantity(self) -> &'static Quantity {
+        match self {
+            Self::Restitution => &RESTITUTION,
+            Self::ReboundSpeed => &SPEED,
+            Self::Leeb => &LEEB,
+            Self::ReboundHeight | Self::DentDiameter | Self::DentDepth => &LENGTH,
+            Self::ContactTime => &TIME,
+            Self::PeakForce | Self::Force => &FORCE,
+        }
+    }
+
+    /// Whether the quantity depends only on the restitution and known keys.
+    pub fn is_of_restitution(self) -> bool {
+        self <= Self::Leeb
+    }
+
+    /// The value in an impact of a scene; `None` if the impact has no such value.
+    pub fn predict(self, row: &Essentials, scene: &Scene) -> Option<f64> {
+        match self {
+            Self::DentDiameter => Some(if row.has_dent() { 2.0 * row.peak_contact_radius } else { 0.0 }),
+            Self::DentDepth => Some(row.residual_indentation),
+            Self::ContactTime => Some(row.contact_time),
+            Self::PeakForce => Some(row.peak_force),
+            // what is measured is less by the energy of elastic waves, if the half-space has a density
+            _ => self.of_rebound(row.restitution_with_waves().unwrap_or(row.restitution), scene),
+        }
+    }
+
+    /// The value after a rebound with this restitution; `None` if the quantity does not follow from that.
+    pub fn of_rebound(self, restitution: f64, scene: &Scene) -> Option<f64> {
+        let speed = restitution * scene.speed;
+        match self {
+            Self::Restitution => Some(restitution),
+            Self::ReboundSpeed => Some(speed),
+            Self::ReboundHeight => Some(0.5 * speed * speed / scene.forces.gravity?),
+            Self::Leeb => Some(1000.0 * restitution),
+            _ => None,
+        }
     }
 }

@@ -29,9 +29,18 @@ pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
     ChiSquared::new(freedom as f64).ok().map(|distribution| settled(distribution.sf(chi_square)))
 }
 
-/// Probability of as few runs of equal signs, or fewer, in residuals of random order (Wald and Wolfowitz 1940, exact).
-/// `None` with fewer than two residuals that are not zero.
-pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
+/// The test of runs of equal signs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Runs {
+    /// Probability of as few runs, or fewer.
+    pub p: f64,
+    /// Probability of the fewest runs that these signs can have.
+    pub least: f64,
+}
+
+/// The test of runs in residuals of random order (Wald and Wolfowitz 1940, exact). `None` with fewer than two residuals
+/// that are not zero.
+pub fn chance_of_runs(residuals: &[f64]) -> Option<Runs> {
     let signs: Vec<bool> =
         residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
     let above = signs.iter().filter(|sign| **sign).count() as u64;
@@ -39,7 +48,8 @@ pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
     if above == 0 || below == 0 {
         // all on one side: the probability that a coin falls on the same side every time
         let halvings = i32::try_from(signs.len().saturating_sub(1)).unwrap_or(i32::MAX);
-        return (signs.len() > 1).then(|| crate::math::functions::powi(0.5, halvings));
+        let p = crate::math::functions::powi(0.5, halvings);
+        return (signs.len() > 1).then_some(Runs { p, least: p });
     }
     let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
     let ways = |n: u64, k: u64| if k > n { f64::NEG_INFINITY } else { ln_binomial(n, k) };
@@ -49,7 +59,8 @@ pub fn chance_of_runs(residuals: &[f64]) -> Option<f64> {
         let of = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
         if runs.is_multiple_of(2) { 2.0 * of(half - 1, half - 1) } else { of(half, half - 1) + of(half - 1, half) }
     };
-    Some(settled((2..=runs).map(chance).sum::<f64>().min(1.0)))
+    let p = settled((2..=runs).map(chance).sum::<f64>().min(1.0));
+    Some(Runs { p, least: settled(chance(2)) })
 }
 
 #[cfg(test)]
@@ -69,9 +80,11 @@ mod tests {
     fn runs_are_counted_as_all_orders_say() {
         // of the 20 orders of three + and three -, 2 have two runs, 4 have three runs and 8 have four runs
         let order = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
-        approx::assert_relative_eq!(chance_of_runs(&order("+++---")).unwrap(), 0.1, max_relative = 1e-11);
-        approx::assert_relative_eq!(chance_of_runs(&order("++---+")).unwrap(), 0.3, max_relative = 1e-11);
-        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap(), 0.7, max_relative = 1e-11);
-        assert_eq!((chance_of_runs(&order("+++")), chance_of_runs(&order("+"))), (Some(0.25), None));
+        approx::assert_relative_eq!(chance_of_runs(&order("+++---")).unwrap().p, 0.1, max_relative = 1e-11);
+        approx::assert_relative_eq!(chance_of_runs(&order("++---+")).unwrap().p, 0.3, max_relative = 1e-11);
+        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap().p, 0.7, max_relative = 1e-11);
+        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap().least, 0.1, max_relative = 1e-11);
+        assert_eq!(chance_of_runs(&order("+++")), Some(Runs { p: 0.25, least: 0.25 }));
+        assert_eq!(chance_of_runs(&order("+")), None);
     }
 }

@@ -93,5 +93,5 @@ impl Arguments {
 
 /// As TOML.
 fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.escape_debug())
+    toml::Value::from(text).to_string()
 }

@@ -1,11 +1,12 @@
-//! Pictures of a calibration: measurements with the fitted law, residuals, posterior, and a comparison of laws.
+//! Pictures of a calibration: measurements with the fitted law, residuals, posterior of two keys, and a comparison of
+//! laws.
 
 use super::axis::extremes;
 use super::of_key::{axis_of, title_of};
 use super::style::Style;
 use super::{Axis, Chart, Guide, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
-use crate::calibrate::quantity::MEASURED;
+use crate::calibrate::quantity::Measured;
 use crate::calibrate::statistics::{LEVELS, reach};
 use crate::calibrate::{Calibration, Fit, Found};
 use crate::plan::free::Free;
@@ -24,15 +25,13 @@ pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
     let mut pictures = Vec::new();
     let has_lines = of.residuals.len() > of.keys.len();
     for what in of.fit.problem.data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", MEASURED[what].name), fitted(of, what)));
+        pictures.push((format!("fit_{}", what.name()), fitted(of, what)));
     }
     if has_lines {
         pictures.push(("residuals".to_owned(), residuals(of)));
     }
     if let (Some(sheet), [first, second]) = (&of.sheet, &of.keys[..]) {
         pictures.push(("posterior".to_owned(), posterior::map(of, [first, second], sheet)));
-    } else if let Some(found) = of.keys.first().filter(|found| found.posterior.is_some()) {
-        pictures.push(("posterior".to_owned(), density(found, of.refusal.is_some())));
     }
     if !of.laws.is_empty() && has_lines {
         pictures.push(("laws".to_owned(), laws(of)));
@@ -71,7 +70,7 @@ impl Over {
     }
 
     /// The axis for these points of a quantity.
-    fn axis(&self, what: usize, points: &[(f64, f64)]) -> Axis {
+    fn axis(&self, what: Measured, points: &[(f64, f64)]) -> Axis {
         match self {
             Self::Key(key) => axis_of(key, is_wide(points.iter().map(|point| point.0))),
             Self::Indentation => Axis::engineering("Indentation", "m"),
@@ -81,20 +80,20 @@ impl Over {
 }
 
 /// The axis of a measured quantity.
-fn of_quantity(what: usize, how: &str) -> Axis {
-    let title = format!("{} {how}", title_of(MEASURED[what].name));
-    Axis::engineering(title.trim_end(), MEASURED[what].quantity.dimension.si_unit())
+fn of_quantity(what: Measured, how: &str) -> Axis {
+    let title = format!("{} {how}", title_of(what.name()));
+    Axis::engineering(title.trim_end(), what.quantity().dimension.si_unit())
 }
 
 /// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
-fn shown(of: &Calibration, what: usize) -> Vec<usize> {
+fn shown(of: &Calibration, what: Measured) -> Vec<usize> {
     let values = &of.fit.problem.data.values;
     let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].what == what).collect();
     let step = all.len().div_ceil(MOST_POINTS).max(1);
     all.into_iter().step_by(step).collect()
 }
 
-fn fitted(of: &Calibration, what: usize) -> Chart {
+fn fitted(of: &Calibration, what: Measured) -> Chart {
     let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
     let shown = shown(of, what);
     let at = |value: &usize| over.at(of, *value);
@@ -113,7 +112,7 @@ fn fitted(of: &Calibration, what: usize) -> Chart {
     };
     let mut series = Vec::new();
     if let Over::Key(key) = over {
-        series.extend(band(of, key, what, &points).map(|band| Series::band("95 % of the law", band).styled(5)));
+        series.extend(band(of, key, what, &points).map(|band| Series::band("95 % band of the line", band).styled(5)));
     }
     series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
     series.push(Series::bare("", bars).styled(0));
@@ -123,14 +122,14 @@ fn fitted(of: &Calibration, what: usize) -> Chart {
         let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
         [title_of(free.key.path), free.say(*estimate, 4) + &sd]
     });
-    let title = format!("{} and the law with the best keys", title_of(MEASURED[what].name));
+    let title = format!("{} and the law with the best keys", title_of(what.name()));
     Chart::new(title, axes, series).with_notes(notes)
 }
 
 type Points = Vec<(f64, f64)>;
 
 /// What a law with its best keys predicts of a quantity.
-fn line(of: &Calibration, over: &Over, fit: &Fit, what: usize, points: &[(f64, f64)]) -> Points {
+fn line(of: &Calibration, over: &Over, fit: &Fit, what: Measured, points: &[(f64, f64)]) -> Points {
     let shares = &fit.best().shares;
     if let Over::Key(key) = over {
         let (data, at) = line_data(key, what, points);
@@ -142,23 +141,20 @@ fn line(of: &Calibration, over: &Over, fit: &Fit, what: usize, points: &[(f64, f
 }
 
 /// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
-fn band(of: &Calibration, key: &'static Key, what: usize, points: &[(f64, f64)]) -> Option<Points> {
+fn band(of: &Calibration, key: &'static Key, what: Measured, points: &[(f64, f64)]) -> Option<Points> {
     let (data, at) = line_data(key, what, points);
     let (line, shares) = (of.fit.problem.predicting(&data), &of.fit.best().shares);
-    let (covariance, columns) = (of.fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
+    let (covariance, matrix) = (of.fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
     let predicted = line.predict(shares).ok()?;
-    let reach = reach(LEVELS[1], of.fit.freedom);
-    let half = |i: usize| {
-        let sum = |key: usize| covariance[key].iter().zip(&columns).map(|(part, column)| part * column[i]).sum::<f64>();
-        reach * (0..columns.len()).map(|key| columns[key][i] * sum(key)).sum::<f64>().max(0.0).sqrt()
-    };
+    let reach = reach(LEVELS[1], of.fit.freedom());
+    let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
     let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
     let upper: Points = edge(1.0).collect();
     Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
 }
 
 /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-fn line_data(key: &'static Key, what: usize, points: &[(f64, f64)]) -> (Data, Vec<f64>) {
+fn line_data(key: &'static Key, what: Measured, points: &[(f64, f64)]) -> (Data, Vec<f64>) {
     let values = || points.iter().map(|point| point.0);
     let (from, to) = extremes(values());
     let range = Free { key, from, to, is_logarithmic: is_wide(values()) };
@@ -178,9 +174,9 @@ fn residuals(of: &Calibration) -> Chart {
     };
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(of, value));
-    let points = |what: usize| shown(of, what).into_iter().map(|value| (at(value), of.residuals[value])).collect();
+    let points = |what: Measured| shown(of, what).into_iter().map(|value| (at(value), of.residuals[value])).collect();
     let series: Vec<Series> =
-        measured.iter().map(|what| Series::points(title_of(MEASURED[*what].name), points(*what))).collect();
+        measured.iter().map(|what| Series::points(title_of(what.name()), points(*what))).collect();
     let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
     let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = reach(LEVELS[1], None);
@@ -189,26 +185,9 @@ fn residuals(of: &Calibration) -> Chart {
     let largest = of.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
-    let notes = [("chi-square", of.p), ("runs of signs", of.p_of_runs)];
+    let notes = [("chi-square", of.p), ("runs of signs", of.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
     Chart::new("Residuals", [x, y], series).with_guides(guides).with_notes(notes)
-}
-
-/// The posterior of one key.
-fn density(found: &Found, is_refused: bool) -> Chart {
-    let points = found.relative_posterior();
-    let is_wide = is_wide(points.iter().map(|point| point.0)) && found.free.is_logarithmic;
-    let mut guides = vec![Guide::vertical(found.estimate, "best").styled(6)];
-    for (ends, (name, color)) in found.intervals.iter().flatten().zip([("68 % interval", 1), ("95 % interval", 3)]) {
-        guides.extend(ends.iter().flatten().map(|end| Guide::vertical(*end, name).styled(color)));
-    }
-    let median = found.posterior.as_ref().map_or(f64::NAN, |marginal| found.free.at(marginal.quantile(0.5)));
-    let median = format!("median {}", found.free.say(median, 4));
-    let notes = if is_refused { "no interval: see the summary".to_owned() } else { median };
-    let title = format!("{}: what the measurements say", title_of(found.free.key.path));
-    let y = Axis::linear("Posterior density, highest = 1", "").between(0.0, 1.05);
-    let axes = [axis_of(found.free.key, is_wide), y];
-    Chart::new(title, axes, vec![Series::bare("posterior", points)]).with_guides(guides).with_notes([notes])
 }
 
 /// The predictions of every law with its best keys, with the measurements of the first quantity.

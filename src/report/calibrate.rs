@@ -9,11 +9,12 @@ use super::resolved::of_scene;
 use super::rows::written;
 use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
-use crate::calibrate::quantity::MEASURED;
-use crate::calibrate::{Calibration, Fit, Found, Measurements, NoAnswer};
+use crate::calibrate::quantity::Measured;
+use crate::calibrate::{Calibration, Found, Measurements, Noise, OfLaw};
 use crate::error::Error;
 use crate::provenance::Provenance;
-use crate::scene::results::Fields;
+use crate::scene::results::entry::{file, results};
+use crate::scene::results::{Reported, fields};
 use crate::units::aligned::aligned;
 use crate::units::four_digits;
 use crate::units::rounded::percent;
@@ -27,33 +28,6 @@ fn interval(ends: Ends) -> Value {
     json!({ "low": ends[0], "high": ends[1], "note": note })
 }
 
-fn key(found: &Found, number: usize, of: &Calibration) -> Value {
-    let told = found.posterior.as_ref().filter(|_| of.refusal.is_none());
-    let at = |probability| told.map(|marginal| found.free.at(marginal.quantile(probability)));
-    let largest = of.shifts.as_ref().filter(|_| of.refusal.is_none() && of.freedom > 0).and_then(|shifts| {
-        let sizes = shifts.iter().map(|shift| shift[number]).enumerate();
-        let (i, shift) = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-        let value = &of.fit.problem.data.values[i];
-        let slope = found.free.slope(of.fit.best().shares[number]);
-        let line = of.fit.problem.data.rows[value.row].line;
-        Some(json!({ "line": line, "quantity": MEASURED[value.what].name, "without_it": slope * shift }))
-    });
-    json!({
-        "key": found.free.key.path,
-        "column": found.free.key.column(),
-        "range": [found.free.from, found.free.to],
-        "is_logarithmic": found.free.is_logarithmic,
-        "estimate": found.estimate,
-        "sd": found.sd,
-        "sd_if_model_error_is_common": found.sd_of_common_error,
-        "interval_68": found.intervals.map(|[narrow, _]| interval(narrow)),
-        "interval_95": found.intervals.map(|[_, wide]| interval(wide)),
-        "posterior_median": at(0.5),
-        "posterior_95": at(0.025).zip(at(0.975)).map(|(low, high)| [low, high]),
-        "largest_shift": largest,
-    })
-}
-
 /// `yield_strength x youngs_modulus^-0.8`.
 fn combination(of: &Calibration, exponents: &[f64]) -> String {
     let factors = of.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
@@ -63,80 +37,163 @@ fn combination(of: &Calibration, exponents: &[f64]) -> String {
     factors.collect::<Vec<_>>().join(" x ")
 }
 
-/// What is known of the noise. For estimated noise, also its share of the largest value.
+/// What is known of the noise, in words, and the share of every value if it is estimated.
 fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
-    let problem = &of.fit.problem;
-    let share = || {
-        let values = problem.data.values.iter().zip(&problem.deviations);
-        let (largest, deviation) = values.max_by(|a, b| a.0.value.total_cmp(&b.0.value))?;
-        largest.deviation.is_none().then_some(deviation / largest.value)
-    };
-    match of.fit.freedom {
-        Some(_) => ("estimated from the residuals", share()),
-        None if of.fit.has_no_noise => ("unknown", None),
-        None => ("given", None),
+    match of.fit.noise {
+        Noise::Estimated { share, .. } => ("estimated from the residuals", share),
+        Noise::TooFew | Noise::NoScatter => ("unknown", None),
+        Noise::Given => ("given", None),
+    }
+}
+
+/// A calibration and its request.
+pub struct Calibrated<'a> {
+    measured: &'a Measurements,
+    of: &'a Calibration<'a>,
+}
+
+/// The results of a calibration, in the order of `summary.json`.
+pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
+    results! { |one: Calibrated<'a>|
+        /// The result for each key, see below.
+        "keys": (0..one.of.keys.len()).map(|i| json!(fields(&key(), &OfKey { number: i, of: one.of }))).collect::<Vec<_>>();
+        /// Why there is no interval; `null` if there is one.
+        "refusal": one.of.refusal.clone();
+        /// Correlation of the two keys.
+        "correlation": one.of.correlation().filter(|_| one.of.refusal.is_none());
+        /// Whether the law fits; `null` if these measurements cannot tell.
+        "fits": one.of.fits();
+        /// Why the law does not fit.
+        "contradiction": one.of.contradiction();
+        /// Why it cannot be judged whether the law fits, although it is off.
+        "undecided": one.of.undecided();
+        /// Measured values.
+        "values": one.of.residuals.len();
+        /// Values without outliers, less the keys.
+        "degrees_of_freedom": one.of.freedom;
+        /// Sum of the squares of the residuals over their standard deviations, without outliers.
+        "chi_square": one.of.chi_square;
+        /// The same over the degrees of freedom: about 1 for a law that fits.
+        "chi_square_per_degree_of_freedom": per_degree(one.of);
+        /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
+        "misfit": one.of.misfit;
+        /// Probability of such a chi-square or a larger one, for a noise that is given.
+        "p": one.of.p;
+        /// Probability of as few runs of equal signs in the residuals, in the order of the speeds.
+        "p_of_runs": one.of.runs.map(|runs| runs.p);
+        /// `given`, `estimated from the residuals`, or `unknown`.
+        "noise": noise(one.of).0;
+        /// The estimated standard deviation as a share of every value.
+        "estimated_noise": noise(one.of).1;
+        /// Error of the law that was assumed, as a share of every value.
+        "model_error": one.measured.wanted.model_error;
+        /// `normal`, or `student-t with 4 degrees of freedom`.
+        "likelihood": if one.of.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
+        /// Values that count as outliers.
+        "outliers": one.of.outliers;
+        /// Akaike's information criterion; less is better.
+        "aic": one.of.fit.aic;
+        /// Every basin: the values of the keys, and the excess of its sum of squares over the least.
+        "minima": one.of.fit.minima.iter().map(|place| basin(one.of, place)).collect::<Vec<_>>();
+        /// Singular values of the relative changes of the predictions by those of the keys.
+        "identifiability.singular_values": one.of.identifiability.as_ref().map(|told| told.singular_values.clone());
+        /// Relative change of the predictions where one key is doubled and the others go along so that it is least.
+        "identifiability.change_along_the_weakest_direction": one.of.identifiability.as_ref().map(|told| told.change);
+        /// The product of powers of the keys that is known best.
+        "identifiability.best_known_combination":
+            one.of.identifiability.as_ref().map(|told| combination(one.of, &told.exponents));
+        /// Its relative standard deviation.
+        "identifiability.relative_sd_of_that": one.of.identifiability.as_ref().map(|told| told.deviation);
+        /// Every law that was asked for, the best first: its AIC, how far that is above the least, its values of the keys.
+        "laws": one.of.laws.iter().map(|law| of_law(one.of, law)).collect::<Vec<_>>();
+        /// The file of measurements, and
+        "data_file": one.measured.sha256.is_some().then(|| file_name(&one.measured.data.name));
+        /// its hash; `null` if the measurements are in the scenario.
+        "data_sha256": one.measured.sha256.clone();
+    }
+}
+
+/// One of the keys that were found.
+struct OfKey<'a> {
+    number: usize,
+    of: &'a Calibration<'a>,
+}
+
+impl OfKey<'_> {
+    fn found(&self) -> &Found {
+        &self.of.keys[self.number]
+    }
+
+    /// The value that shifts the key most.
+    fn largest_shift(&self) -> Option<Value> {
+        let of = self.of;
+        let shifts = of.shifts.as_ref().filter(|_| of.refusal.is_none() && of.freedom > 0)?.column(self.number);
+        let value = &of.fit.problem.data.values[shifts.icamax()];
+        let slope = self.found().free.slope(of.fit.best().shares[self.number]);
+        let line = of.fit.problem.data.rows[value.row].line;
+        Some(json!({ "line": line, "quantity": value.what.name(), "without_it": slope * shifts[shifts.icamax()] }))
+    }
+}
+
+/// The results of one key.
+fn key<'a>() -> Vec<Reported<OfKey<'a>>> {
+    results! { |one: OfKey<'a>|
+        /// Path of the key.
+        "key": one.found().free.key.path;
+        /// Its name as a column, with the unit of the values.
+        "column": one.found().free.key.column();
+        /// Range that was searched.
+        "range": vec![one.found().free.from, one.found().free.to];
+        /// Whether it was searched in the logarithm.
+        "is_logarithmic": one.found().free.is_logarithmic;
+        /// Best value.
+        "estimate": one.found().estimate;
+        /// Standard deviation; `null` if there is no interval.
+        "sd": one.found().sd;
+        /// Standard deviation if the error of the law is the same for all values.
+        "sd_if_model_error_is_common": one.found().sd_of_common_error;
+        /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
+        "interval_68": one.found().intervals.map(|[narrow, _]| interval(narrow));
+        /// The same with a confidence of 95 %.
+        "interval_95": one.found().intervals.map(|[_, wide]| interval(wide));
+        /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
+        "largest_shift": one.largest_shift();
+    }
+}
+
+/// The tables of these results for the reference page.
+pub fn files() -> String {
+    file("Calibrations: `summary.json`", &results()) + &file("Calibrations: every key in `summary.json`", &key())
+}
+
+#[allow(clippy::cast_precision_loss)] // counts of measurements
+fn per_degree(of: &Calibration) -> Option<f64> {
+    (of.freedom > 0).then_some(of.chi_square / of.freedom as f64)
+}
+
+fn basin(of: &Calibration, place: &Place) -> Value {
+    json!({ "values": of.fit.problem.values(&place.shares), "excess": place.sum - of.fit.best().sum })
+}
+
+fn of_law(of: &Calibration, (name, fit): &OfLaw) -> Value {
+    match fit {
+        Ok(fit) => {
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.values() })
+        }
+        Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
     }
 }
 
 /// `summary.json`.
 pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenance) -> Result<String, Error> {
-    let (noise, estimated_noise) = noise(of);
-    let problem = &of.fit.problem;
-    let keys: Vec<Value> = of.keys.iter().enumerate().map(|(i, found)| key(found, i, of)).collect();
-    let basin =
-        |place: &Place| json!({ "values": problem.values(&place.shares), "excess": place.sum - of.fit.best().sum });
-    let identified = of.identifiability.as_ref().map(|told| {
-        json!({
-            "singular_values": told.singular_values,
-            "change_along_the_weakest_direction": told.change,
-            "best_known_combination": combination(of, &told.exponents),
-            "relative_sd_of_that": told.deviation,
-        })
-    });
-    let law = |(name, fit): &(String, Result<Fit, NoAnswer>)| match fit {
-        Ok(fit) => {
-            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.values() })
-        }
-        Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
-    };
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let per_degree = (of.freedom > 0).then_some(of.chi_square / of.freedom as f64);
-    let likelihood = if problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
-    let contradiction = of.contradiction();
-    let data_file = measured.sha256.is_some().then(|| file_name(&measured.data.name));
-    let results = Fields(vec![
-        ("keys", keys.into()),
-        ("refusal", of.refusal.clone().into()),
-        ("correlation", of.correlation().filter(|_| of.refusal.is_none()).into()),
-        ("fits", contradiction.is_none().into()),
-        ("contradiction", contradiction.into()),
-        ("values", of.residuals.len().into()),
-        ("degrees_of_freedom", of.freedom.into()),
-        ("chi_square", of.chi_square.into()),
-        ("chi_square_per_degree_of_freedom", per_degree.into()),
-        ("misfit", of.misfit.into()),
-        ("p", of.p.into()),
-        ("p_of_runs", of.p_of_runs.into()),
-        ("noise", noise.into()),
-        ("estimated_noise", estimated_noise.into()),
-        ("model_error", measured.wanted.model_error.into()),
-        ("likelihood", likelihood.into()),
-        ("outliers", of.outliers.into()),
-        ("aic", of.fit.aic.into()),
-        ("minima", of.fit.minima.iter().map(basin).collect()),
-        ("identifiability", identified.into()),
-        ("laws", of.laws.iter().map(law).collect()),
-        ("data_file", data_file.into()),
-        ("data_sha256", measured.sha256.clone().into()),
-    ]);
     let varies = |key: &str| {
         of.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let inputs = of_scene(&problem.scene).into_iter().filter(|entry| !varies(&entry.key) && !entry.is_nan());
-    super::summary::of(results, &Inputs(inputs.collect()), provenance)
+    let inputs = of_scene(&of.fit.problem.scene).into_iter().filter(|entry| !varies(&entry.key) && !entry.is_nan());
+    super::summary::of(fields(&results(), &Calibrated { measured, of }), &Inputs(inputs.collect()), provenance)
 }
 
 /// The name of a file without its folders, which differ from machine to machine.
@@ -158,47 +215,34 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, Error> {
         let row = &data.rows[value.row];
         let slope = |key: usize| of.keys[key].free.slope(of.fit.best().shares[key]);
         let shift =
-            |key: usize| of.shifts.as_ref().map_or_else(String::new, |all| (all[i][key] * slope(key)).to_string());
+            |key: usize| of.shifts.as_ref().map_or_else(String::new, |all| (all[(i, key)] * slope(key)).to_string());
         let numbers = [value.value, of.fit.problem.deviations[i], of.predicted[i], of.residuals[i]];
         let fields =
             [row.line.to_string()].into_iter().chain(row.keys.iter().chain(&row.indentation).map(f64::to_string));
-        let fields =
-            fields.chain([MEASURED[value.what].name.to_owned()]).chain(numbers.map(|number| number.to_string()));
+        let fields = fields.chain([value.what.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
         writer.write_record(fields.chain((0..of.keys.len()).map(shift)))?;
     }
     written(writer)
 }
 
-/// `posterior.csv`: the density over the keys, divided by its largest value. For one key also the probability of smaller
-/// values.
+/// `posterior.csv` of two keys: the density over their plane, divided by its largest value.
 pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, Error> {
+    let Some(sheet) = &of.sheet else { return Ok(None) };
     let mut writer = csv::Writer::from_writer(Vec::new());
     let names = of.keys.iter().map(|found| found.free.key.column());
     let at = |key: usize, share: f64| of.keys[key].free.at(share).to_string();
-    if let Some(sheet) = &of.sheet {
-        writer.write_record(names.chain(["relative_density".to_owned()]))?;
-        for (first, line) in sheet {
-            for (second, density) in line {
-                writer.write_record([at(0, *first), at(1, *second), density.to_string()])?;
-            }
+    writer.write_record(names.chain(["relative_density".to_owned()]))?;
+    for (first, line) in sheet {
+        for (second, density) in line {
+            writer.write_record([at(0, *first), at(1, *second), density.to_string()])?;
         }
-        return written(writer).map(Some);
-    }
-    let Some(marginal) = of.keys.first().and_then(|found| found.posterior.as_ref()) else { return Ok(None) };
-    writer.write_record(names.chain(["relative_density".to_owned(), "probability_below".to_owned()]))?;
-    let highest = marginal.density.iter().copied().fold(0.0, f64::max);
-    let (mut below, mut before) = (0.0, None);
-    for (share, density) in marginal.shares.iter().copied().zip(marginal.density.iter().copied()) {
-        below += before.map_or(0.0, |(last, height)| 0.5 * (share - last) * (density + height));
-        before = Some((share, density));
-        writer.write_record([at(0, share), (density / highest).to_string(), f64::min(below, 1.0).to_string()])?;
     }
     written(writer).map(Some)
 }
 
 /// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
-    let row = |(law, fit): &(String, Result<Fit, NoAnswer>)| match fit {
+    let row = |(law, fit): &OfLaw| match fit {
         Ok(fit) => {
             let values = fit.values().into_iter().zip(&of.keys).map(|(value, found)| found.free.say(value, 4));
             let numbers = [fit.aic, fit.aic - of.least_aic()].map(|number| format!("{number:.2}"));
@@ -228,7 +272,7 @@ pub fn table(of: &Calibration) -> String {
         let known = combination(of, &told.exponents);
         row("best known", format!("{known}, to {}", percent(told.deviation)));
     }
-    let measured = of.fit.problem.data.measured().into_iter().map(|what| MEASURED[what].name).collect::<Vec<_>>();
+    let measured = of.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
     row(
         "data",
         format!(
@@ -249,8 +293,8 @@ pub fn table(of: &Calibration) -> String {
             format!("{chi_square} on {} degrees of freedom{outliers}, p = {}", of.freedom, four_digits(p)),
         );
     }
-    if let Some(p) = of.p_of_runs {
-        row("runs of signs", format!("p = {}", four_digits(p)));
+    if let Some(runs) = of.runs {
+        row("runs of signs", format!("p = {}", four_digits(runs.p)));
     }
     if of.fit.minima.len() > 1 && of.refusal.is_none() {
         let second = &of.fit.minima[1];

@@ -49,13 +49,18 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
     };
-    let runs = found.p_of_runs.filter(|p| *p < 0.01 && found.contradiction().is_none()).map(|p| {
-        let p = crate::units::four_digits(p);
+    let runs = found.runs.filter(|runs| runs.p < 0.01 && found.contradiction().is_none()).map(|runs| {
+        let p = crate::units::four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
     let of_scene = texts(&measured.wanted.scene.warnings).into_iter();
-    of_scene.chain(refusal).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
+    of_scene
+        .chain(refusal)
+        .chain(found.undecided())
+        .chain(runs)
+        .chain(found.keys.iter().filter_map(unbounded))
+        .collect()
 }
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first

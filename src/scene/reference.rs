@@ -1,11 +1,10 @@
-//! The tables of the reference page, made from the registries: every key, and every result.
+//! The tables of keys and materials of the reference page, made from the registries.
 
 use std::fmt::Write as _;
 
 use super::key::{AnyKey, Form, Key};
 use super::keys::every_key;
 use super::quantity::Quantity;
-use super::results::files;
 use crate::law::LawChoice;
 use crate::materials::Property;
 
@@ -77,28 +76,8 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// A part of a page that the program writes: its name, and its text.
-type Part = (&'static str, fn() -> String);
-
-const PARTS: [Part; 3] = [("keys", keys), ("results", files), ("materials", materials)];
-
-/// A page with the text between the marks written anew.
-///
-/// # Errors
-/// The marks that the page lacks.
-pub fn renewed(page: &str) -> Result<String, [String; 2]> {
-    let write = |page: String, (name, text): &Part| {
-        let begin = format!("<!-- {name}: written by a test -->");
-        let end = format!("<!-- end of {name} -->");
-        let parts = page.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
-        let Some((before, after)) = parts else { return Err([begin, end]) };
-        Ok(format!("{before}{begin}\n\n{}{end}{after}", text()))
-    };
-    PARTS.iter().try_fold(page.to_owned(), write)
-}
-
 /// All materials as Markdown.
-fn materials() -> String {
+pub fn materials() -> String {
     let mut text = "| name | material | density | E | ν | hardness | N |\n|---|---|---|---|---|---|---|\n".to_owned();
     for entry in crate::materials::all() {
         let value =

@@ -13,7 +13,7 @@
 //! * its value.
 
 pub mod compare;
-mod entry;
+pub(crate) mod entry;
 pub mod impact;
 pub mod indentation;
 pub mod series;
@@ -21,7 +21,7 @@ pub mod table;
 
 pub use entry::{Column, Fields, Needs, Reported, Shown, fields};
 
-/// All results as Markdown, a table for every file, or part of one, that has them.
+/// The results of all runs but calibrations as Markdown, a table for every file, or part of one, that has them.
 pub fn files() -> String {
     [impact::files(), series::files(), indentation::files(), compare::files(), table::files()].concat()
 }

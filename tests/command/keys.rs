@@ -1,8 +1,8 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
+use plm_impact::report::reference::renewed;
 use plm_impact::scene::keys::every_key;
 use plm_impact::scene::other_keys::List;
-use plm_impact::scene::reference::renewed;
 use plm_impact::scene::schema::schema;
 use serde_json::Value;
 

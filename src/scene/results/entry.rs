@@ -45,7 +45,7 @@ pub enum Shown {
 }
 
 /// The results of a file, or of a part of one, as Markdown for the reference page.
-pub(super) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
+pub(crate) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
     let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
     for Reported { name, about, condition, column, .. } in results {
         let mark = if column.is_some() { " \u{25a6}" } else { "" };
@@ -171,4 +171,4 @@ macro_rules! results {
         Some(Column { name: $name, needs: Needs::$needs, value: $value })
     }};
 }
-pub(super) use results;
+pub(crate) use results;

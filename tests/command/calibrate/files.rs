@@ -11,7 +11,7 @@ use crate::common::command::{Desk, column, text};
 fn every_bad_file_is_refused_with_its_line_and_the_way_out() {
     let many =
         |line: &str| format!("# heights\nspeed_m_per_s,restitution,restitution_sd\n1,0.5,0.01\n{line}\n3,0.4,0.01\n");
-    let cases: [(String, &[&str]); 22] = [
+    let cases: [(String, &[&str]); 27] = [
         (many("2,x,0.01"), &["d.csv:4", "column 2, `restitution`", "\"x\" is no number"]),
         (many("2,1.5,0.01"), &["d.csv:4", "1.5 is not allowed", "<= 1"]),
         (many("2,0,0.01"), &["d.csv:4", "> 0"]),
@@ -26,6 +26,18 @@ fn every_bad_file_is_refused_with_its_line_and_the_way_out() {
         ("speed_m_per_s,restitutoin\n1,0.5\n".to_owned(), &["d.csv:1", "did you mean `restitution`?", "Columns are"]),
         ("speed,restitution\n1,0.5\n".to_owned(), &["d.csv:1", "no unit", "speed_m_per_s"]),
         ("speed_kg,restitution\n1,0.5\n".to_owned(), &["d.csv:1", "`kg`", "no unit of a speed"]),
+        (
+            "speed_kg_per_s,restitution\n1,0.5\n".to_owned(),
+            &["d.csv:1", "`kg/s`, which is no unit of a speed: write speed_m_per_s, or another unit"],
+        ),
+        (many("2,0.5,1e-300"), &["d.csv:4", "standard deviation of this restitution is 1e-300", "no instrument"]),
+        // a rebound that is higher or faster than the impact
+        (
+            "speed_m_per_s,rebound_speed_m_per_s\n1,0.9\n1,1.2\n".to_owned(),
+            &["d.csv:3", "rebound_speed of 1.2 m/s is more than a rebound without any loss gives, 1 m/s"],
+        ),
+        ("speed_m_per_s,leeb\n1,1000.5\n".to_owned(), &["d.csv:2", "<= 1000"]),
+        ("speed_m_per_s,rebound_speed_mm_per_s\n1,1e3\n2,2000.1\n".to_owned(), &["d.csv:3", "check columns and units"]),
         ("speed_m_per_s;restitution\n1;0,5\n".to_owned(), &["d.csv:1", "commas"]),
         ("speed_m_per_s,speed_mm_per_s,restitution\n1,1,0.5\n".to_owned(), &["d.csv:1", "twice"]),
         ("speed_m_per_s,restitution_sd\n1,0.5\n".to_owned(), &["d.csv:1", "no column `restitution` beside it"]),
@@ -78,6 +90,10 @@ fn every_bad_table_is_refused() {
         ("data = \"d.csv\"\n[sweep]\n\"impact.speed\" = [1]", "write only one of the two"),
         ("measured = { restitution = 0.5 }", "the table [impact] is missing"),
         ("measured = { rebound_height = 0.5 }\n[impact]\nspeed = 3", "needs gravity"),
+        (
+            "measured = { rebound_height = \"150 mm\" }\n[impact]\ndrop_height = \"100 mm\"\n[gravity]\nacceleration = 9.81",
+            "rebound_height of 150 mm is more than a rebound without any loss gives, 100 mm",
+        ),
     ];
     for (table, wanted) in cases {
         let desk = Desk::with(scenario(table));
@@ -231,7 +247,10 @@ fn nothing_that_is_there_is_overwritten() {
     // the data are given as an argument, in another folder than the scenario; `run` gives the same as `calibrate`
     std::fs::create_dir(desk.path("data")).unwrap();
     std::fs::rename(desk.path("d.csv"), desk.path("data/e.csv")).unwrap();
+    std::fs::copy(desk.path("data/e.csv"), desk.path("data/o'brien \\ é.csv")).unwrap();
     assert_eq!(desk.call(&["calibrate", "s.toml", "data/e.csv", "--out", "p"]).status.code(), Some(0));
+    let quoted = desk.call(&["calibrate", "s.toml", "data/o'brien \\ é.csv", "--out", "r", "--pictures", "none"]);
+    assert_eq!(quoted.status.code(), Some(0), "{}", text(&quoted.stderr));
     assert_eq!(
         desk.call(&["run", "s.toml", "--set", "calibrate.data=data/e.csv", "--out", "q"]).status.code(),
         Some(0)

@@ -1,0 +1,155 @@
+//! Calibrations at the limits: readings without scatter, elastic rebounds, few values, kinks of the sum of squares.
+
+use std::fmt::Write as _;
+
+use plm_impact::calibrate::{Fit, Measurements};
+use plm_impact::progress::Counter;
+use plm_impact::scenario::Scenario;
+use serde_json::Value;
+
+use super::{STRENGTH, calibrated, near, scenario};
+use crate::common::command::text;
+
+const STEEL: &str = include_str!("../../../scenarios/steel-on-steel.toml");
+
+/// The strength that one restitution gives, with the summary, at this speed.
+fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
+    let (_, summary) = calibrated(STEEL, "", &["--restitution", &restitution.to_string(), "--speed", speed], 0);
+    (summary["keys"][0]["estimate"].as_f64().unwrap(), summary)
+}
+
+/// e of the scenario at this strength.
+fn restitution(strength: f64, speed: &str) -> f64 {
+    let settings = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
+    let scene = Scenario::from_text("steel", STEEL, &settings).unwrap().resolve().unwrap();
+    scene.contact().unwrap().closed_form(scene.speed).unwrap().restitution
+}
+
+#[test]
+fn readings_that_repeat_give_no_noise_and_no_interval() {
+    let two = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n";
+    // half of the readings of a tester that shows two digits are the same
+    let most = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.48\n3,0.50\n3,0.47\n";
+    for (data, robust) in [(two, ""), (two, "robust = \"student-t\""), (most, "robust = \"student-t\"")] {
+        let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{robust}")), data, &[], 0);
+        let key = &summary["keys"][0];
+        near(&key["estimate"], 341.7e6, 1e-3);
+        assert!(key["sd"].is_null() && key["interval_95"].is_null() && summary["fits"].is_null(), "{summary}");
+        assert_eq!((summary["noise"].as_str(), summary["estimated_noise"].is_null()), (Some("unknown"), true));
+        let refusal = summary["refusal"].as_str().unwrap();
+        assert!(refusal.contains("repeat without scatter") && refusal.contains("give calibrate.noise"), "{refusal}");
+    }
+    // with the noise there is an interval
+    let noise = "noise = { restitution = 0.005 }";
+    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}")), two, &[], 0);
+    assert!(summary["keys"][0]["sd"].as_f64().unwrap() > 1e6, "{summary}");
+}
+
+#[test]
+fn the_strength_of_a_nearly_elastic_rebound_is_found() {
+    for wanted in [0.998, 0.999, 0.9995, 0.9999, 0.99999] {
+        let (strength, _) = of_one(wanted, "0.1 m/s");
+        assert!((restitution(strength, "0.1 m/s") - wanted).abs() < 1e-8, "{wanted}: {strength}");
+    }
+}
+
+#[test]
+fn an_elastic_rebound_says_from_which_strength_on_all_fit() {
+    for speed in ["0.1 m/s", "3 m/s"] {
+        let (strength, summary) = of_one(1.0, speed);
+        assert!(
+            restitution(strength, speed) > 1.0 - 1e-9 && restitution(0.999 * strength, speed) < 1.0 - 1e-6,
+            "{strength}"
+        );
+        let refusal = summary["refusal"].as_str().unwrap();
+        assert!(refusal.starts_with("every half_space.yield_strength from "), "{refusal}");
+        // a tenth of Young's modulus, the upper end of the range
+        assert!(refusal.contains(" to 21 GPa gives the same") && refusal.contains("elastic"), "{refusal}");
+    }
+}
+
+#[test]
+fn few_values_do_not_tell_whether_the_law_fits() {
+    let low = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"150 MPa\" } }";
+    let data = |n: u32| {
+        (0..n).fold("speed_m_per_s,restitution\n".to_owned(), |mut data, i| {
+            writeln!(data, "{},{}", 1.0 + 0.1 * f64::from(i), 0.85 - 0.003 * f64::from(i)).unwrap();
+            data
+        })
+    };
+    // seven signs are equal by chance in 1/64 of all data, eight in 1/128
+    for n in [2, 3, 5, 7] {
+        let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(n), &[], 0);
+        assert!(summary["fits"].is_null() && summary["misfit"].as_f64().unwrap() > 0.5, "{n}: {summary}");
+        assert!(summary["undecided"].as_str().unwrap().contains("cannot be judged"), "{summary}");
+        let output = desk.call(&["calibrate", "s.toml", "--out", "o"]);
+        assert!(text(&output.stderr).contains("whether the law fits cannot be judged"), "{}", text(&output.stderr));
+    }
+    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(8), &[], 3);
+    assert_eq!(summary["fits"], false);
+    // with a noise that is given one value is enough
+    let (_, summary) =
+        calibrated(&scenario(&format!("data = \"d.csv\"\n{low}\nnoise = {{ restitution = 0.01 }}")), &data(1), &[], 3);
+    assert_eq!(summary["fits"], false);
+}
+
+/// Twenty impacts; the method of Levenberg and Marquardt stopped at a kink, 590.8 MPa, with the first range below.
+const KINKED: &str = "0.8042298891,0.7507834666 1.049992641,0.7344917636 2.530164755,0.6558293253 0.2355599335,0.8739483039 \
+    1.820923506,0.6949543897 0.7310727126,0.7676019802 0.5462823988,0.8016018985 2.26240936,0.6284181316 \
+    0.2917735685,0.8718736551 3.756951237,0.6191112572 0.7310936336,0.7816023912 4.943361028,0.5671278239 \
+    1.086485297,0.7253070375 2.02756342,0.6572582979 1.011677022,0.7367028022 0.9099655303,0.7578124888 \
+    3.954696145,0.5834981023 0.6810721323,0.7738535256 0.3791040205,0.8480323904 0.3026317279,0.8565095456";
+
+/// Impacts of another law; it stopped at 413.7 MPa.
+const KINKED_TOO: &str = "0.2476450185,0.7988998404 1.530120559,0.5891670031 0.2006049693,0.80359361 0.2503447181,0.7883243871 \
+    0.8504923176,0.6552061184 0.1494136478,0.8560760375 1.299178092,0.6179270466 1.858728561,0.5917104628 \
+    0.1106104141,0.8825972591 4.147950723,0.5022207189 0.9750896261,0.6491391441 0.2667459277,0.7825295688 \
+    1.279217902,0.6282859965 0.81350338,0.6800281161 2.823824679,0.5486356582 2.903040278,0.5183320724 \
+    3.417856108,0.5199527295 3.464529911,0.5311805704 0.1657555692,0.8287024051 3.274237568,0.5409728683";
+
+/// The fit and the least sum on a fine grid about it.
+fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
+    let directory = tempfile::TempDir::new().unwrap();
+    let lines: String = data.split_whitespace().flat_map(|line| [line, "\n"]).collect();
+    std::fs::write(directory.path().join("d.csv"), format!("speed_m_per_s,restitution\n{lines}")).unwrap();
+    let request = format!(
+        "data = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {{ from = {from}, to = {to} }} }}\nnoise = {{ restitution = 0.01 }}\n{robust}"
+    );
+    let text = scenario(&request).replace("208 GPa", "210 GPa");
+    let scenario = Scenario::from_text("kinks", &text, &[]).unwrap().in_directory(directory.path().to_owned());
+    let measured = Measurements::of(&scenario).unwrap();
+    let found = measured.calibrate(&Counter::default()).unwrap();
+    let fit: &Fit = &found.fit;
+    let grid = |i: i32| fit.problem.sum(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
+    let least = (-2000..=2000).map(grid).fold(f64::INFINITY, f64::min);
+    (found.keys[0].estimate, found.keys[0].sd.unwrap(), fit.best().sum - least)
+}
+
+#[test]
+fn the_estimate_is_the_minimum_also_behind_a_kink() {
+    let robust = "robust = \"student-t\"";
+    let ranges = [(50e6, 5e9), (60e6, 4e9), (500e6, 700e6)].map(|(from, to)| fitted(KINKED, from, to, robust));
+    for (estimate, sd, above) in ranges {
+        // the grid has steps of a few hundredths of the standard deviation
+        assert!(above < 1e-3, "{estimate}: {above}");
+        assert!((estimate - ranges[2].0).abs() < 0.02 * sd, "{ranges:?}");
+    }
+    let (estimate, _, above) = fitted(KINKED_TOO, 50e6, 5e9, "");
+    assert!(above < 1e-3, "{estimate}: {above}");
+}
+
+/// With two values more than keys, Student's distribution has 2 degrees of freedom, and the region of 95 % reaches more
+/// than six standard deviations. The posterior was cut at 4.5.
+#[test]
+fn the_posterior_of_two_keys_is_as_wide_as_few_values_leave_it() {
+    let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n";
+    let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::BOTH));
+    let (desk, summary) = calibrated(&text, data, &[], 0);
+    let table = desk.read("o/posterior.csv");
+    let strength = crate::common::command::column(&table, "half_space_yield_strength_Pa");
+    let ends = |fields: &[String]| [fields[0].parse::<f64>().unwrap(), fields[fields.len() - 1].parse().unwrap()];
+    let (ends, key) = (ends(&strength), &summary["keys"][0]);
+    let (estimate, sd) = (key["estimate"].as_f64().unwrap(), key["sd"].as_f64().unwrap());
+    assert!(ends[1] > estimate + 8.0 * sd || ends[1] > 2.99e9, "{ends:?} {estimate} {sd}");
+    assert!(ends[0] < estimate - 8.0 * sd || ends[0] < 100.1e6, "{ends:?} {estimate} {sd}");
+}
