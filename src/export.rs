@@ -1,11 +1,10 @@
 //! Writes input lines for other codes, so that they give the same rebound as the contact law here. The lines hold a
-//! constant e at one speed, springs with this e and the contact time (or peak force) of the law, or a table e(v).
+//! constant e at one speed, a spring with this e and the contact time of the law, or a table e(v).
 //!
-//! | model | parameters from e, contact time t and peak force F of the impact at v |
+//! | model | parameters from e and contact time t of the impact at v |
 //! |---|---|
 //! | damped linear spring | k = m (π² + ln² e)/t², damping from e: the overlap lasts t, and e is the same at every speed |
 //! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
-//! | two springs (Walton and Braun 1986, Luding 2008 without adhesion) | k₁ = m (π (1 + e)/(2 t))² or (F/v)²/m; k₂ = k₁/e² |
 //!
 //! The peak force of the damped spring follows from these parameters. It differs from the peak force of the law.
 
@@ -17,8 +16,8 @@ use crate::error::{Error, ErrorKind};
 use crate::math::functions::pow;
 use crate::run::contact_alone;
 use crate::scenario::Scenario;
-pub use request::{Equal, Request, Target};
-pub use springs::{E_WITHIN, STEPS_PER_CONTACT, Springs, range_of_constant, spring_without_pull};
+pub use request::{Request, Target};
+pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 
 /// Rows of a table e(v).
 const POINTS: u32 = 41;
@@ -49,7 +48,6 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
         return Err(Error::input(message.to_owned()));
     }
-    let springs = Springs::of(&contact, &impact, request.equal);
-    let head = lines::Head { scenario, contact: &contact, impact: &impact, springs: &springs, command };
+    let head = lines::Head { scenario, contact: &contact, impact: &impact, command };
     head.lines(request, &table)
 }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::export::{Equal, Request, Target, export as lines};
+use plm_impact::export::{Request, Target, export as lines};
 use plm_impact::units::{Dimension, parse};
 
 use super::names::one_of;
@@ -25,9 +25,6 @@ pub struct Arguments {
     /// First and last speed of a table e(v), such as "0.1 m/s,10 m/s" [default: a tenth to ten times the speed]
     #[arg(long, value_name = "FROM,TO", conflicts_with = "speed", allow_hyphen_values = true)]
     speeds: Option<String>,
-    /// Springs with the peak force of the law, in place of its contact time
-    #[arg(long)]
-    equal_peak_force: bool,
 }
 
 pub fn export(arguments: &Arguments) -> Result<(), Error> {
@@ -35,7 +32,6 @@ pub fn export(arguments: &Arguments) -> Result<(), Error> {
         target: arguments.to.1,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
         speeds: arguments.speeds.as_deref().map(speeds).transpose()?,
-        equal: if arguments.equal_peak_force { Equal::PeakForce } else { Equal::ContactTime },
     };
     let scenario = arguments.scenario.load()?;
     let text = lines(&scenario, &request, &super::output::command_line())?;

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::request::{Equal, Request, Target};
-use super::springs::{E_WITHIN, STEPS_PER_CONTACT, Springs, range_of_constant, spring_without_pull};
+use super::request::{Request, Target};
+use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
 use crate::impact::{Contact, Essentials, Impact};
 use crate::math::functions::pow;
@@ -15,7 +15,6 @@ pub(super) struct Head<'a> {
     pub scenario: &'a Scenario,
     pub contact: &'a Contact,
     pub impact: &'a Impact,
-    pub springs: &'a Springs,
     /// The command line.
     pub command: &'a str,
 }
@@ -65,17 +64,14 @@ impl Head<'_> {
             about.push(format!(
                 "e is a constant here; in the law it stays within {within} % from {from:.4} to {to:.4} m/s"
             ));
-            let step = contact_time / STEPS_PER_CONTACT;
-            about
-                .push(format!("time step {step:.3e} s or less ({STEPS_PER_CONTACT} steps a contact), for a sphere of"));
+            let (step, steps) = (self.time_step(), steps_per_contact(restitution));
+            about.push(format!(
+                "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"
+            ));
             about.push(format!("radius {} m and mass {:.6e} kg", self.contact.sphere().radius, self.contact.mass()));
             about.push(
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
-        }
-        if request.target == Target::Mercury {
-            let kept = if request.equal == Equal::PeakForce { "peak force" } else { "contact time" };
-            about.push(format!("two springs: e and {kept} are those of the law"));
         }
         if matches!(request.target, Target::Mercury | Target::Acusolve | Target::Fluent) {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
@@ -83,13 +79,23 @@ impl Head<'_> {
         Ok(about)
     }
 
+    /// Time step with which a damped spring is accurate enough \[s\].
+    fn time_step(&self) -> f64 {
+        self.impact.contact_time / steps_per_contact(self.impact.restitution)
+    }
+
+    /// Stiffness of the damped linear spring \[N/m\].
+    fn stiffness(&self) -> f64 {
+        damped_spring(self.contact.mass(), self.impact.restitution, self.impact.contact_time)
+    }
+
     fn lammps(&self) -> String {
         format!(
             "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential linear_nohistory \
              0.0 0.0 zplane 0.0 NULL\ntimestep {:.3e}\n",
-            self.springs.damped,
+            self.stiffness(),
             self.impact.restitution,
-            self.impact.contact_time / STEPS_PER_CONTACT
+            self.time_step()
         )
     }
 
@@ -98,7 +104,7 @@ impl Head<'_> {
     fn liggghts(&self) -> String {
         const POISSONS_RATIO: f64 = 0.3;
         let (mass, speed) = (self.contact.mass(), self.impact.speed);
-        let scaled = pow(self.springs.damped / pow(mass * speed * speed, 0.2), 1.25);
+        let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
         let effective = 15.0 * scaled / (16.0 * self.contact.sphere().radius.sqrt());
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
         format!(
@@ -110,7 +116,7 @@ impl Head<'_> {
              pair_style gran model hooke tangential no_history\npair_coeff * *\n\
              fix wall all wall/gran model hooke tangential no_history primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
             self.impact.restitution,
-            self.impact.contact_time / STEPS_PER_CONTACT
+            self.time_step()
         )
     }
 
@@ -130,7 +136,7 @@ impl Head<'_> {
             self.contact.sphere().density,
             2.0 * stiffness,
             2.0 * damping,
-            contact_time / STEPS_PER_CONTACT
+            self.time_step()
         ))
     }
 
@@ -143,16 +149,15 @@ impl Head<'_> {
     }
 
     fn mercury(&self) -> String {
-        let (mass, Springs { loading, unloading, .. }) = (self.contact.mass(), *self.springs);
         format!(
             "LinearViscoelasticSpecies species;\nspecies.setDensity({:.9e});\n\
-             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{mass:.9e}); // 2 m: a wall has no mass\n\
-             // or, with two springs\nLinearPlasticViscoelasticSpecies springs;\n\
-             springs.setPlasticParameters({loading:.9e}, {unloading:.9e}, 0.0, 1.0);\nsetTimeStep({:.3e});\n",
+             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // 2 m: a wall has no mass\n\
+             setTimeStep({:.3e});\n",
             self.contact.sphere().density,
             self.impact.contact_time,
             self.impact.restitution,
-            self.impact.contact_time / STEPS_PER_CONTACT
+            self.contact.mass(),
+            self.time_step()
         )
     }
 }

@@ -9,7 +9,7 @@ pub enum Target {
     Liggghts,
     /// Yade, `ViscElMat`.
     Yade,
-    /// MercuryDPM, a species with e and contact time, and one with two springs.
+    /// MercuryDPM, a species with e and contact time.
     Mercury,
     /// Altair AcuSolve, walls of particles.
     Acusolve,
@@ -37,14 +37,6 @@ impl Target {
     }
 }
 
-/// Which quantity of the law, besides e, the two springs reproduce.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Equal {
-    #[default]
-    ContactTime,
-    PeakForce,
-}
-
 /// The request of a user.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
@@ -53,5 +45,4 @@ pub struct Request {
     pub speed: Option<f64>,
     /// First and last speed of a table \[m/s\]; `None` for a tenth to ten times the impact speed.
     pub speeds: Option<(f64, f64)>,
-    pub equal: Equal,
 }

@@ -17,7 +17,9 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
     let curve = curve.map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });
     let step = hardening.and_then(|hardening| hardening.step(peak.indentation));
     let step = step.map(|(strain, ratio)| Warning::FlowStep { strain, ratio });
-    stated.into_iter().chain(curve).chain(step)
+    let exponent = hardening.and_then(|hardening| hardening.untested_exponent(peak.indentation));
+    let exponent = exponent.map(|exponent| Warning::UntestedExponent { exponent });
+    stated.into_iter().chain(curve).chain(step).chain(exponent)
 }
 
 /// The warnings for a dent of this radius, over that of the sphere, which this mean pressure has made.

@@ -74,6 +74,14 @@ pub enum Warning {
         /// Stress behind it over the stress before.
         ratio: f64,
     },
+    /// A power law of hardening that was not compared with finite elements.
+    #[error(
+        "the exponent of hardening {exponent} is outside of 0.1 to 0.3, the range of the finite elements behind the law: e may be off by more than 3 %; points of a measured flow curve are safer, as a power law this steep starts far below the proof stress of the metal"
+    )]
+    UntestedExponent {
+        /// N.
+        exponent: f64,
+    },
     /// The sphere would yield as well.
     #[error(
         "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and less would come back"

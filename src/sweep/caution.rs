@@ -93,6 +93,7 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::LightBody { density, .. } => -density,
         Warning::LargeSphere { radius } => radius,
         Warning::BeyondFlowCurve { strain, .. } => strain,
+        Warning::UntestedExponent { exponent } => (exponent - 0.2).abs(),
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,
         Warning::StrongWaves { loss, recovered } => loss / recovered,

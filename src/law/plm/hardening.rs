@@ -18,10 +18,13 @@
 use super::lines::LineSlopes;
 use crate::law::curve::Curve;
 use crate::math::functions::{ln, pow};
-use crate::strength::flow::Rise;
+use crate::strength::flow::{FlowCurve, Rise};
 
 /// The plastic strains that stand for the strain field, divided by s.
 const STRAINS: [f64; 2] = [0.025, 0.37];
+
+/// The exponents of the power laws that finite elements have run.
+pub(crate) const EXPONENTS: [f64; 2] = [0.1, 0.3];
 
 /// Largest ratio of neighbouring points of the loading curve: straight between them, the force is off by less than 0.1 %.
 const RATIO: f64 = 1.1;
@@ -72,6 +75,13 @@ impl Hardening {
 
     fn largest_strain(&self, x: f64) -> f64 {
         (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
+    }
+
+    /// The exponent of a power law, if loading to x is plastic and the exponent is outside of [`EXPONENTS`]. 0 is a metal
+    /// that does not harden.
+    pub(crate) fn untested_exponent(&self, x: f64) -> Option<f64> {
+        let FlowCurve::Power { exponent } = self.rise.curve else { return None };
+        (x > 1.0 && exponent > 0.0 && !(EXPONENTS[0]..=EXPONENTS[1]).contains(&exponent)).then_some(exponent)
     }
 
     /// ε at a point (x, f) with x > 1.

@@ -116,7 +116,7 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
         "data = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {{ from = {from}, to = {to} }} }}\nnoise = {{ restitution = 0.01 }}\n{robust}"
     );
     let text = scenario(&request).replace("208 GPa", "210 GPa");
-    let scenario = Scenario::from_text("kinks", &text, &[]).unwrap().in_directory(directory.path().to_owned());
+    let scenario = Scenario::in_directory("kinks", &text, &[], directory.path().to_owned()).unwrap();
     let measured = Measurements::of(&scenario).unwrap();
     let found = measured.calibrate(&Counter::default()).unwrap();
     let fit: &Fit = &found.fit;
