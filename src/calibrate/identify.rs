@@ -50,7 +50,7 @@ fn by_logarithms(problem: &Problem, place: &Place) -> Option<DMatrix<f64>> {
 fn decomposed(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
     // from the eigenvalues of the product, which is small even if there are many rows
     let eigen = matrix.tr_mul(matrix).symmetric_eigen();
-    let vectors = eigen.eigenvectors.column_iter().map(|vector| vector.into_owned());
+    let vectors = eigen.eigenvectors.column_iter().map(nalgebra::Matrix::into_owned);
     let mut all: Vec<_> = eigen.eigenvalues.iter().map(|square| square.max(0.0).sqrt()).zip(vectors).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     all.iter().all(|(value, _)| value.is_finite()).then_some(all)
