@@ -47,7 +47,7 @@ struct Balance {
 fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let last = law.turning_piece(kinetic);
-    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
+    let distance = law.loading.distance_at_work(last, kinetic);
     Balance::new(law, kinetic, last, distance, law.unloading(law.state_at(last, distance)))
 }
 

@@ -15,7 +15,12 @@ pub struct Curve {
     pub(super) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces.
     pub(super) crossings: Vec<Crossing>,
+    /// The pieces whose work costs an integration, in parts over which one panel of the rule is enough.
+    parts: Vec<Piece>,
 }
+
+/// Largest ratio of the ends of a part.
+const PART: f64 = 4.0;
 
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
@@ -30,7 +35,7 @@ impl Curve {
 
     /// The curve of these pieces.
     pub(super) fn of(pieces: Vec<Piece>) -> Self {
-        Self { pieces, crossings: Vec::new() }
+        Self { pieces, crossings: Vec::new(), parts: Vec::new() }
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -63,6 +68,41 @@ impl Curve {
     pub(super) fn with_crossings(mut self) -> Self {
         self.crossings = crossing::crossings(&self.pieces);
         self
+    }
+
+    /// The same curve with the work at the ends of panels, so that work further on, and the way that a work goes, cost one panel
+    /// each and not one for every factor of four from the start of the piece.
+    #[must_use]
+    pub(super) fn with_parts(mut self) -> Self {
+        for (index, piece) in self.pieces.iter().enumerate() {
+            let end = self.pieces.get(index + 1).map_or(piece.start, |next| next.start);
+            if !matches!(piece.shape, Shape::Smooth(smooth) if smooth.is_integrated()) {
+                continue;
+            }
+            let mut part = *piece;
+            while part.start < end {
+                self.parts.push(part);
+                let start = PART * part.start;
+                part = Piece { start, force: part.force_at(start), work: part.work_at(start), ..part };
+            }
+        }
+        self
+    }
+
+    /// The part of a piece, or the piece itself, on which `is_before` turns from true to false.
+    fn part_of<'a>(&'a self, piece: &'a Piece, is_before: impl Fn(&Piece) -> bool) -> &'a Piece {
+        let last = self.parts.partition_point(|part| part.start <= piece.start || is_before(part));
+        let of_piece = |part: &&Piece| {
+            matches!(piece.shape, Shape::Smooth(_)) && part.start >= piece.start && part.shape == piece.shape
+        };
+        last.checked_sub(1).map(|last| &self.parts[last]).filter(of_piece).unwrap_or(piece)
+    }
+
+    /// The distance from the start of a piece at which the work reaches `work`, see [`Piece::distance_at_work`].
+    pub(crate) fn distance_at_work(&self, index: usize, work: f64) -> f64 {
+        let piece = &self.pieces[index];
+        let part = self.part_of(piece, |part| part.work <= work);
+        (part.start - piece.start) + part.distance_at_work(work)
     }
 
     fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
@@ -117,7 +157,8 @@ impl Curve {
 
     /// Work from first touch to x.
     pub fn work(&self, x: f64) -> f64 {
-        self.pieces[self.index_at(x)].work_at(x)
+        let piece = &self.pieces[self.index_at(x)];
+        self.part_of(piece, |part| part.start <= x).work_at(x)
     }
 
     /// The last knot that a sphere of this energy and speed reaches fast enough for its series: the index of the piece that

@@ -131,6 +131,7 @@ impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         let (holds_until, widest) = (f64::INFINITY, WIDEST_PARABOLOID);
+        let curve = curve.with_parts();
         Self { curve, elastic_until, holds_until, stated: None, widest, radius: Arc::new(radius) }
     }
 }

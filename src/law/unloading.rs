@@ -44,7 +44,7 @@ pub enum UnloadingShape {
 }
 
 /// (2 f_m/π)(θ − sin θ cos θ) with 1 − cos θ = d/ε, a function of √d: sin(θ/2) = √(d/2ε). Parameters f_m, ε.
-static UNIFORM_PRESSURE: Formula = Formula::of_root(uniform_pressure::<f64>, uniform_pressure::<Jet>);
+static UNIFORM_PRESSURE: Formula = Formula::of_root(uniform_pressure::<f64>, uniform_pressure::<Jet>, None);
 
 fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: N) -> N {
     let theta = (root * (0.5 / elastic_approach).sqrt()).asin() * 2.0;
@@ -52,7 +52,7 @@ fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: 
 }
 
 /// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
-static SHIFTED_HERTZ: Formula = Formula::of_root(shifted::<f64>, shifted::<Jet>);
+static SHIFTED_HERTZ: Formula = Formula::of_root(shifted::<f64>, shifted::<Jet>, Some(shifted_work));
 
 fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
     // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
@@ -60,6 +60,14 @@ fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
     let (square, b) = (recovered + *residual, residual.sqrt());
     let a = square.powf(0.5);
     recovered * (square + a * b + *residual) / (a + b) * *k
+}
+
+/// ∫ k (x^1.5 − x_r^1.5) dx = k (a − b)² (0.4 a³ + 0.8 a² b + 1.2 a b² + 0.6 b³), where nothing cancels but a − b = y²/(a + b).
+fn shifted_work([k, residual, _]: &Parameters, y: f64) -> f64 {
+    let (square, b) = (y * y, residual.sqrt());
+    let a = (square + residual).sqrt();
+    let above = square / (a + b);
+    k * above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b))
 }
 
 /// Which exponent n the unloading branch has.

@@ -162,10 +162,11 @@ pub(super) fn over_decades(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
 ///
 /// With d = to − ζ (ζ + 2 z), z² = exit²/(2 g(to)) the way beyond `to` that a constant g would leave, the root in
 /// u² = exit² + 2 ∫ g loses its singularity. On every panel in ζ the inner integral is that of the polynomial through the
-/// nodes; panels shrink by 2/3 in the distance from `zero`.
+/// nodes; panels shrink by 0.6 in the distance from `zero`, which leaves an error of about 7.9⁻²⁰.
 pub(super) fn time(g: impl Fn(f64) -> f64, zero: f64, from: f64, to: f64, exit: f64) -> f64 {
-    /// What is nearer to the zero than this share of the way counts as smooth: its work is below rounding.
-    const NEAREST: f64 = 1e-8;
+    /// What is nearer to the zero than this share of the way counts as smooth: where g goes with d^1.5, 1e-10 of the work is
+    /// done there, and the rule is off by 1e-6 of that at most.
+    const NEAREST: f64 = 1e-4;
     if to <= from {
         return 0.0;
     }
@@ -177,8 +178,8 @@ pub(super) fn time(g: impl Fn(f64) -> f64, zero: f64, from: f64, to: f64, exit: 
     let (mut total, mut square, mut near) = (0.0, exit * exit, 0.0);
     let mut end = to;
     while end > from {
-        let reach = zero + (end - zero) * (2.0 / 3.0);
-        let begin = if reach > from + 0.2 * (end - from) && reach - zero > floor { reach } else { from };
+        let reach = zero + 0.6 * (end - zero);
+        let begin = if reach > from + 0.05 * (end - from) && reach - zero > floor { reach } else { from };
         let far = zeta(to - begin);
         let width = far - near;
         let mut rates = [0.0; PANEL];

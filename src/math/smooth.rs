@@ -32,7 +32,7 @@ pub struct Formula {
     variable: Variable,
     value: fn(&Parameters, f64) -> f64,
     jet: fn(&Parameters, Jet) -> Jet,
-    /// An antiderivative, where there is one in closed form.
+    /// An antiderivative ∫ f dd as a function of the variable, where there is one in closed form.
     integral: Option<fn(&Parameters, f64) -> f64>,
 }
 
@@ -47,8 +47,12 @@ impl Formula {
     }
 
     /// A function of √d.
-    pub(crate) const fn of_root(value: fn(&Parameters, f64) -> f64, jet: fn(&Parameters, Jet) -> Jet) -> Self {
-        Self { variable: Variable::RootOfDistance, value, jet, integral: None }
+    pub(crate) const fn of_root(
+        value: fn(&Parameters, f64) -> f64,
+        jet: fn(&Parameters, Jet) -> Jet,
+        integral: Option<fn(&Parameters, f64) -> f64>,
+    ) -> Self {
+        Self { variable: Variable::RootOfDistance, value, jet, integral }
     }
 }
 
@@ -100,6 +104,11 @@ impl Smooth {
         }
     }
 
+    /// Whether work costs an integration.
+    pub(crate) fn is_integrated(&self) -> bool {
+        self.formula.integral.is_none()
+    }
+
     /// f and its derivatives as a function of its own variable.
     #[inline]
     pub(crate) fn jet(&self, argument: f64) -> Jet {
@@ -122,7 +131,11 @@ impl Smooth {
             (Variable::Indentation, None) => {
                 quadrature::over_decades(start + from, start + to, |x| (self.formula.value)(&self.parameters, x))
             }
-            (Variable::RootOfDistance, _) => {
+            (Variable::RootOfDistance, Some(integral)) => {
+                let up_to = |distance: f64| integral(&self.parameters, distance.max(0.0).sqrt());
+                up_to(to) - up_to(from)
+            }
+            (Variable::RootOfDistance, None) => {
                 let force = |y: f64| 2.0 * y * (self.formula.value)(&self.parameters, y);
                 let (from, to) = (from.max(0.0).sqrt(), to.max(0.0).sqrt());
                 let middle = 0.5 * (from + to);
@@ -232,7 +245,7 @@ mod tests {
     /// The same without.
     static HERTZ: Formula = Formula::new(raised::<f64>, raised::<Jet>, None);
     /// The same as a function of the root: y³.
-    static CUBE: Formula = Formula::of_root(cube::<f64>, cube::<Jet>);
+    static CUBE: Formula = Formula::of_root(cube::<f64>, cube::<Jet>, None);
 
     fn raised<N: Number>(_: &Parameters, x: N) -> N {
         x.powf(1.5)
