@@ -98,7 +98,7 @@ fn ratio(speed: f64, scales: &Scales) -> Result<f64, OutOfFloatRange> {
 }
 
 /// Hertz without end: the law of every impact that stays elastic, in its own units.
-fn hertz() -> &'static Law {
+pub(super) fn hertz() -> &'static Law {
     static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
     &HERTZ
 }

@@ -24,6 +24,11 @@ impl Memory {
         self.indentation - self.elastic_approach
     }
 
+    /// Whether this memory, and an indentation beside it, are numbers that a contact can have.
+    fn is_finite_beside(&self, indentation: f64) -> bool {
+        [indentation, self.indentation, self.force, self.elastic_approach].into_iter().all(f64::is_finite)
+    }
+
     fn peak(&self, length: f64, force: f64) -> Option<Peak> {
         (self.indentation > 0.0).then(|| Peak {
             indentation: self.indentation / length,
@@ -46,8 +51,12 @@ impl Contact {
     /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is put into `memory`.
     ///
     /// Below the largest indentation so far the force is that of the unloading branch, beyond it that of the loading curve.
-    /// It is 0 for δ ≤ 0, and NaN if δ or the memory is NaN.
+    /// It is 0 for δ ≤ 0. If δ or the memory is NaN or infinite, or the force would be, the force is NaN and the memory stays
+    /// as it was.
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
+        if !memory.is_finite_beside(indentation) {
+            return f64::NAN;
+        }
         let Some((scales, law)) = &self.yielding else {
             return self.hertz(indentation, 1.5);
         };
@@ -58,17 +67,24 @@ impl Contact {
         let before = memory.peak(scales.length, scales.force);
         let (force, after) = law.respond(indentation / scales.length, before);
         if let Some(peak) = after.filter(|_| after != before) {
-            *memory = Memory {
+            let reached = Memory {
                 indentation,
                 force: peak.force * scales.force,
                 elastic_approach: peak.elastic_approach * scales.length,
             };
+            if !reached.is_finite_beside(indentation) {
+                return f64::NAN;
+            }
+            *memory = reached;
         }
         force * scales.force
     }
 
     /// How the work is divided after [`Contact::force`] gave this `force` at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
+        if !memory.is_finite_beside(indentation) {
+            return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
+        }
         let Some((scales, law)) = &self.yielding else {
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
@@ -84,6 +100,9 @@ impl Contact {
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
     /// the loading curve beyond.
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
+        if !memory.is_finite_beside(indentation) {
+            return f64::NAN;
+        }
         let Some((scales, law)) = &self.yielding else {
             return self.hertz(indentation, 0.5);
         };

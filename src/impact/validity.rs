@@ -1,5 +1,6 @@
 //! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
 
+use super::case::hertz;
 use super::contact::Contact;
 use super::result::Impact;
 use super::solve::{Method, Solver};
@@ -7,6 +8,7 @@ use super::warning::{HIGH, LARGE, LIGHT, Warning};
 use crate::law::{Law, Peak};
 use crate::material::{HalfSpace, Material};
 use crate::math::power::max_or_nan;
+use crate::math::root::halved;
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
@@ -58,6 +60,25 @@ fn of_body(
     let high = high.map(|strength| Warning::HighStrength { key: strength_key, strength, modulus });
     let light = density.filter(|density| *density < LIGHT);
     high.into_iter().chain(light.map(|density| Warning::LightBody { key: density_key, density }))
+}
+
+impl Contact {
+    /// The indentation \[m\] up to which the data behind the law reach: beyond it an impact is warned of a dent that is too
+    /// wide, of a flow curve that ends before, or of a law outside its stated range.
+    pub fn deepest(&self) -> f64 {
+        let radius = self.sphere().radius;
+        let Some((scales, law)) = &self.yielding else {
+            // Hertz: a^2 = R delta
+            return hertz().widest_contact().powi(2) * radius;
+        };
+        let reaches = |x: f64| {
+            let Some(peak) = law.respond(x, None).1 else { return true };
+            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.widest_contact() * radius;
+            let is_beyond = |warning| !matches!(warning, Warning::OutsideStated { from, .. } if x < from);
+            !is_wide && !of_peak(law, &peak).any(is_beyond)
+        };
+        halved(0.0, radius / scales.length, reaches).0 * scales.length
+    }
 }
 
 /// All warnings of an impact.

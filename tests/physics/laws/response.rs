@@ -1,6 +1,6 @@
 //! The law as a force without motion: energy, stiffness, and no panic for any input.
 
-use plm_impact::impact::{Contact, ContactEnergy, Memory};
+use plm_impact::impact::{Contact, ContactEnergy, Memory, Method, Solver, Warning};
 use plm_impact::law::{LawChoice, Plm};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 
@@ -70,8 +70,9 @@ fn the_stiffness_is_the_slope_of_the_force() {
     }
 }
 
+/// A memory that was lost (NaN) is not taken for a fresh contact, and no indentation spoils a memory for the steps after it.
 #[test]
-fn no_indentation_and_no_memory_makes_it_panic() {
+fn what_is_not_finite_gives_no_number_and_leaves_the_memory() {
     let hostile = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324, 1e-5, f64::MAX];
     for strength in [Some(345e6), None] {
         let (sphere, half_space) = bodies(strength);
@@ -79,13 +80,50 @@ fn no_indentation_and_no_memory_makes_it_panic() {
         for case in 0..hostile.len().pow(4) {
             let [indentation, a, b, c] =
                 [0, 1, 2, 3].map(|place| hostile[case / hostile.len().pow(place) % hostile.len()]);
-            let mut memory = Memory { indentation: a, force: b, elastic_approach: c };
+            let before = Memory { indentation: a, force: b, elastic_approach: c };
+            let mut memory = before;
             let stiffness = contact.stiffness(indentation, &memory);
             let force = contact.force(indentation, &mut memory);
             let energy = contact.energy(indentation, force, &memory);
-            if indentation.is_nan() {
-                assert!(force.is_nan() && stiffness.is_nan() && energy.stored.is_nan());
+            let bits = |memory: Memory| [memory.indentation, memory.force, memory.elastic_approach].map(f64::to_bits);
+            if ![indentation, a, b, c].iter().all(|given| given.is_finite()) {
+                assert!(force.is_nan() && stiffness.is_nan() && energy.stored.is_nan() && energy.plastic.is_nan());
+                assert_eq!(bits(memory), bits(before));
+            } else if bits(memory) != bits(before) {
+                assert!([memory.force, memory.elastic_approach].iter().all(|part| part.is_finite()), "{memory:?}");
             }
         }
     }
+}
+
+/// What an impact is warned of and where a code without impacts is told to warn are the same.
+#[test]
+fn an_impact_deeper_than_the_data_is_warned_of_and_no_other() {
+    let is_of_depth = |warning: &Warning| match warning {
+        Warning::DeepDent { .. } | Warning::BeyondFlowCurve { .. } => true,
+        Warning::OutsideStated { indentation, from, .. } => indentation > from,
+        _ => false,
+    };
+    let (mut warned, mut not_warned) = (0, 0);
+    for (law, strength) in
+        LawChoice::all().into_iter().map(|law| (law, Some(345e6))).chain([(LawChoice::default(), None)])
+    {
+        let (sphere, half_space) = bodies(strength);
+        let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
+        for step in 0..60 {
+            let speed = 0.01 * 1.3_f64.powi(step);
+            let Ok(impact) = contact.impact(speed, &Solver { method: Method::Auto, ..Solver::default() }, None) else {
+                continue;
+            };
+            let is_deeper = impact.peak_indentation > contact.deepest();
+            assert_eq!(
+                impact.warnings.iter().any(is_of_depth),
+                is_deeper,
+                "{law:?} at {speed} m/s: {:?}",
+                impact.warnings
+            );
+            *(if is_deeper { &mut warned } else { &mut not_warned }) += 1;
+        }
+    }
+    assert!(warned > 50 && not_warned > 300, "{warned} {not_warned}");
 }
