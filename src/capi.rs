@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! cargo rustc --release --lib --features capi --crate-type staticlib    # or cdylib
+//! cc -I src/capi program.c target/release/libplm_impact.a -lm -lpthread -ldl -o program
 //! ```
 //!
 //! The header is `src/capi/plm_impact.h`. Everything is in SI units. Many threads may use a contact at the same time.
@@ -27,7 +28,7 @@ use crate::scenario::Scenario;
 pub struct plm_contact(Contact);
 
 /// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and [impact] may be
-/// left out. Paths of files in the text are relative to the working directory.
+/// left out. Gravity, damping, and tables that ask for more than one impact ([sweep], ...) are refused. Paths of files in the text are relative to the working directory.
 ///
 /// Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
 /// Free the contact with `plm_contact_free`.
@@ -70,8 +71,10 @@ pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
 /// Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
 ///
 /// The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
-/// (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or the memory is NaN, or a
-/// pointer is NULL.
+/// (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or a number of the memory is NaN
+/// or infinite, if the force would be, or if a pointer is NULL; the memory then stays as it was.
+///
+/// The law has no elastic waves: see `plm_contact_restitution_with_waves`.
 ///
 /// # Safety
 /// `contact` is NULL or not yet freed; `memory` is NULL or has three doubles that no other thread uses at the same
@@ -207,6 +210,29 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
         *restitution = e;
     }
     time
+}
+
+/// Coefficient of restitution at a speed [m/s] less what elastic waves in the half-space take, to first order. The
+/// force has no waves: this is what a simulation with it leaves out. NaN if the scenario gives no half_space.density.
+///
+/// # Safety
+/// `contact` is NULL or not yet freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_contact, speed: f64) -> f64 {
+    // SAFETY: as the caller promises
+    let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
+    let with_waves = || contact.0.closed_form(speed).ok()?.restitution_with_waves();
+    guarded(f64::NAN, || with_waves().unwrap_or(f64::NAN))
+}
+
+/// Indentation [m] up to which the data behind the law reach. Beyond it forces and dent are estimates.
+///
+/// # Safety
+/// `contact` is NULL or not yet freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn plm_contact_deepest(contact: *const plm_contact) -> f64 {
+    // SAFETY: as the caller promises
+    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| guarded(f64::NAN, || contact.0.deepest()))
 }
 
 fn force(contact: &Contact, indentation: f64, memory: &mut [f64; 3]) -> f64 {

@@ -56,8 +56,14 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, and one with gravity or damping.
+/// [`Error`]: a bad scenario, one with gravity or damping, and one of another kind than an impact.
 pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+    let kind = scenario.kind()?;
+    if kind != Kind::Impact {
+        let table = Kind::ALL.iter().find(|(_, known)| *known == kind).map_or("", |(name, _)| name);
+        let message = "is not a part of a contact of two bodies: leave this table out";
+        return Err(scenario.document.refuse(table, message).into());
+    }
     let scene = scenario.resolve_bodies()?;
     for (table, is_there) in [("gravity", scene.forces.gravity.is_some()), ("damping", scene.forces.damping.is_some())]
     {

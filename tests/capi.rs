@@ -74,22 +74,29 @@ fn along_the_path(contact: &Contact) -> Vec<String> {
         .collect()
 }
 
+/// A program is compiled as plots/lammps/README.md says.
+const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
+
 #[test]
 fn a_c_program_prints_the_bits_of_the_library() {
+    let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
+    assert!(page.contains(&format!("target/release/libplm_impact.a {} -o program", LINKED_WITH.join(" "))));
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
     let cc = Command::new("cc")
-        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-pthread", "-I"])
+        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I"])
         .arg(root().join("src/capi"))
         .arg(root().join("tests/capi/program.c"))
         .arg(library())
-        .args(["-lm", "-ldl", "-o"])
+        .args(LINKED_WITH)
+        .arg("-o")
         .arg(&program)
         .output()
         .unwrap();
     assert!(cc.status.success(), "{}", String::from_utf8_lossy(&cc.stderr));
     let scenario = root().join("scenarios/steel-on-steel.toml");
-    let run = Command::new(&program).arg(&scenario).output().unwrap();
+    let with_waves = root().join("scenarios/alumina-on-aluminium-with-waves.toml");
+    let run = Command::new(&program).args([&scenario, &with_waves]).output().unwrap();
     let printed = String::from_utf8(run.stdout).unwrap();
     assert!(run.status.success(), "{printed}{}", String::from_utf8_lossy(&run.stderr));
 
@@ -103,14 +110,20 @@ fn a_c_program_prints_the_bits_of_the_library() {
     expected.extend(along_the_path(&contact));
     let printed: Vec<_> = printed.lines().collect();
     assert_eq!(printed[..expected.len()], expected);
+    let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().contact().unwrap();
+    let waves = waves.closed_form(3.0).unwrap().restitution_with_waves().unwrap();
+    let bits = [("deepest", contact.deepest()), ("waves", waves)]
+        .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");
     for words in [
         "scenario:1:21: sphere.radius: \"-5 mm\"",
         "scenario:3:11: gravity: is not a part of the contact law: leave this table out",
+        "scenario:3:1: sweep: is not a part of a contact of two bodies: leave this table out",
         "no-such-file.toml: cannot be read",
         "\nno scenario: the pointer is NULL\n",
-        "\nno scenar\nnan nan nan\nthreads agree",
+        "\nno scenar\nnan nan nan\nno memory is spoilt\n",
+        &format!("\n{}\n{}\n1 1 1\nthreads agree", bits[0], bits[1]),
     ] {
         assert!(errors.contains(words), "{words} is not in:\n{errors}");
     }

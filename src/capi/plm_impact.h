@@ -19,7 +19,7 @@ extern "C" {
 
 /**
  * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and [impact] may be
- * left out. Paths of files in the text are relative to the working directory.
+ * left out. Gravity, damping, and tables that ask for more than one impact ([sweep], ...) are refused. Paths of files in the text are relative to the working directory.
  *
  * Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
  * Free the contact with `plm_contact_free`.
@@ -54,8 +54,10 @@ void plm_contact_free(struct plm_contact *contact);
  * Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
  *
  * The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
- * (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or the memory is NaN, or a
- * pointer is NULL.
+ * (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or a number of the memory is NaN
+ * or infinite, if the force would be, or if a pointer is NULL; the memory then stays as it was.
+ *
+ * The law has no elastic waves: see `plm_contact_restitution_with_waves`.
  *
  * # Safety
  * `contact` is NULL or not yet freed; `memory` is NULL or has three doubles that no other thread uses at the same
@@ -138,6 +140,24 @@ double plm_contact_yield_speed(const struct plm_contact *contact);
 double plm_contact_time(const struct plm_contact *contact,
                         double speed,
                         double *restitution);
+
+/**
+ * Coefficient of restitution at a speed [m/s] less what elastic waves in the half-space take, to first order. The
+ * force has no waves: this is what a simulation with it leaves out. NaN if the scenario gives no half_space.density.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_restitution_with_waves(const struct plm_contact *contact,
+                                          double speed);
+
+/**
+ * Indentation [m] up to which the data behind the law reach. Beyond it forces and dent are estimates.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_deepest(const struct plm_contact *contact);
 
 #ifdef __cplusplus
 }  // extern "C"

