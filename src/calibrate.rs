@@ -71,14 +71,15 @@ impl Measurements {
     /// Reads the request of a scenario and its measurements.
     pub fn of(scenario: &Scenario) -> Result<Self, CalibrateError> {
         let wanted = scenario.wanted()?;
+        let of_text = |name: &str, text: String| {
+            let data = Data::parse(name, &text)?;
+            let text = Text { text, overrides: Vec::new(), coefficients: None, flow_table: None };
+            Ok::<_, CalibrateError>((data, Some(text.sha256())))
+        };
         let (data, sha256) = match &wanted.source {
             Source::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
-            Source::File(path) => {
-                let text = read_text(path, LARGEST)?;
-                let data = Data::parse(&path.display().to_string(), &text)?;
-                let text = Text { text, overrides: Vec::new(), coefficients: None, flow_table: None };
-                (data, Some(text.sha256()))
-            }
+            Source::File(path) => of_text(&path.display().to_string(), read_text(path, LARGEST)?)?,
+            Source::Text(name, text) => of_text(name, text.clone())?,
         };
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
         let measured = Self { wanted, data, sha256 };

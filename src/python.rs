@@ -8,7 +8,6 @@ mod cases;
 mod contact;
 mod convert;
 mod force;
-mod measure;
 mod outcome;
 mod rows;
 mod table;
@@ -24,8 +23,7 @@ mod _core {
     #[pymodule_export]
     use super::{
         contact::{Contact, Impact, impacts},
-        measure::_measure,
-        outcome::{Outcome, run},
+        outcome::{Outcome, calibrate, run},
         table::Table,
     };
     use crate::law::LawChoice;

@@ -1,49 +1,66 @@
 //! Cases that are given as arrays of keys: finds the keys, checks the values, and makes the plan of their table.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::slice;
+use std::sync::PoisonError;
+use std::sync::atomic::Ordering;
 
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn};
-use pyo3::exceptions::PyValueError;
+use numpy::{PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn, PyUntypedArrayMethods as _};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyString, PyTuple};
 use rayon::prelude::*;
 
-use super::convert::{exception, numbers, warn, with};
+use super::contact::{Inner, SPEED};
+use super::convert::{exception, numbers, shaped, warn, with};
 use super::rows::{self, code, say_failures};
 use super::table::{Column, Table};
-use super::work::{TOGETHER, interruptible};
-use crate::impact::{self, Method};
+use super::work::{FEW, TOGETHER, interruptible};
+use crate::impact::Method;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::{Cases, Plan};
 use crate::run::table::warnings;
-use crate::scenario::Scenario;
 use crate::scene::{KEYS, Key};
 
 /// A key and its values in SI units, all of them in the allowed range.
-struct Given<'py> {
-    key: &'static Key,
-    array: PyReadonlyArrayDyn<'py, f64>,
+pub struct Given<'py> {
+    pub key: &'static Key,
+    numbers: Numbers<'py>,
     /// The smallest and the largest value; `None` if there are no values.
     ends: Option<[f64; 2]>,
 }
 
+enum Numbers<'py> {
+    One(f64),
+    Array(PyReadonlyArrayDyn<'py, f64>),
+}
+
 impl<'py> Given<'py> {
-    fn new(key: &'static Key, value: &Bound<'py, PyAny>) -> PyResult<Self> {
-        let array = match value.cast::<PyString>() {
-            Ok(text) => {
-                let number = key.quantity.parse(&text.to_cow()?).map_err(|message| refused(key, "", &message))?;
-                numbers(&number.into_pyobject(value.py())?.into_any(), key.path)?
-            }
-            Err(_) => numbers(value, key.path)?,
+    /// A number, an array of numbers, or a text with a unit.
+    pub fn new(key: &'static Key, value: &Bound<'py, PyAny>) -> PyResult<Self> {
+        let numbers = if let Ok(text) = value.cast::<PyString>() {
+            Numbers::One(key.quantity.parse(&text.to_cow()?).map_err(|message| refused(key, "", &message))?)
+        } else if value.cast_exact::<PyFloat>().is_ok() || value.cast_exact::<PyInt>().is_ok() {
+            Numbers::One(value.extract()?)
+        } else {
+            Numbers::Array(numbers(value, key.path)?.readonly())
         };
-        let array = array.readonly();
-        let mut given = Self { key, array, ends: None };
+        let mut given = Self { key, numbers, ends: None };
         given.check()?;
         Ok(given)
     }
 
     fn values(&self) -> PyResult<&[f64]> {
-        Ok(self.array.as_slice()?)
+        Ok(match &self.numbers {
+            Numbers::One(value) => slice::from_ref(value),
+            Numbers::Array(array) => array.as_slice()?,
+        })
+    }
+
+    fn shape(&self) -> &[usize] {
+        match &self.numbers {
+            Numbers::One(_) => &[],
+            Numbers::Array(array) => array.shape(),
+        }
     }
 
     /// Finds the smallest and the largest value, and refuses values out of range.
@@ -68,19 +85,29 @@ impl<'py> Given<'py> {
     }
 }
 
-fn refused(key: &Key, place: &str, message: &str) -> PyErr {
+pub fn refused(key: &Key, place: &str, message: &str) -> PyErr {
     PyValueError::new_err(format!("{}{place}: {message}", key.path))
 }
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
-/// same reasons as a scenario with these axes.
-fn plan(scenario: &Scenario, given: &[&Given]) -> PyResult<Plan> {
-    let overrides = given.iter().map(|given| {
-        let value = given.ends.map_or_else(|| given.key.quantity.example.to_owned(), |[low, _]| format!("{low:?}"));
-        format!("sweep.\"{}\"=[{value}]", given.key.path)
-    });
-    let scenario = with(scenario, overrides).map_err(exception)?;
-    let mut plan = crate::run::table::plan(&scenario).map_err(exception)?;
+/// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys; a
+/// value of 0 may switch gravity or damping off.
+fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
+    let keys: Vec<_> =
+        given.iter().map(|given| (given.key.path, given.ends.is_some_and(|[low, _]| low == 0.0))).collect();
+    let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut plan = if let Some((_, plan)) = plans.iter().find(|(known, _)| *known == keys) {
+        plan.clone()
+    } else {
+        let axes = given.iter().map(|Given { key, ends, .. }| {
+            let value = ends.map_or_else(|| key.quantity.example.to_owned(), |[low, _]| format!("{low:?}"));
+            format!("sweep.\"{}\"=[{value}]", key.path)
+        });
+        let scenario = with(&contact.scenario, axes).map_err(exception)?;
+        let plan = crate::run::table::plan(&scenario).map_err(exception)?;
+        plans.push((keys, plan.clone()));
+        plan
+    };
     let axes = given.iter().map(|given| {
         let values =
             given.ends.map_or_else(Vec::new, |[low, high]| if low < high { vec![low, high] } else { vec![low] });
@@ -93,99 +120,122 @@ fn plan(scenario: &Scenario, given: &[&Given]) -> PyResult<Plan> {
 }
 
 /// The numeric keys that the name of an argument may mean. For `impact.speed` the names are `impact.speed`,
-/// `impact_speed` and `speed`.
-fn meant(name: &str) -> Vec<&'static Key> {
-    let whole = KEYS.iter().find(|key| key.path == name || key.path.replace('.', "_") == name);
-    let last = KEYS.iter().filter(|key| key.path.rsplit('.').next() == Some(name));
-    whole.map_or_else(|| last.collect(), |key| vec![key])
+/// `impact_speed` and `speed`. The last part alone does not mean keys of other laws than that of the contact, nor the
+/// strength of the sphere, which changes no table.
+fn meant(contact: &Inner, name: &str) -> Vec<&'static Key> {
+    let letters = |path: &str| path.bytes().map(|letter| if letter == b'.' { b'_' } else { letter }).eq(name.bytes());
+    if let Some(whole) = KEYS.iter().find(|key| key.path == name || letters(key.path)) {
+        return vec![whole];
+    }
+    let last: Vec<_> = KEYS.iter().filter(|key| key.path.rsplit('.').next() == Some(name)).collect();
+    let own = format!("law.{}.", contact.scene.law.about().name);
+    let is_idle = |path: &str| path == "sphere.yield_strength" || path.starts_with("law.") && !path.starts_with(&own);
+    let kept: Vec<_> = last.iter().copied().filter(|key| !is_idle(key.path)).collect();
+    if kept.is_empty() { last } else { kept }
 }
 
-/// The arguments with their keys. If a name fits several keys, the key is used that the scenario allows to vary.
-fn keys<'py>(scenario: &Scenario, arguments: &Bound<'py, PyDict>) -> PyResult<Vec<Given<'py>>> {
-    let mut clear = Vec::new();
-    let mut unclear = Vec::new();
+/// The arguments with their keys.
+fn keys<'py>(contact: &Inner, arguments: &Bound<'py, PyDict>) -> PyResult<Vec<Given<'py>>> {
+    let mut given: Vec<(String, Given)> = Vec::new();
     for (name, value) in arguments {
         let name: String = name.extract()?;
-        match meant(&name)[..] {
+        let key = match meant(contact, &name)[..] {
+            [key] => key,
+            [] if ["law", "method", "material"].iter().any(|word| name.ends_with(word)) => {
+                let message = format!(
+                    "{name}: words are not broadcast; make a Contact for each, or plm_impact.run a scenario with a sweep of them"
+                );
+                return Err(PyTypeError::new_err(message));
+            }
             [] => {
-                let refusal = with(scenario, [format!("sweep.{}=[1]", serde_json::Value::from(name.as_str()))]);
+                let refusal =
+                    with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(name.as_str()))]);
                 return Err(refusal.err().map_or_else(|| PyValueError::new_err(name), exception));
             }
-            [key] => clear.push(Given::new(key, &value)?),
-            ref keys => unclear.push((name, keys.to_vec(), value)),
-        }
-    }
-    let mut found = Vec::new();
-    for (name, candidates, value) in unclear {
-        let mut fits = Vec::new();
-        let mut refusal = None;
-        for key in candidates {
-            let tried = Given::new(key, &value).and_then(|one| {
-                plan(scenario, &clear.iter().chain([&one]).collect::<Vec<_>>())?;
-                Ok(one)
-            });
-            match tried {
-                Ok(one) => fits.push(one),
-                Err(error) => refusal = Some(error),
+            ref keys => {
+                let names: Vec<_> = keys.iter().map(|key| key.path.replace('.', "_")).collect();
+                let message = format!("{name}: may be {}; write one of them", names.join(" or "));
+                return Err(PyValueError::new_err(message));
             }
+        };
+        if let Some((other, _)) = given.iter().find(|(_, other)| other.key.path == key.path) {
+            return Err(refused(key, "", &format!("is given twice, as {other} and as {name}; keep one of the two")));
         }
-        if fits.len() > 1 {
-            let names: Vec<_> = fits.iter().map(|given| given.key.path.replace('.', "_")).collect();
-            return Err(PyValueError::new_err(format!("{name}: may be {}; write one of them", names.join(" or "))));
-        }
-        found.extend(fits.pop().map_or_else(|| refusal.map_or(Ok(None), Err), |given| Ok(Some(given)))?);
+        given.push((name, Given::new(key, &value)?));
     }
-    clear.extend(found);
     // the order of the registry, so that results do not depend on the order of the arguments
-    clear.sort_by_key(|given| KEYS.iter().position(|key| key.path == given.key.path));
-    Ok(clear)
+    given.sort_by_key(|(_, given)| KEYS.iter().position(|key| key.path == given.key.path));
+    Ok(given.into_iter().map(|(_, given)| given).collect())
+}
+
+/// The common shape of these values, and the values of each key in that shape.
+fn broadcast(py: Python<'_>, given: &[Given]) -> PyResult<(Vec<usize>, Vec<Vec<f64>>)> {
+    let shape = given.first().map_or(&[][..], Given::shape);
+    if given.iter().all(|given| given.shape() == shape) {
+        let columns = given.iter().map(|given| Ok(given.values()?.to_vec()));
+        return Ok((shape.to_vec(), columns.collect::<PyResult<_>>()?));
+    }
+    let arrays = given.iter().map(|given| match &given.numbers {
+        Numbers::One(value) => Ok(value.into_pyobject(py)?.into_any()),
+        Numbers::Array(array) => Ok((**array).clone().into_any()),
+    });
+    let numpy = py.import("numpy")?;
+    let arrays = numpy.call_method1("broadcast_arrays", PyTuple::new(py, arrays.collect::<PyResult<Vec<_>>>()?)?)?;
+    let (mut shape, mut columns) = (Vec::new(), Vec::new());
+    for array in arrays.try_iter()? {
+        let array = numpy.call_method1("asarray", (array?, "float64", "C"))?.cast_into::<PyArrayDyn<f64>>()?;
+        shape = array.shape().to_vec();
+        columns.push(array.readonly().as_slice()?.to_vec());
+    }
+    Ok((shape, columns))
 }
 
 /// The table of impacts with these keys, broadcast against each other.
-pub fn impacts(scenario: &Scenario, arguments: &Bound<'_, PyDict>) -> PyResult<Table> {
+pub fn impacts(contact: &Inner, arguments: &Bound<'_, PyDict>) -> PyResult<Table> {
     let py = arguments.py();
-    let given = keys(scenario, arguments)?;
-    let plan = plan(scenario, &given.iter().collect::<Vec<_>>())?;
-    let numpy = py.import("numpy")?;
-    let arrays =
-        numpy.call_method1("broadcast_arrays", PyTuple::new(py, given.iter().map(|given| (*given.array).clone()))?)?;
-    let mut shape = Vec::new();
-    let mut columns = Vec::new();
-    for array in arrays.try_iter()? {
-        let array = array?;
-        shape = array.getattr("shape")?.extract()?;
-        let array = numpy.call_method1("asarray", (array, "float64", "C"))?.cast_into::<PyArrayDyn<f64>>()?;
-        columns.push(array.readonly().as_slice()?.to_vec());
-    }
+    let given = keys(contact, arguments)?;
+    let plan = plan(contact, &given)?;
+    let (shape, columns) = broadcast(py, &given)?;
     let count = shape.iter().product();
     if count > 0 {
         warn(py, &py.detach(|| warnings(&plan)))?;
     }
     let listed: Vec<_> = given.iter().zip(&columns).map(|(given, values)| (given.key, values.as_slice())).collect();
-    let made = rows::listed(py, &plan, &listed, count, &plan.results())?;
+    let results = plan.results();
+    let made = rows::listed(py, &plan, &listed, count, &results)?;
     say_failures(py, count, made.status.iter().copied())?;
-    Ok(Table::of_shape(shape, made.table(&plan, columns.into_iter().map(Column::numbers).collect())))
+    Ok(Table::of_shape(shape, made.table(&plan, &results, columns.into_iter().map(Column::numbers).collect())))
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
-pub fn restitution<'py>(
-    scenario: &Scenario,
-    key: &'static Key,
-    speed: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyAny>> {
+pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = speed.py();
-    let given = Given::new(key, speed)?;
-    let plan = plan(scenario, &[&given])?;
-    let speeds = given.values()?;
+    let given = [Given::new(Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?, speed)?];
+    let plan = plan(contact, &given)?;
+    let key = given[0].key;
+    let speeds = given[0].values()?;
     if !speeds.is_empty() {
         warn(py, &py.detach(|| warnings(&plan)))?;
     }
     let is_exact = plan.scene.forces.is_none() && matches!(plan.scene.solver.method, Method::Auto | Method::ClosedForm);
     let restitutions = if is_exact {
-        let contact = plan.scene.contact().map_err(|reason| PyValueError::new_err(reason.to_string()))?;
-        let restitutions = interruptible(py, |is_cancelled| exact(&contact, speeds, is_cancelled))?;
+        let mut restitutions = vec![0.0; speeds.len()];
+        let fill = |restitutions: &mut [f64], speeds: &[f64]| {
+            for (restitution, speed) in restitutions.iter_mut().zip(speeds) {
+                *restitution = contact.contact.restitution(*speed).unwrap_or(f64::NAN);
+            }
+        };
+        if speeds.len() <= FEW {
+            py.detach(|| fill(&mut restitutions, speeds));
+        } else {
+            interruptible(py, |is_cancelled| {
+                let pieces = restitutions.par_chunks_mut(TOGETHER).zip(speeds.par_chunks(TOGETHER));
+                let pieces = pieces.filter(|_| !is_cancelled.load(Ordering::Relaxed));
+                pieces.for_each(|(restitutions, speeds)| fill(restitutions, speeds));
+            })?;
+        }
         let failed = restitutions.iter().zip(speeds).filter(|(restitution, _)| restitution.is_nan());
-        let status = |speed: &f64| contact.restitution(*speed).err().map_or(0, |error| code(error.into()));
+        let status = |speed: &f64| contact.contact.restitution(*speed).err().map_or(0, |error| code(error.into()));
         say_failures(py, speeds.len(), failed.map(|(_, speed)| status(speed)))?;
         restitutions
     } else {
@@ -194,22 +244,8 @@ pub fn restitution<'py>(
         say_failures(py, speeds.len(), made.status.into_iter())?;
         made.columns.pop().unwrap_or_default()
     };
-    let shape = given.array.getattr("shape")?;
-    let array = PyArray1::from_vec(py, restitutions).call_method1("reshape", (&shape,))?;
-    if shape.len()? == 0 { array.call_method0("item") } else { Ok(array) }
-}
-
-/// Restitution in closed form; NaN for a speed without a result.
-fn exact(contact: &impact::Contact, speeds: &[f64], is_cancelled: &AtomicBool) -> Vec<f64> {
-    let mut restitutions = vec![0.0; speeds.len()];
-    let pieces = restitutions.par_chunks_mut(TOGETHER).zip(speeds.par_chunks(TOGETHER));
-    pieces.for_each(|(restitutions, speeds)| {
-        if is_cancelled.load(Ordering::Relaxed) {
-            return;
-        }
-        for (restitution, speed) in restitutions.iter_mut().zip(speeds) {
-            *restitution = contact.restitution(*speed).unwrap_or(f64::NAN);
-        }
-    });
-    restitutions
+    match restitutions[..] {
+        [restitution] if given[0].shape().is_empty() => Ok(restitution.into_pyobject(py)?.into_any()),
+        _ => shaped(py, restitutions, given[0].shape()),
+    }
 }

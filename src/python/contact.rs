@@ -1,46 +1,60 @@
 //! A contact of two bodies, and one of its impacts.
 
 use std::ops::Deref;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
-use pyo3::exceptions::{PyAttributeError, PyValueError};
+use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList, PyString};
 use serde_json::Value;
 
-use super::cases;
-use super::convert::{exception, from_json, refuse_lost, scenario_text, warn, with};
+use super::cases::{self, refused};
+use super::convert::{Reduced, exception, from_json, refuse_lost, source_of, warn, with};
 use super::force::force;
 use super::table::{Column, Table};
 use crate::error::Error;
 use crate::impact::{self, TraceRow};
-use crate::plan::Source;
+use crate::plan::{Plan, Source};
 use crate::plot;
 use crate::report::overview::overview;
 use crate::report::table;
-use crate::run::texts;
+use crate::run::{no_result, texts};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::quantity::SAMPLES;
 use crate::scene::results::impact::{Single, results, trace};
 use crate::scene::results::{Reported, fields};
-use crate::scene::{KEYS, Key, Scene};
+use crate::scene::{Key, Scene};
+use crate::units::nearest::did_you_mean;
 
 /// The key of the argument `speed`.
-const SPEED: &str = "impact.speed";
+pub const SPEED: &str = "impact.speed";
 /// The name of the contact in messages.
 const NAME: &str = "Contact";
+
+/// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0.
+type Plans = Mutex<Vec<(Vec<(&'static str, bool)>, Plan)>>;
 
 /// The data of a contact.
 #[derive(Debug)]
 pub struct Inner {
-    scenario: Scenario,
-    scene: Scene,
-    contact: impact::Contact,
+    pub scenario: Scenario,
+    pub scene: Scene,
+    pub contact: impact::Contact,
+    pub plans: Plans,
 }
 
 /// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
-/// `Contact(sphere=dict(radius="5 mm", ...), half_space=dict(...), law=dict(plm={}), damping=dict(viscous=0.05))`.
-/// All tables and keys of a single impact are allowed; the speed may be left out.
+///
+///     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+///     contact = Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
+///                       half_space=dict(yield_strength="345 MPa", **steel), law="thornton")
+///
+/// A value is a number in SI units or a text with a unit. All tables and keys of a single impact are allowed, such as
+/// damping=dict(viscous=0.05); scenarios/README.md explains them. The speed may be left out, and the law may be a name
+/// (see `laws()`) or a table such as dict(plm=dict(unloading_exponent="pressure-shape")).
+///
+/// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
+/// allowed. Warnings are UserWarning. A contact can be pickled, and threads may share it.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug, Clone)]
 pub struct Contact(Arc<Inner>);
@@ -71,50 +85,51 @@ impl Contact {
         let scene = scene.map_err(exception)?;
         let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
         warn(py, &texts(&scene.warnings))?;
-        Ok(Self(Arc::new(Inner { scenario, scene, contact })))
+        Ok(Self(Arc::new(Inner { scenario, scene, contact, plans: Plans::default() })))
     }
 
-    /// The speed of an impact \[m/s\].
+    /// The speed of an impact (m/s).
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
-        let refused = |message: String| PyValueError::new_err(format!("{SPEED}: {message}"));
-        match speed {
-            // the error says what is missing
-            None => Ok(self.scenario.resolve().map_err(exception)?.speed),
-            Some(speed) => {
-                let quantity = speed_key()?.quantity;
-                if let Ok(text) = speed.cast::<PyString>() {
-                    return quantity.parse(&text.to_cow()?).map_err(refused);
-                }
-                refuse_lost(speed, SPEED)?;
-                quantity.check(speed.extract()?).map_err(|error| refused(error.to_string()))
-            }
+        // without a speed the error says what is missing
+        let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed) };
+        let key = Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?;
+        if let Ok(text) = speed.cast::<PyString>() {
+            return key.quantity.parse(&text.to_cow()?).map_err(|message| refused(key, "", &message));
         }
+        refuse_lost(speed, SPEED)?;
+        let several = |_| {
+            let found = speed.get_type();
+            PyTypeError::new_err(format!(
+                "{SPEED}: found {found}, expected one number or text; restitution and plm_impact.impacts take arrays"
+            ))
+        };
+        key.quantity.check(speed.extract().map_err(several)?).map_err(|error| refused(key, "", &error.to_string()))
     }
 
-    pub fn scenario(&self) -> &Scenario {
-        &self.scenario
-    }
-
-    pub fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
+    fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
         self.contact.holds(speed).map_err(refuse)?;
         self.contact.impact(speed, &self.scene.solver, samples).map_err(refuse)
     }
 }
 
-fn speed_key() -> PyResult<&'static Key> {
-    KEYS.iter().find(|key| key.path == SPEED).ok_or_else(|| PyValueError::new_err(SPEED))
-}
-
-/// A table of impacts of a contact. Every other argument is a numeric key with its values. The key is named by the last
-/// part of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed":
-/// v}`). Values are numbers in SI units, arrays of numbers, or a text with a unit; arrays are broadcast against each
-/// other.
+/// A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units, arrays of
+/// numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part of its path
+/// (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
+///
+///     table = impacts(contact, speed=np.linspace(0.5, 5, 100), yield_strength=[[2e8], [3e8]])
+///     table["restitution"].shape                                                  # (2, 100)
+///
+/// The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
+/// `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `recovered_fraction`; if the half-space yields,
+/// `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
+/// `restitution_with_waves`; and `status`, which is "ok" or says why a row has no numbers (they are NaN then, and a
+/// UserWarning says how many). scenarios/README.md says what each column is.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
 pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {
     let none = || PyValueError::new_err("no key is given; write one such as speed=[1.0, 2.0]");
-    cases::impacts(&contact.scenario, keys.ok_or_else(none)?)
+    cases::impacts(contact, keys.ok_or_else(none)?)
 }
 
 #[pymethods]
@@ -122,34 +137,52 @@ impl Contact {
     #[new]
     #[pyo3(signature = (**tables))]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let text = tables.map_or_else(|| Ok(String::new()), scenario_text)?;
-        Self::of(py, &Source { text, ..Source::default() })
+        Self::of(py, &tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?)
     }
 
-    /// The coefficient of restitution at these speeds (an array or a number), as in a table: by the closed form if
-    /// there is one, and on all cores.
+    /// The coefficient of restitution at these speeds (an array of any shape, a number, or a text with a unit), as in a
+    /// table: by the closed form if there is one, and for many speeds on all cores. Elastic waves are not in it; see
+    /// `restitution_with_waves` of `impact` and `impacts`.
     fn restitution<'py>(&self, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        cases::restitution(&self.scenario, speed_key()?, speed)
+        cases::restitution(self, speed)
     }
 
     /// One impact at a speed, which is a number in m/s or a text with a unit. With `samples` it has a trace with
     /// this number of rows evenly spaced in time, and a row for every event.
     #[pyo3(signature = (speed=None, *, samples=None))]
-    fn impact(&self, py: Python<'_>, speed: Option<&Bound<'_, PyAny>>, samples: Option<usize>) -> PyResult<Impact> {
+    fn impact(&self, py: Python<'_>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
         let speed = self.speed(speed)?;
         if let Some(samples) = samples {
             #[allow(clippy::cast_precision_loss)]
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
-        let impact = py.detach(|| self.computed(speed, samples)).map_err(exception)?;
-        warn(py, &texts(&impact.warnings))?;
-        Ok(Impact { contact: self.clone(), impact })
+        let impact = Impact::of(py, self.clone(), speed, samples.and_then(|samples| samples.try_into().ok()))?;
+        warn(py, &texts(&impact.result.warnings))?;
+        Ok(impact)
     }
 
-    /// The force of the law \[N\] on n contacts at their indentations \[m\], and their memory afterwards. The memory
-    /// has a row for each contact: the largest indentation so far \[m\], the force there \[N\], and the part of this
-    /// indentation that is recovered on unloading \[m\]. A row of zeros, or no memory, is a contact that was never
-    /// loaded. Speed and damping are not included.
+    /// The force of the law (N) at the indentations (m) of any number of contacts, and their memory afterwards. A memory
+    /// has three numbers for each contact: the largest indentation so far (m), the force there (N), and the part of this
+    /// indentation that is recovered on unloading (m). So its shape is that of the indentations and a last axis of 3.
+    /// Zeros, or no memory, are a contact that was never loaded.
+    ///
+    /// The memory belongs to one spot of the surface. Set it to zero when the sphere has left (indentation <= 0), unless
+    /// the sphere comes back to the same spot. Do not do so earlier, where the force ends at the depth of the dent.
+    ///
+    /// The force has no gravity, damping or elastic waves: they are those of the program that moves the spheres. A whole
+    /// loop, in which spheres fall on fresh surface again and again:
+    ///
+    ///     mass, dt = 7850 * 4 / 3 * np.pi * 5e-3**3, 5e-7     # dt: a hundredth of a contact, which takes 60 us here
+    ///     height, speed = np.full(2, 1e-6), np.array([-0.05, -0.02])  # of the lowest point of each sphere (m, m/s)
+    ///     force, memory = contact.force(-height)
+    ///     for step in range(100_000):                         # velocity Verlet
+    ///         speed += 0.5 * dt * (force / mass - 9.81)
+    ///         height += dt * speed
+    ///         force, memory = contact.force(-height, memory)
+    ///         memory[height >= 0] = 0                         # has left: the next contact is a fresh one
+    ///         speed += 0.5 * dt * (force / mass - 9.81)
+    ///
+    /// An indentation or a memory that is not finite, and a memory that no path of this contact leads to, raise ValueError.
     #[pyo3(signature = (indentation, memory=None))]
     fn force<'py>(
         &self,
@@ -166,7 +199,7 @@ impl Contact {
         lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (String,)> {
         let texts = serde_json::to_string(&slf.get().scenario.source().map_err(exception)?);
         Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(unexpected)?,)))
     }
@@ -183,26 +216,34 @@ fn unexpected(error: serde_json::Error) -> PyErr {
 }
 
 /// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
-/// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`.
+/// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`; one that
+/// this contact does not have raises AttributeError. `impact.trace` is the trace, computed when it is asked for. A pickled
+/// impact is computed again when it is read.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Impact {
     contact: Contact,
-    impact: impact::Impact,
+    result: impact::Impact,
+    samples: Option<usize>,
 }
 
 impl Impact {
+    fn of(py: Python<'_>, contact: Contact, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        let result = py.detach(|| contact.computed(speed, samples)).map_err(exception)?;
+        Ok(Self { contact, result, samples })
+    }
+
     fn single(&self) -> Single<'_> {
-        Single { contact: &self.contact.contact, impact: &self.impact }
+        Single { contact: &self.contact.contact, impact: &self.result }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
     fn traced(&self) -> PyResult<std::borrow::Cow<'_, impact::Impact>> {
-        if self.impact.trace.is_empty() {
+        if self.result.trace.is_empty() {
             let samples = Some(self.contact.scene.samples);
-            return Ok(std::borrow::Cow::Owned(self.contact.computed(self.impact.speed, samples).map_err(exception)?));
+            return Ok(std::borrow::Cow::Owned(self.contact.computed(self.result.speed, samples).map_err(exception)?));
         }
-        Ok(std::borrow::Cow::Borrowed(&self.impact))
+        Ok(std::borrow::Cow::Borrowed(&self.result))
     }
 }
 
@@ -214,8 +255,24 @@ impl Impact {
             let missing = || PyAttributeError::new_err(format!("{name} is there only if {}", result.condition));
             return from_json(py, &(result.value)(&of).ok_or_else(missing)?);
         }
-        let group = self.to_dict(py)?.get_item(name)?;
-        group.ok_or_else(|| PyAttributeError::new_err(format!("an impact has no result \"{name}\"")))
+        let there = self.to_dict(py)?;
+        if let Some(group) = there.get_item(name)? {
+            return Ok(group);
+        }
+        let names: Vec<String> = there.keys().extract()?;
+        let hint = did_you_mean(name, names.iter().map(String::as_str), '"', "dir(impact) lists all");
+        Err(PyAttributeError::new_err(format!("an impact has no result \"{name}\"{hint}")))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Contact, f64, Option<usize>)> {
+        let Self { contact, result, samples } = slf.get();
+        Ok((slf.get_type().getattr("_of_speed")?, (contact.clone(), result.speed, *samples)))
+    }
+
+    #[staticmethod]
+    #[allow(clippy::needless_pass_by_value)] // what Python hands over
+    fn _of_speed(py: Python<'_>, contact: PyRef<'_, Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        Self::of(py, contact.clone(), speed, samples)
     }
 
     fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyList>> {
@@ -242,7 +299,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.contact.contact, &self.impact).trim_end())
+        format!("<plm_impact.Impact>\n{}", table(&self.contact.contact, &self.result).trim_end())
     }
 
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {

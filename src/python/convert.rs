@@ -3,23 +3,30 @@
 use std::ffi::CString;
 use std::fmt::Write as _;
 
-use numpy::PyArrayDyn;
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods as _, PyUntypedArrayMethods as _};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple, PyType};
 use serde_json::Value;
 
 use crate::error::{Details, Error};
+use crate::plan::Source;
 use crate::scenario::{Scenario, ScenarioError};
+
+/// What `__reduce__` returns: a function, and the arguments with which it makes the object anew.
+pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;
 
 /// Largest depth of dicts and lists inside of each other; no scenario needs as much.
 const DEEPEST: usize = 16;
 
-/// The TOML text of a scenario that is given as a dict. The tables and their keys keep the order of the dict.
-pub fn scenario_text(tables: &Bound<'_, PyDict>) -> PyResult<String> {
-    let (mut text, mut rest) = (String::new(), String::new());
-    for (name, value) in tables {
-        let name = key(&name)?;
+/// A scenario that is given as a dict: its TOML text, in which tables and keys keep the order of the dict. A law that is
+/// given by its name alone becomes an override, which is where a scenario takes names of laws.
+pub fn source_of(tables: &Bound<'_, PyMapping>) -> PyResult<Source> {
+    let (mut text, mut rest, mut overrides) = (String::new(), String::new(), Vec::new());
+    for (name, value) in items(tables)? {
+        let name = name.extract::<String>();
+        let name = quoted(&name.map_err(|_| PyTypeError::new_err("a key is a text, and one of these is none"))?);
         match toml_value(&value, &name, 0)? {
             toml::Value::Table(table) => {
                 let _ = writeln!(rest, "[{name}]");
@@ -27,17 +34,27 @@ pub fn scenario_text(tables: &Bound<'_, PyDict>) -> PyResult<String> {
                     let _ = writeln!(rest, "{} = {value}", quoted(&inner));
                 }
             }
+            law @ toml::Value::String(_) if name == "law" => overrides.push(format!("law={law}")),
             // plain keys come before the tables; after a table they would belong to it
             plain => drop(writeln!(text, "{name} = {plain}")),
         }
     }
-    Ok(text + &rest)
+    Ok(Source { text: text + &rest, overrides, ..Source::default() })
 }
 
-/// The name of a key in TOML.
-fn key(name: &Bound<'_, PyAny>) -> PyResult<String> {
-    let text = name.extract::<String>().map_err(|_| PyTypeError::new_err(format!("a key is a text, not {name}")))?;
-    Ok(quoted(&text))
+/// `key=value` for every entry of `set`.
+pub fn overrides(set: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<String>> {
+    let entries = set.map(items).transpose()?.unwrap_or_default();
+    let text = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let key: String = key.extract()?;
+        Ok(format!("{key}={}", toml_value(&value, &key, 0)?))
+    };
+    entries.into_iter().map(text).collect()
+}
+
+/// Keys and values of a dict, or of another mapping.
+fn items<'py>(mapping: &Bound<'py, PyMapping>) -> PyResult<Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>> {
+    mapping.items()?.iter().map(|pair| pair.extract()).collect()
 }
 
 fn quoted(name: &str) -> String {
@@ -68,9 +85,9 @@ pub fn toml_value(value: &Bound<'_, PyAny>, place: &str, depth: usize) -> PyResu
     if value.is_instance_of::<PyString>() {
         return Ok(toml::Value::String(value.extract()?));
     }
-    if let Ok(dict) = value.cast::<PyDict>() {
+    if let Ok(mapping) = value.cast::<PyMapping>() {
         let mut table = toml::Table::new();
-        for (name, inner) in dict {
+        for (name, inner) in items(mapping)? {
             let name: String = name.extract().map_err(|_| found("a key is not a text"))?;
             let inner = toml_value(&inner, &format!("{place}.{name}"), depth + 1)?;
             table.insert(name, inner);
@@ -92,15 +109,29 @@ pub fn toml_value(value: &Bound<'_, PyAny>, place: &str, depth: usize) -> PyResu
 
 /// Numbers in SI units as a contiguous NumPy array of doubles. Messages use `place`, the name of the numbers.
 pub fn numbers<'py>(value: &Bound<'py, PyAny>, place: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    static ASARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    static REQUIRE: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    // as it comes from NumPy; a subclass may have units or a mask, and data from another process may not be aligned
+    if let Ok(array) = value.cast_exact::<PyArrayDyn<f64>>()
+        && array.is_c_contiguous()
+        && array.data().is_aligned()
+    {
+        return Ok(array.clone());
+    }
+    let py = value.py();
     refuse_lost(value, place)?;
-    let numpy = value.py().import("numpy")?;
-    let array = numpy.call_method1("asarray", (value,))?;
+    let array = ASARRAY.import(py, "numpy", "asarray")?.call1((value,))?;
     let dtype = array.getattr("dtype")?;
     if !["i", "u", "f"].contains(&dtype.getattr("kind")?.extract::<String>()?.as_str()) {
         return Err(PyTypeError::new_err(format!("{place}: found the type {dtype}, expected numbers in SI")));
     }
-    // arrays from another process may not be aligned in memory
-    Ok(numpy.call_method1("require", (array, "float64", ["C", "A"]))?.cast_into::<PyArrayDyn<f64>>()?)
+    Ok(REQUIRE.import(py, "numpy", "require")?.call1((array, "float64", ["C", "A"]))?.cast_into::<PyArrayDyn<f64>>()?)
+}
+
+/// A NumPy array of this shape that takes over the numbers.
+pub fn shaped<'py>(py: Python<'py>, numbers: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, PyAny>> {
+    let array = PyArray1::from_vec(py, numbers);
+    if shape.len() == 1 { Ok(array.into_any()) } else { Ok(array.reshape(shape.to_vec())?.into_any()) }
 }
 
 /// Refuses arrays with units and masked arrays, because NumPy would drop units and mask without a warning.
@@ -139,6 +170,19 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
             dict.into_any()
         }
     })
+}
+
+/// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.
+pub fn unreadable(py: Python<'_>, error: ScenarioError) -> PyErr {
+    static NO_SUCH_FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    match error {
+        ScenarioError::Unreadable { path, reason } if reason.kind() == std::io::ErrorKind::NotFound => {
+            let arguments = (reason.raw_os_error(), format!("cannot be read: {reason}"), path.display().to_string());
+            let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile");
+            class.map_or_else(|failed| failed, |class| PyErr::from_type(class.clone(), arguments))
+        }
+        other => exception(other),
+    }
 }
 
 /// The exception of an error: `ValueError` if the input has to change, `RuntimeError` if a run failed.

@@ -1,15 +1,16 @@
 //! The force of the law for n contacts at once, for programs that move spheres in Python.
 
-use numpy::{PyArray1, PyArrayMethods as _};
+use numpy::{PyArrayMethods as _, PyUntypedArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use super::convert::numbers;
-use super::work::{TOGETHER, interruptible};
+use super::convert::{numbers, shaped};
+use super::work::{FEW, TOGETHER, interruptible};
 use crate::impact::{self, Memory};
 
-/// The forces of contacts at these indentations, and their memories afterwards.
+/// The forces of contacts at these indentations, and their memories afterwards. An indentation without a shape gives a
+/// number; a memory has one more axis than the indentations.
 pub fn force<'py>(
     contact: &impact::Contact,
     indentation: &Bound<'py, PyAny>,
@@ -17,38 +18,49 @@ pub fn force<'py>(
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
     let py = indentation.py();
     let array = numbers(indentation, "indentation")?;
-    let shape = array.getattr("shape")?;
-    let (array, rows) = (array.readonly(), array.len()?);
+    let array = array.readonly();
     let indentations = array.as_slice()?;
-    let mut memories = vec![0.0; 3 * rows];
+    let shape = array.shape();
+    let of_memories = [shape, &[3]].concat();
+    let mut memories = vec![0.0; 3 * indentations.len()];
     if let Some(memory) = memory {
         let given = numbers(memory, "memory")?;
-        let found: Vec<usize> = given.getattr("shape")?.extract()?;
-        if found != [rows, 3] {
-            let message = format!("memory: has the shape {found:?}, expected [{rows}, 3]: a row for each indentation");
+        if given.shape() != of_memories {
+            let found = given.shape();
+            let message = format!(
+                "memory: has the shape {found:?}, expected {of_memories:?}: three numbers for each indentation"
+            );
             return Err(PyValueError::new_err(message));
         }
         memories.copy_from_slice(given.readonly().as_slice()?);
     }
-    let mut forces = vec![0.0; rows];
-    let refused = interruptible(py, |_| {
-        let pieces = forces.par_chunks_mut(TOGETHER).zip(memories.par_chunks_mut(3 * TOGETHER));
-        let pieces = pieces.zip(indentations.par_chunks(TOGETHER)).enumerate();
-        pieces.find_map_first(|(piece, ((forces, memories), indentations))| {
-            let rows = forces.iter_mut().zip(memories.chunks_mut(3)).zip(indentations).enumerate();
-            rows.map(|(row, ((force, memory), indentation))| {
-                *force = respond(contact, *indentation, memory).map_err(|error| (piece * TOGETHER + row, error))?;
-                Ok(())
-            })
-            .find_map(Result::err)
+    let mut forces = vec![0.0; indentations.len()];
+    let along = |start: usize, forces: &mut [f64], memories: &mut [f64], indentations: &[f64]| {
+        let mut rows = forces.iter_mut().zip(memories.chunks_mut(3)).zip(indentations).enumerate();
+        rows.find_map(|(row, ((force, memory), indentation))| {
+            let computed = respond(contact, *indentation, memory).map(|computed| *force = computed);
+            computed.err().map(|message| (start + row, message))
         })
-    })?;
+    };
+    let refused = if indentations.len() <= FEW {
+        py.detach(|| along(0, &mut forces, &mut memories, indentations))
+    } else {
+        interruptible(py, |_| {
+            let pieces = forces.par_chunks_mut(TOGETHER).zip(memories.par_chunks_mut(3 * TOGETHER));
+            let pieces = pieces.zip(indentations.par_chunks(TOGETHER)).enumerate();
+            pieces.find_map_first(|(piece, ((forces, memories), indentations))| {
+                along(piece * TOGETHER, forces, memories, indentations)
+            })
+        })?
+    };
     if let Some((row, message)) = refused {
         return Err(PyValueError::new_err(format!("contact {row}: {message}")));
     }
-    let forces = PyArray1::from_vec(py, forces).call_method1("reshape", (shape,))?;
-    let memories = PyArray1::from_vec(py, memories).call_method1("reshape", ((rows, 3),))?;
-    Ok((forces, memories))
+    let forces = match forces[..] {
+        [force] if shape.is_empty() => force.into_pyobject(py)?.into_any(),
+        _ => shaped(py, forces, shape)?,
+    };
+    Ok((forces, shaped(py, memories, &of_memories)?))
 }
 
 /// Largest relative difference between a given memory and the law. It allows for a text file with seven digits.

@@ -1,11 +1,13 @@
 //! Runs a scenario of any kind, as the command does.
 
-use std::path::Path;
+use std::fmt::Display;
+use std::path::PathBuf;
 
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyMapping, PyTuple};
 
-use super::convert::{exception, scenario_text, toml_value, warn};
+use super::convert::{Reduced, exception, overrides, refuse_lost, source_of, unreadable, warn};
 use super::rows::{failure, of_plan, say_failures};
 use super::table::{Column, Table};
 use super::work::interruptible;
@@ -21,8 +23,11 @@ use crate::scenario::Scenario;
 use crate::sweep::count::Count;
 use crate::sweep::sidecar::Tally;
 
+/// The name of measurements that are arrays, in messages.
+const DATA: &str = "data";
+
 /// The results of a scenario: `files` are the files that the command writes, `tables` are the tables among them, and
-/// `pictures` are the pictures (PNG).
+/// `pictures` are the pictures (PNG). An outcome can be pickled.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Outcome {
@@ -35,32 +40,115 @@ pub struct Outcome {
     table: Option<Py<Table>>,
 }
 
-/// Runs a scenario from a file or from a dict of the same form. The keys in `set` replace those of the scenario. No
-/// file is written.
+/// What a pickled outcome holds: warnings, text, files, and the table of a sweep.
+type Parts<'py> = (Vec<String>, String, Bound<'py, PyDict>, Option<Py<Table>>);
+
+/// Runs a scenario from a file or from a dict of the same form, such as `run("scenarios/steel-on-steel.toml")`. The keys in
+/// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written.
+///
+/// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; NoSuchFile, which is a
+/// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are UserWarning.
 #[pyfunction]
 #[pyo3(signature = (scenario, /, *, set=None))]
-pub fn run(py: Python<'_>, scenario: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyDict>>) -> PyResult<Outcome> {
-    let mut overrides = Vec::new();
-    for (key, value) in set.into_iter().flatten() {
-        let key: String = key.extract()?;
-        overrides.push(format!("{key}={}", toml_value(&value, &key, 0)?));
-    }
-    let scenario = match scenario.cast::<PyDict>() {
-        Ok(tables) => Scenario::from_text("scenario", &scenario_text(tables)?, &overrides),
-        Err(_) => Scenario::load(Path::new(&scenario.extract::<std::path::PathBuf>()?), &overrides),
+pub fn run(py: Python<'_>, scenario: &Bound<'_, PyAny>, set: Option<&Bound<'_, PyMapping>>) -> PyResult<Outcome> {
+    run_scenario(py, &scenario_of(scenario, overrides(set)?)?)
+}
+
+/// Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
+///
+/// `data` takes the place of the file of measurements. It is a dict of arrays, a table of this module, or a DataFrame of
+/// pandas or polars, a table of Arrow. Its columns have the names that such a file has (`speed_m_per_s`, `restitution`,
+/// `restitution_sd`); NaN stands for what was not measured. A line k in the results is element k - 2: line 1 has the names.
+///
+///     found = calibrate("scenarios/calibrate-ball-drop.toml", {"drop_height_mm": [50, 100], "rebound_height_mm": [22.0, 45.1]})
+///     found.summary, found.tables["residuals"]
+///
+/// Errors are those of `run`.
+#[pyfunction]
+#[pyo3(signature = (scenario, data=None, /, *, set=None))]
+pub fn calibrate(
+    py: Python<'_>,
+    scenario: &Bound<'_, PyAny>,
+    data: Option<&Bound<'_, PyAny>>,
+    set: Option<&Bound<'_, PyMapping>>,
+) -> PyResult<Outcome> {
+    let mut overrides = overrides(set)?;
+    let Some(data) = data else { return run_scenario(py, &scenario_of(scenario, overrides)?) };
+    overrides.push(format!("calibrate.data={DATA}"));
+    let scenario = scenario_of(scenario, overrides)?.with_data(csv_of(data)?);
+    run_scenario(py, &scenario).map_err(|error| of_element(py, error))
+}
+
+/// A scenario that is given as a path or a dict.
+fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyResult<Scenario> {
+    let scenario = match path_or_tables.cast::<PyMapping>() {
+        Ok(tables) => {
+            let source = source_of(tables)?;
+            Scenario::from_text("scenario", &source.text, &[source.overrides, overrides].concat())
+        }
+        Err(_) => Scenario::load(&path_or_tables.extract::<PathBuf>()?, &overrides),
     };
-    let scenario = scenario.map_err(exception)?;
+    scenario.map_err(|error| unreadable(path_or_tables.py(), error))
+}
+
+/// Measurements as the text of a CSV file.
+fn csv_of(data: &Bound<'_, PyAny>) -> PyResult<String> {
+    let names = match (data.getattr_opt("column_names")?, data.getattr_opt("columns")?) {
+        (Some(names), _) | (None, Some(names)) => names,
+        (None, None) => {
+            data.call_method0("keys").map_err(|_| PyTypeError::new_err("data: expected a dict or a DataFrame"))?
+        }
+    };
+    let names = names.try_iter()?.map(|name| name?.extract()).collect::<PyResult<Vec<String>>>()?;
+    let numpy = data.py().import("numpy")?;
+    let columns = names.iter().map(|name| {
+        let column = data.get_item(name)?;
+        refuse_lost(&column, name)?;
+        numpy.call_method1("atleast_1d", (numpy.call_method1("asarray", (column,))?,))
+    });
+    let columns = columns.collect::<PyResult<Vec<_>>>()?;
+    let lists = numpy.call_method1("broadcast_arrays", PyTuple::new(data.py(), columns)?)?;
+    let lists = lists.try_iter()?.map(|column| column?.call_method0("tolist")?.extract());
+    let lists: Vec<Vec<Bound<'_, PyAny>>> = lists.collect::<PyResult<_>>()?;
+    // the shortest digits from which the same number is read; NaN, None and the like are empty fields
+    let field = |value: &Bound<'_, PyAny>| match value.extract::<f64>() {
+        Ok(number) if number.is_nan() => Ok(String::new()),
+        _ if value.is_none() || value.get_type().name()? == "NAType" => Ok(String::new()),
+        _ => Ok::<_, PyErr>(value.str()?.to_string()),
+    };
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    let failed = |error: &dyn Display| PyValueError::new_err(format!("{DATA}: {error}"));
+    csv.write_record(&names).map_err(|error| failed(&error))?;
+    for row in 0..lists.first().map_or(0, Vec::len) {
+        let fields = lists.iter().map(|list| field(&list[row])).collect::<PyResult<Vec<_>>>()?;
+        csv.write_record(fields).map_err(|error| failed(&error))?;
+    }
+    String::from_utf8(csv.into_inner().map_err(|error| failed(&error))?).map_err(|error| failed(&error))
+}
+
+/// The error of a line of measurements that are arrays: it names the element.
+fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
+    let text = error.value(py).to_string();
+    let parts = text.strip_prefix(DATA).and_then(|rest| rest.strip_prefix(':')?.split_once(':'));
+    match parts.and_then(|(line, rest)| Some((line.parse::<usize>().ok()?, rest))) {
+        Some((1, rest)) => PyValueError::new_err(format!("{DATA}:{rest}")),
+        Some((line, rest)) => PyValueError::new_err(format!("{DATA}, element {}:{rest}", line.saturating_sub(2))),
+        None => error,
+    }
+}
+
+fn run_scenario(py: Python<'_>, scenario: &Scenario) -> PyResult<Outcome> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
     match way(scenario.kind().map_err(exception)?).run {
         Run::Once { run, .. } => {
             let order = Order { command: &command, pictures: Pictures::Png, progress: &Counter::default() };
             let Written { mut warnings, text, files, contradiction } =
-                interruptible(py, |_| run(&scenario, &order))?.map_err(exception)?;
+                interruptible(py, |_| run(scenario, &order))?.map_err(exception)?;
             warnings.extend(contradiction);
             warn(py, &warnings)?;
             Ok(Outcome { warnings, text, files, table: None })
         }
-        Run::Table => run_table(py, &scenario, &command),
+        Run::Table => run_table(py, scenario, &command),
     }
 }
 
@@ -71,7 +159,7 @@ fn run_table(py: Python<'_>, scenario: &Scenario, command: &str) -> PyResult<Out
     let (made, swept) = of_plan(py, &plan)?;
     let status = made.status.clone();
     say_failures(py, status.len(), status.iter().copied())?;
-    let table = Table::new(made.table(&plan, swept));
+    let table = Table::new(made.table(&plan, &plan.results(), swept));
     let made = interruptible(py, |_| {
         let tally = tally(&plan, &table, &status);
         let provenance = Provenance::new(scenario.sha256()?, command);
@@ -149,6 +237,25 @@ impl Outcome {
     #[getter]
     fn trace<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
         self.ending(".csv").find(|(name, _)| *name == "trace").map(|(_, bytes)| of_csv(bytes).to_numpy(py)).transpose()
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, Parts<'py>> {
+        let Self { warnings, text, table, .. } = slf.get();
+        let table = table.as_ref().map(|table| table.clone_ref(slf.py()));
+        Ok((slf.get_type().getattr("_of_parts")?, (warnings.clone(), text.clone(), slf.get().files(slf.py())?, table)))
+    }
+
+    #[staticmethod]
+    fn _of_parts(
+        warnings: Vec<String>,
+        text: String,
+        files: &Bound<'_, PyDict>,
+        table: Option<Py<Table>>,
+    ) -> PyResult<Self> {
+        let file = |(name, bytes): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+            Ok(OutputFile { name: name.extract()?, bytes: bytes.extract()? })
+        };
+        Ok(Self { warnings, text, files: files.iter().map(file).collect::<PyResult<_>>()?, table })
     }
 
     fn __repr__(&self) -> String {

@@ -9,7 +9,8 @@ use rayon::prelude::*;
 
 use super::convert::warn;
 use super::table::Column;
-use super::work::interruptible;
+use super::work::{FEW, interruptible};
+use crate::impact::Method;
 use crate::plan::Plan;
 use crate::plan::axis::{Axis, Setting, Word};
 use crate::scene::Key;
@@ -28,10 +29,10 @@ pub struct Made {
 
 impl Made {
     /// The whole table: the columns of `swept`, the computed columns, and the status.
-    pub fn table(self, plan: &Plan, swept: Vec<Column>) -> Vec<(String, Column)> {
+    pub fn table(self, plan: &Plan, results: &[Result], swept: Vec<Column>) -> Vec<(String, Column)> {
         let words = ["ok"].into_iter().chain(Failure::ALL.map(Failure::name)).map(str::to_owned);
         let status = Column::Words(words.collect(), self.status.iter().map(|code| i32::from(*code)).collect());
-        let names = plan.columns().into_iter().chain(plan.results().into_iter().map(|column| column.name.to_owned()));
+        let names = plan.columns().into_iter().chain(results.iter().map(|column| column.name.to_owned()));
         let columns = swept.into_iter().chain(self.columns.into_iter().map(Column::numbers));
         names.zip(columns).chain([("status".to_owned(), status)]).collect()
     }
@@ -40,11 +41,16 @@ impl Made {
 /// Rows of a plan at listed values of these keys, with these results. If the yield strength follows from the keys, it
 /// is the first column.
 pub fn listed(py: Python<'_>, plan: &Plan, keys: &[(&Key, &[f64])], rows: usize, results: &[Result]) -> PyResult<Made> {
-    interruptible(py, |is_cancelled| {
+    let compute = |is_cancelled: Option<&AtomicBool>| {
         let evaluator = Evaluator::new(plan);
         let n_derived = usize::from(plan.derives_strength());
         fill(rows, n_derived, results, is_cancelled, |cases, made| evaluator.listed(keys, cases, made))
-    })?
+    };
+    // a step of the fixed-step method may be as short as one likes
+    if rows <= FEW && plan.scene.solver.method != Method::Verlet {
+        return py.detach(|| compute(None));
+    }
+    interruptible(py, |is_cancelled| compute(Some(is_cancelled)))?
 }
 
 /// All rows of a plan, and the columns of its axes.
@@ -52,7 +58,7 @@ pub fn of_plan(py: Python<'_>, plan: &Plan) -> PyResult<(Made, Vec<Column>)> {
     let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
     let mut made = interruptible(py, |is_cancelled| {
         let evaluator = Evaluator::new(plan);
-        fill(rows, evaluator.n_swept(), &plan.results(), is_cancelled, |cases, made| {
+        fill(rows, evaluator.n_swept(), &plan.results(), Some(is_cancelled), |cases, made| {
             evaluator.rows(cases.start as u64..cases.end as u64, made);
         })
     })??;
@@ -101,12 +107,13 @@ struct Piece<'a> {
     status: &'a mut [u8],
 }
 
-/// Computes rows on all threads: the columns of swept values, the columns of results, and the status of every row.
+/// Computes rows: the columns of swept values, the columns of results, and the status of every row. If they can be
+/// cancelled, they are computed on the threads of the pool, else in the calling one.
 fn fill(
     rows: usize,
     n_swept: usize,
     results: &[Result],
-    is_cancelled: &AtomicBool,
+    is_cancelled: Option<&AtomicBool>,
     make: impl Fn(Range<usize>, &mut Rows) + Sync,
 ) -> PyResult<Made> {
     let width = n_swept + results.len();
@@ -117,6 +124,14 @@ fn fill(
     }
     let mut columns = vec![vec![0.0; rows]; width];
     let mut status = vec![0; rows];
+    let Some(is_cancelled) = is_cancelled else {
+        let mut computed = Rows::default();
+        make(0..rows, &mut computed);
+        let columns_of_piece = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        let mut piece = Piece { rows: 0..rows, columns: columns_of_piece, status: &mut status };
+        piece.put(&computed, n_swept, results);
+        return Ok(Made { columns, status });
+    };
     #[allow(clippy::cast_possible_truncation)] // some thousand rows
     let longest = rows.div_ceil(8 * rayon::current_num_threads()).clamp(1, LONGEST as usize);
     let starts = (0..rows).step_by(longest);

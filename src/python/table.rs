@@ -6,10 +6,12 @@ use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::Int32Type;
 use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, RecordBatch, RecordBatchIterator, StringArray};
 use arrow_schema::{ArrowError, DataType, Field, Schema};
-use numpy::PyArray1;
-use pyo3::exceptions::{PyImportError, PyKeyError, PyRuntimeError};
+use numpy::{PyArray1, PyArrayMethods as _};
+use pyo3::exceptions::{PyImportError, PyKeyError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyIterator, PyList, PyTuple};
+
+use super::convert::{Reduced, numbers};
 
 /// A column of a table.
 #[derive(Debug, Clone)]
@@ -103,8 +105,9 @@ impl Shared {
     }
 }
 
-/// A table of named columns. `table["restitution"]` is a read-only NumPy array; `to_dict` returns all columns. The
-/// table itself is Arrow data, which polars, pandas, pyarrow and DuckDB read without a copy.
+/// A table of named columns. `table["restitution"]` is a read-only NumPy array in the shape of the table; `to_dict`
+/// returns all columns, `to_pandas` a `pandas.DataFrame`. The table itself is Arrow data, which polars, pyarrow, DuckDB
+/// and `pandas.DataFrame.from_arrow` read without a copy. A table can be pickled.
 #[pyclass(frozen, mapping, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Table {
@@ -195,11 +198,53 @@ impl Table {
         Ok(whole)
     }
 
+    /// The table as a `pandas.DataFrame`, with a row for each case.
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let missing = |_| PyImportError::new_err("to_pandas needs pandas");
+        let frame = py.import("pandas").map_err(missing)?.getattr("DataFrame")?;
+        let dict = PyDict::new(py);
+        for (name, column) in &self.columns {
+            dict.set_item(name, column.numpy(py, &[self.rows()])?)?;
+        }
+        frame.call1((dict,))
+    }
+
+    /// NumPy and `pandas.DataFrame` would make one column of the names.
+    #[staticmethod]
+    #[pyo3(signature = (*_arguments, **_keywords))]
+    fn __array__(_arguments: &Bound<'_, PyTuple>, _keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
+        let ways = "a table has columns: write table.to_numpy() for a structured array, table.to_pandas() for pandas";
+        Err(PyTypeError::new_err(ways))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Vec<usize>, Bound<'py, PyList>)> {
+        let columns = PyList::empty(slf.py());
+        for (name, column) in &slf.get().columns {
+            match column {
+                Column::Numbers(_) => columns.append((name, column.numpy(slf.py(), &[slf.get().rows()])?))?,
+                Column::Words(words, codes) => columns.append((name, (words, codes)))?,
+            }
+        }
+        Ok((slf.get_type().getattr("_of_columns")?, (slf.get().shape.clone(), columns)))
+    }
+
+    #[staticmethod]
+    fn _of_columns(shape: Vec<usize>, columns: &Bound<'_, PyList>) -> PyResult<Self> {
+        let column = |entry: Bound<'_, PyAny>| {
+            let (name, values): (String, Bound<'_, PyAny>) = entry.extract()?;
+            Ok(match values.extract::<(Vec<String>, Vec<i32>)>() {
+                Ok((words, codes)) => (name, Column::Words(words, codes)),
+                Err(_) => (name, Column::numbers(numbers(&values, "column")?.readonly().as_slice()?.to_vec())),
+            })
+        };
+        Ok(Self { shape, columns: columns.iter().map(column).collect::<PyResult<_>>()? })
+    }
+
     /// The table as a `pyarrow.Table`, without a copy of its numbers.
     fn to_arrow<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let missing = |_| {
             PyImportError::new_err(
-                "to_arrow needs pyarrow; polars.DataFrame, pandas.DataFrame.from_arrow and duckdb take the table itself",
+                "to_arrow needs pyarrow; polars.DataFrame and duckdb take the table itself, and to_pandas gives a DataFrame",
             )
         };
         slf.py().import("pyarrow").map_err(missing)?.call_method1("table", (slf,))

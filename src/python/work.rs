@@ -1,4 +1,5 @@
-//! Long computations: they run on threads of the module. Meanwhile the interpreter is free, and Ctrl-C stops them.
+//! Computations of many values run on threads of the module, where Ctrl-C stops them; those of few values in the calling
+//! thread. Meanwhile the interpreter is free.
 
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -13,6 +14,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Number of values that a thread computes at a time.
 pub const TOGETHER: usize = 4096;
+/// With so few values the calling thread is done before another has begun.
+pub const FEW: usize = 1000;
 /// Time between two checks for signals.
 const SOON: Duration = Duration::from_millis(50);
 

@@ -11,11 +11,16 @@ use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::{Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
 
+/// The key of the file of measurements.
+pub(super) const DATA: &str = "calibrate.data";
+
 /// Where the measurements are.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
     /// In a file.
     File(PathBuf),
+    /// In a text of that form, by its name.
+    Text(String, String),
     /// In `[calibrate.measured]`: names and values, SI, of one impact.
     Numbers(Vec<(String, f64)>),
 }
@@ -92,8 +97,11 @@ impl Scenario {
     }
 
     fn measurements(&self, measured: Vec<(String, f64)>) -> Result<Source, ScenarioError> {
-        match (self.entries.text("calibrate.data"), measured.is_empty()) {
-            (Some(path), true) => Ok(Source::File(self.directory.join(path))),
+        match (self.entries.text(DATA), measured.is_empty()) {
+            (Some(path), true) => Ok(match self.texts.get(DATA) {
+                Some(text) => Source::Text(path.to_owned(), text.clone()),
+                None => Source::File(self.directory.join(path)),
+            }),
             (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::calibrate::DATA;
 use super::document::{LARGEST_SCENARIO, read_text};
 use super::flow::TABLE;
 use super::law::COEFFICIENTS;
@@ -33,6 +34,13 @@ impl Scenario {
         let texts = [(COEFFICIENTS, &source.coefficients), (TABLE, &source.flow_table)];
         let texts = texts.into_iter().filter_map(|(key, text)| Some((key, text.clone()?)));
         Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), texts.collect())
+    }
+
+    /// The same with measurements that are known without the file `calibrate.data`.
+    #[must_use]
+    pub fn with_data(mut self, csv: String) -> Self {
+        self.texts.insert(DATA, csv);
+        self
     }
 
     /// SHA-256 of all that a result depends on: text, overrides, and the file of coefficients if one is named.

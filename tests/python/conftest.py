@@ -1,5 +1,6 @@
 """The module against the command, which stands beside it."""
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -11,11 +12,14 @@ STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
 
 @pytest.fixture(scope="session")
-def command() -> Path:
+def command(request: pytest.FixtureRequest) -> Path:
     # the same build as in .ci/run, so that nothing is built twice
-    build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables", "--features", "parquet,capi"]
-    subprocess.run(build, cwd=ROOT, check=True)
-    return ROOT / "target" / "debug" / "plm-impact"
+    build = ["cargo", "test", "--no-run", "--test", "tables", "--features", "parquet,capi"]
+    target = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
+    with request.config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
+        print(f"\nbuilding the command in {target}, which takes some minutes the first time: {' '.join(build)}", flush=True)
+        subprocess.run(build, cwd=ROOT, check=True)
+    return target / "debug" / "plm-impact"
 
 
 def steel(**tables: dict[str, object]) -> plm.Contact:

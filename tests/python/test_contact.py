@@ -5,6 +5,7 @@ import json
 import pickle
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import plm_impact as plm
@@ -81,6 +82,47 @@ def test_a_memory_is_handed_in_and_out(contact: plm.Contact) -> None:
     assert not elastic.force(deepest)[1].any()
 
 
+@pytest.mark.parametrize("count", [0, 1, 1000, 1001])
+def test_few_contacts_and_many_are_computed_alike(contact: plm.Contact, count: int) -> None:
+    """Up to 1000 values are computed in the calling thread, more of them on all cores: the same bits."""
+    deepest, speeds = np.linspace(1e-8, 3e-5, 1500), np.linspace(1e-3, 20, 1500)
+    force, memory = contact.force(deepest)
+    few, memory_of_few = contact.force(deepest[:count])
+    assert few.tobytes() == force[:count].tobytes() and memory_of_few.tobytes() == memory[:count].tobytes()
+    table, restitution = plm.impacts(contact, speed=speeds), contact.restitution(speeds)
+    for name, column in plm.impacts(contact, speed=speeds[:count]).to_dict().items():
+        assert column.tobytes() == table[name][:count].astype(column.dtype).tobytes(), name
+    assert contact.restitution(speeds[:count]).tobytes() == restitution[:count].tobytes()
+
+
+def test_indentations_have_any_shape(contact: plm.Contact) -> None:
+    deepest = np.geomspace(1e-8, 3e-5, 6)
+    force, memory = contact.force(deepest)
+    alone, its_memory = contact.force(deepest[5])
+    assert isinstance(alone, float) and alone == force[5] and its_memory.tolist() == memory[5].tolist()
+    assert contact.force(0.9 * deepest[5], its_memory)[0] == contact.force(0.9 * deepest, memory)[0][5]
+    square, memories = contact.force(deepest.reshape(2, 3))
+    assert square.tolist() == force.reshape(2, 3).tolist() and memories.shape == (2, 3, 3)
+    assert contact.force(0.9 * deepest.reshape(2, 3), memories)[0].shape == (2, 3)
+
+
+def test_the_loop_in_the_help_bounces(contact: plm.Contact) -> None:
+    """The program in help(Contact.force): each rebound is e of the law under gravity times the impact before it."""
+    text = plm.Contact.force.__doc__.split("again and again:")[1].split("An indentation or a memory")[0]
+    lines = [line for line in text.splitlines() if line.strip()]
+    least = min(len(line) - len(line.lstrip()) for line in lines)
+    program = "\n".join(line[least:] for line in lines)
+    seen: list[tuple[float, float]] = []
+    watched = program.replace("memory[height >= 0]", "watch(height, speed); memory[height >= 0]")
+    exec(watched, {"np": np, "contact": contact, "watch": lambda height, speed: seen.append((height[0], speed[0]))})
+    height, speed = np.array(seen).T
+    into = np.flatnonzero((height[:-1] >= 0) & (height[1:] < 0)) + 1
+    out = np.flatnonzero((height[:-1] < 0) & (height[1:] >= 0)) + 1
+    restitution = steel(gravity=dict(acceleration=9.81)).restitution(-speed[into])
+    assert len(into) >= 4 and restitution.max() < 0.99
+    assert np.allclose(speed[out] / -speed[into][: len(out)], restitution[: len(out)], rtol=2e-3)
+
+
 @pytest.mark.parametrize(
     ("indentation", "memory", "error", "text"),
     [
@@ -88,6 +130,7 @@ def test_a_memory_is_handed_in_and_out(contact: plm.Contact) -> None:
         ([1e-6], [[1e-6, np.nan, 0.0]], ValueError, "none of this contact"),
         ([1e-6], np.zeros((2, 3)), ValueError, r"shape \[2, 3\], expected \[1, 3\]"),
         ([1e-6], np.zeros(3), ValueError, r"shape \[3\]"),
+        (1e-6, np.zeros((1, 3)), ValueError, r"shape \[1, 3\], expected \[3\]"),
         ([1e-6, np.inf], None, ValueError, "contact 1: an indentation of inf"),
         (["1 um"], None, TypeError, "indentation: found the type"),
     ],
@@ -100,9 +143,24 @@ def test_a_bad_memory_is_refused(contact, indentation, memory, error, text) -> N
 def test_a_contact_travels_to_other_processes(contact: plm.Contact, tmp_path: Path) -> None:
     for other in (pickle.loads(pickle.dumps(contact)), copy.deepcopy(contact)):
         assert repr(other) == repr(contact) and other.restitution(3.0) == contact.restitution(3.0)
-    for refused in (contact.impact(0.1), plm.impacts(contact, speed=[1.0])):
-        with pytest.raises(TypeError, match="cannot pickle"):
-            pickle.dumps(refused)
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_results_travel_to_other_processes(contact: plm.Contact) -> None:
+    impact = contact.impact(3.0, samples=50)
+    other = pickle.loads(pickle.dumps(impact))
+    assert other.to_dict() == impact.to_dict() and other.trace.tobytes() == impact.trace.tobytes()
+    # NaN, words and a shape of two axes
+    table = plm.impacts(steel(law=dict(stronge={})), speed=np.logspace(-4, 3, 50).reshape(5, 10))
+    other = pickle.loads(pickle.dumps(table))
+    assert list(other) == list(table) and other.shape == (5, 10) and np.isnan(table["restitution"]).any()
+    for name in table:
+        assert other[name].tobytes() == table[name].tobytes(), name
+    assert other.to_arrow().equals(table.to_arrow())
+    outcome = plm.run(ROOT / "scenarios" / "restitution-vs-speed.toml")
+    other = pickle.loads(pickle.dumps(outcome))
+    assert other.files == outcome.files and repr(other) == repr(outcome) and other.warnings == outcome.warnings
+    assert other.tables["table"]["restitution"].tobytes() == outcome.tables["table"]["restitution"].tobytes()
 
 
 def test_threads_share_a_contact(contact: plm.Contact) -> None:
@@ -122,6 +180,23 @@ def test_the_keys_of_a_contact_have_the_sentences_of_the_command() -> None:
         plm.Contact(sphere={}, halfspace={})
     with pytest.raises(ValueError, match="tables of one impact"):
         steel(sweep={"impact.speed": [1.0, 2.0]})
+    with pytest.raises(TypeError, match="impact.speed: found .*list.*, expected one number .*impacts take arrays"):
+        steel().impact([1, 2])
+    with pytest.raises(ValueError, match="samples: -1 is not allowed"):
+        steel().impact(1.0, samples=-1)
+    with pytest.raises(AttributeError, match='no result "peak_force", did you mean "peak_force_N"'):
+        steel().impact(1.0).peak_force
+
+
+def test_a_law_may_be_a_name_and_a_table_any_mapping() -> None:
+    thornton = steel(law="thornton")
+    assert thornton.restitution(3.0) == steel(law=MappingProxyType(dict(thornton={}))).restitution(3.0)
+    assert thornton.restitution(3.0) != steel().restitution(3.0)
+    with pytest.raises(ValueError, match='unknown law `thorton`, did you mean `thornton`'):
+        steel(law="thorton")
+    tables = MappingProxyType(dict(sphere=dict(radius="5 mm", density=7850, **STEEL), half_space=dict(yield_strength="345 MPa", **STEEL)))
+    outcome = plm.run(tables, set=MappingProxyType({"impact.speed": 3, "law": "thornton"}))
+    assert outcome.summary["restitution"] == thornton.impact(3.0).restitution
 
 
 class Quantity(float):
@@ -143,8 +218,10 @@ def test_hostile_tables_are_refused_without_a_panic() -> None:
     for tables in (endless, {"a\n[b]": 1}, {'"': {'"': "'''"}}, {"": {"": ""}}, {1: 2}, {"sphere": {"\ud800": 1}}, {"sphere": {"radius": "\ud800"}}):
         with pytest.raises((ValueError, TypeError)):
             plm.run(tables)
-    with pytest.raises(ValueError, match="cannot be read"):
-        plm.run("no-such-file.toml")
+    for error in (ValueError, FileNotFoundError, plm.NoSuchFile):
+        with pytest.raises(error, match="cannot be read.*no-such-file.toml") as caught:
+            plm.run("no-such-file.toml")
+    assert caught.value.filename == "no-such-file.toml" and pickle.loads(pickle.dumps(caught.value)).errno == caught.value.errno
     for samples in (0, 1, 10**7, -1, 2**70):
         with pytest.raises((ValueError, OverflowError)):
             steel().impact(1.0, samples=samples)

@@ -2,11 +2,15 @@
 
 import csv
 import json
+import re
 import subprocess
 from pathlib import Path
 
 import numpy as np
+import pandas
 import plm_impact as plm
+import polars
+import pyarrow
 import pytest
 from conftest import ROOT
 
@@ -89,6 +93,12 @@ def test_laws_and_schema_are_those_of_the_command(command: Path) -> None:
     assert version.split()[1] == plm.__version__
 
 
+def strength_of(found: plm.Outcome) -> float:
+    """The strength in calibrated.toml [MPa]."""
+    (number,) = re.findall(r'yield_strength = "(\S+) MPa"', found.files["calibrated.toml"].decode())
+    return float(number)
+
+
 def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
     # the data are computed with the strength that has to be found
     speeds = np.linspace(0.5, 3, 12)
@@ -96,17 +106,64 @@ def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
     tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, calibrate=dict(noise=dict(restitution=1e-3)))
     data = dict(speed_m_per_s=speeds, restitution=contact.restitution(speeds))
     found = plm.calibrate(tables, data)
-    text = found.files["calibrated.toml"].decode()
-    strength = float(text.split("yield_strength = ")[1].split()[0])
-    assert abs(strength / 345e6 - 1) < 1e-4
+    assert abs(strength_of(found) / 345 - 1) < 1e-4
     # a NaN is a field without a measurement
     times = plm.impacts(contact, speed=speeds)["contact_time_s"].copy()
     data["restitution"] = np.where(speeds > 2, np.nan, data["restitution"])
     times[speeds < 1] = np.nan
     tables["calibrate"] = dict(noise=dict(restitution=1e-3, contact_time=1e-7))
     found = plm.calibrate(tables, {**data, "contact_time_s": times})
-    strength = float(found.files["calibrated.toml"].decode().split("yield_strength = ")[1].split()[0])
-    assert abs(strength / 345e6 - 1) < 1e-4
+    assert abs(strength_of(found) / 345 - 1) < 1e-4
+
+
+def frames(columns: dict[str, np.ndarray]) -> list[object]:
+    """The same columns as a dict, and as the frames that hold measurements."""
+    return [columns, pandas.DataFrame(columns), polars.DataFrame(columns, nan_to_null=True), pyarrow.table(columns)]
+
+
+@pytest.mark.filterwarnings("error")
+def test_measurements_may_be_a_frame_and_are_those_of_a_file(contact: plm.Contact, tmp_path: Path) -> None:
+    path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
+    names, *rows = [line.split(",") for line in (ROOT / "scenarios" / "drops.csv").read_text().splitlines() if not line.startswith("#")]
+    columns = {name: np.array([float(field or "nan") for field in column]) for name, column in zip(names, zip(*rows)) if name != "note"}
+    of_file = plm.run(path)
+    with_text = {**columns, "note": np.array(["as dropped"] * len(rows))}
+    for data in [*frames(columns), *frames(with_text)]:
+        found = plm.calibrate(path, data)
+        assert found.files["calibrated.toml"] == of_file.files["calibrated.toml"]
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (dict(speed=[1.0], restitution=[0.5]), "^data: the column `speed` has no unit"),
+        (dict(drop_height_mm=[50.0, 100.0, -3.0], restitution=[0.6, 0.5, 0.5]), "^data, element 2: .*-3"),
+        (dict(drop_height_mm=[50.0, 100.0], restitution=["0.6", "much"]), "^data, element 1: .*much"),
+        ({}, "data: "),
+    ],
+)
+def test_bad_measurements_are_named_by_their_place_in_the_data(data: dict, words: str) -> None:
+    path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
+    for frame in frames(data) if data else [data]:
+        with pytest.raises(ValueError, match=words):
+            plm.calibrate(path, frame)
+
+
+def test_a_masked_column_and_no_columns_are_refused() -> None:
+    path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
+    masked = np.ma.masked_array([0.5, 0.6], [True, False])
+    for data in (dict(speed_m_per_s=[1.0, 2.0], restitution=masked), [1.0, 2.0]):
+        with pytest.raises(TypeError):
+            plm.calibrate(path, data)
+
+
+def test_a_warning_points_at_the_line_of_the_caller(contact: plm.Contact) -> None:
+    # one value for two keys that cannot be told apart
+    data = dict(drop_height_mm=[50.0, 100.0, 200.0], restitution=[0.61, 0.52, 0.48])
+    free = {"half_space.yield_strength": {"from": 1e8, "to": 1e9}, "half_space.youngs_modulus": {"from": 1e11, "to": 4e11}}
+    with pytest.warns(UserWarning) as caught:
+        plm.calibrate(ROOT / "scenarios" / "calibrate-ball-drop.toml", data, set={"calibrate.free": free})
+    assert {Path(warning.filename).name for warning in caught} == {Path(__file__).name}
 
 
 def test_materials_are_those_of_the_command(command: Path) -> None:

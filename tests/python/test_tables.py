@@ -1,5 +1,6 @@
 """Tables of impacts: broadcasting, what is refused, and who reads them."""
 
+import re
 import signal
 import threading
 import time
@@ -65,6 +66,10 @@ def test_damped_tables_are_those_of_a_sweep_too() -> None:
         (dict(yield_strength=1e9), ValueError, r"\[impact\] is missing"),
         (dict(speed=1, drop_height=1), ValueError, "impact.drop_height: stands in place of impact.speed"),
         (dict(speed=1, stiffness_ratio=0.5), ValueError, "no case is under that law"),
+        (dict(speed=1, law="thornton"), TypeError, "law: words are not broadcast; make a Contact for each"),
+        ({"speed": [1, 2], "impact.speed": [3, 4]}, ValueError, "impact.speed: is given twice, as speed and as impact.speed"),
+        (dict(radius=1e-3, sphere_radius=2e-3, speed=1), ValueError, "sphere.radius: is given twice, as radius and as sphere_radius"),
+        (dict(radius=1e-3, diameter=2e-3, speed=1), ValueError, "stands in place of"),
         ({}, ValueError, "no key is given"),
     ],
 )
@@ -81,6 +86,12 @@ def test_a_table_that_no_memory_holds_is_refused(contact: plm.Contact) -> None:
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     with pytest.raises(MemoryError, match="does not fit into memory"):
         plm.run(dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=bodies, sweep=sweep))
+
+
+def test_the_help_names_every_column() -> None:
+    waves = plm.impacts(steel(half_space=dict(yield_strength="345 MPa", density=7850, youngs_modulus=210e9, poissons_ratio=0.3)), speed=[1.0])
+    named = set(re.findall(r"`(\w+)`", plm.impacts.__doc__))
+    assert set(waves) <= named and {"impact_speed_m_per_s", "restitution_with_waves", "dent_radius_m"} <= set(waves)
 
 
 @pytest.mark.filterwarnings("ignore:at impact.speed:UserWarning")
@@ -102,25 +113,30 @@ def test_warnings_come_through_warnings(contact: plm.Contact) -> None:
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact) -> None:
-    table = plm.impacts(contact, speed=np.linspace(0.001, 5, 6).reshape(2, 3))
-    expected = {name: column.ravel().tolist() for name, column in table.to_dict().items()}
-    arrow = table.to_arrow()
+    square = plm.impacts(contact, speed=np.linspace(0.001, 5, 6).reshape(2, 3))
+    expected = {name: column.ravel().tolist() for name, column in square.to_dict().items()}
+    arrow = square.to_arrow()
     # both use the same memory, and the NumPy array is read-only
     buffer = arrow["restitution"].chunk(0).buffers()[1]
-    assert buffer.address == table["restitution"].__array_interface__["data"][0]
-    assert not table["restitution"].flags.writeable
-    del table
-    rows = [pyarrow.table(arrow).to_pydict(), polars.DataFrame(arrow).to_dict(as_series=False)]
+    assert buffer.address == square["restitution"].__array_interface__["data"][0]
+    assert not square["restitution"].flags.writeable
     fresh = plm.impacts(contact, speed=np.linspace(0.001, 5, 6))
-    rows.append(polars.DataFrame(fresh).to_dict(as_series=False))
+    rows = [pyarrow.table(arrow).to_pydict(), fresh.to_pandas().to_dict("list"), square.to_pandas().to_dict("list")]
+    rows += [polars.DataFrame(one).to_dict(as_series=False) for one in (arrow, fresh, square)]
     rows.append(pandas.DataFrame(dict(fresh)).to_dict("list"))
     if hasattr(pandas.DataFrame, "from_arrow"):
         rows.append(pandas.DataFrame.from_arrow(fresh).to_dict("list"))
+    assert sum(np.isnan(column).any() for column in expected.values() if isinstance(column[0], float)) == 1, "an impact without a dent"
     for other in rows:
+        assert list(other) == list(expected)
         for name, column in expected.items():
-            # where there is no value, some write NaN and some None
-            got, want = ([None if value != value else value for value in values] for values in (other[name], column))
-            assert got == want, name
+            if isinstance(column[0], str):
+                assert list(other[name]) == column, name
+            else:
+                assert np.array_equal(np.array(other[name], dtype=float), np.array(column), equal_nan=True), name
+    # in place of one column of names
+    with pytest.raises(TypeError, match="table.to_pandas"):
+        pandas.DataFrame(fresh)
     structured = fresh.to_numpy()
     assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
 

@@ -1,25 +1,27 @@
 """Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 
-`Contact` is a sphere on a half-space, `impacts` a table of its impacts, `run` does any scenario. Keys, units and results are
-those of the command `plm-impact`; all numbers are in SI units.
+`Contact` is a sphere on a half-space: its `restitution`, one `impact`, its `force` for a program that moves spheres.
+`impacts` is a table of impacts, `run` does any scenario, `calibrate` finds keys from measurements. `laws`, `materials` and
+`schema` say what there is. Keys, units and results are those of the command `plm-impact`; all numbers are in SI units.
+
+    import numpy as np, plm_impact as plm
+    steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+    contact = plm.Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
+                          half_space=dict(yield_strength="345 MPa", **steel))
+    contact.restitution(3.0)                                    # 0.4925
+    contact.impact("3 m/s").peak_force_N
+    plm.impacts(contact, speed=np.linspace(0.5, 5, 100)).to_pandas()
+
+A wrong key or value raises ValueError, a wrong type TypeError, a missing file NoSuchFile, a run that fails RuntimeError.
+What is doubtful is a UserWarning. Long computations use all cores, and Ctrl-C stops them.
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
-from ._core import Contact, Impact, Outcome, Table, __version__, impacts, laws, materials, run, schema
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-    from os import PathLike
-    from typing import Any
-
-    from numpy.typing import ArrayLike
+from ._core import Contact, Impact, Outcome, Table, __version__, calibrate, impacts, laws, materials, run, schema
 
 __all__ = [
     "Contact",
     "Impact",
+    "NoSuchFile",
     "Outcome",
     "Table",
     "__version__",
@@ -32,33 +34,5 @@ __all__ = [
 ]
 
 
-def calibrate(
-    scenario: str | PathLike[str] | Mapping[str, Any],
-    data: Mapping[str, ArrayLike] | None = None,
-    /,
-    *,
-    set: Mapping[str, Any] | None = None,
-) -> Outcome:
-    """Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
-
-    `data` has columns with the names that a file of measurements has, such as `speed_m_per_s` and `restitution`; they take
-    the place of the file. NaN stands for a quantity that was not measured.
-    """
-    if not data:
-        return run(scenario, set=set)
-    # imported here, so that the import of the module is fast
-    import csv
-    from pathlib import Path
-    from tempfile import TemporaryDirectory
-
-    import numpy as np
-
-    columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float)) for column in data.values()))
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / "data.csv"
-        with file.open("w", newline="", encoding="utf-8") as text:
-            rows = csv.writer(text)
-            rows.writerow(data)
-            # repr has all digits, so that reading gives the same number
-            rows.writerows(["" if np.isnan(value) else repr(float(value)) for value in row] for row in zip(*columns))
-        return run(scenario, set={**(set or {}), "calibrate.data": str(file)})
+class NoSuchFile(FileNotFoundError, ValueError):
+    """A scenario that is not there: a FileNotFoundError, and a ValueError as every other bad scenario."""
