@@ -38,11 +38,12 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
     let impact = at(speed)?;
     let mut table = Vec::new();
     if request.target.takes_table() {
-        let (from, to) = request.speeds.unwrap_or((0.1 * speed, 10.0 * speed));
+        let (from, to) = request.speeds.unwrap_or((speed / 10.0, 10.0 * speed));
         for i in 0..POINTS {
             let share = f64::from(i) / f64::from(POINTS - 1);
-            let speed = if i == 0 { from } else { from * pow(to / from, share) };
-            table.push(at(speed)?);
+            // the ends are those that were asked for, to the last digit
+            let ends = [(0, from), (POINTS - 1, to)].into_iter().find(|(end, _)| *end == i);
+            table.push(at(ends.map_or_else(|| from * pow(to / from, share), |(_, speed)| speed))?);
         }
     } else if request.speeds.is_some() {
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";

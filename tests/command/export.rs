@@ -146,11 +146,14 @@ fn tables_are_those_of_the_closed_form() {
             })
             .collect();
         assert_eq!(rows.len(), 41, "{text}");
-        assert!((rows[0].0 - 0.1).abs() < 1e-15 && (rows[40].0 - 10.0).abs() < 1e-12);
+        assert_eq!((rows[0].0, rows[40].0), (0.1, 10.0));
         for (speed, e) in rows {
             assert!((e - contact.closed_form(speed).unwrap().restitution).abs() < 1e-9, "{target}: {speed}");
         }
     }
+    // a tenth to ten times the 3 m/s of the scenario
+    let text = printed(&[STEEL, "--to", "csv"]);
+    assert!(text.contains("\n3e-1,") && text.contains("\n3e1,"), "{text}");
 }
 
 #[test]
