@@ -97,10 +97,9 @@ impl Hardening {
     }
 
     /// The shape of the contact pressure at x, where the Hertz-equivalent radius is A = f/ε.
-    pub(crate) fn shape(&self, x: f64, equivalent: f64) -> Shape {
+    pub(crate) fn shape(&self, x: f64, equivalent: f64) -> Shape<'_> {
         let strength = self.strength(x);
-        let growth = 2.0 * ln(strength / self.strength(x / RATIO)) / LN_RATIO;
-        Shape { equivalent: equivalent / strength, growth }
+        Shape { hardening: self, x, strength, equivalent: equivalent / strength }
     }
 
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
@@ -126,23 +125,31 @@ impl Hardening {
 }
 
 /// The numbers that the shape of the contact pressure depends on.
-pub(crate) struct Shape {
+pub(crate) struct Shape<'a> {
+    hardening: &'a Hardening,
+    x: f64,
+    /// σ_rep/σ_Y at x.
+    strength: f64,
     /// A'.
     pub(crate) equivalent: f64,
-    /// ν, over the last tenth of the way.
-    growth: f64,
 }
 
-impl Shape {
+impl Shape<'_> {
+    /// ν, over the last tenth of the way.
+    fn growth(&self) -> f64 {
+        2.0 * ln(self.strength / self.hardening.strength(self.x / RATIO)) / LN_RATIO
+    }
+
     /// How much hardening lowers the exponent "pressure-shape".
     pub(crate) fn exponent_loss(&self) -> f64 {
-        0.14 * self.growth
+        0.14 * self.growth()
     }
 
     /// By which factor the contact is narrower, because less material piles up around it.
     pub(crate) fn narrowing(&self) -> f64 {
         let share = ((self.equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
-        1.0 + 0.25 * self.growth * share
+        // the growth costs as much as all the rest, and below A' = 4 it does not count
+        if share == 0.0 { 1.0 } else { 1.0 + 0.25 * self.growth() * share }
     }
 }
 
