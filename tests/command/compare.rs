@@ -31,16 +31,6 @@ fn run(scenario: &Path, out: &Path) -> Output {
     command.arg("run").arg(scenario).arg("--out").arg(out).output().unwrap()
 }
 
-/// The message for a scenario that is refused with exit code 2; nothing may be written.
-fn refusal(text: &str) -> String {
-    let directory = tempfile::tempdir().unwrap();
-    let out = directory.path().join("out");
-    let output = run(&scenario(directory.path(), text), &out);
-    assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(!out.exists());
-    String::from_utf8(output.stderr).unwrap()
-}
-
 fn shipped(name: &str) -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(name)
 }
@@ -102,34 +92,6 @@ fn swept_laws_by_rk8_agree_with_the_closed_form() {
         // ten times the tolerance, 1e-10
         assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     }
-}
-
-#[test]
-fn mistakes_in_laws_are_explained() {
-    let impact = "[impact]\nspeed = 1\n";
-    let with = |text: &str| refusal(&format!("{impact}{text}"));
-    let message = with("[law.thorton]\n");
-    assert!(message.contains("unknown law `thorton`, did you mean `thornton`?"), "{message}");
-    let message = with("[law.thornton]\nyield_presure = \"1 GPa\"");
-    assert!(message.contains("did you mean `yield_pressure`?"), "{message}");
-    let message = with("[law.thornton]\nyield_pressure = \"-1 GPa\"");
-    assert!(message.contains("> 0 Pa"), "{message}");
-    let message = with("[law.jackson_green]\njumps = \"smooth\"");
-    assert!(message.contains("printed") && message.contains("crossed"), "{message}");
-    let message = with("[law.brake]");
-    assert!(message.contains("unloading only") && message.contains("[law.combined]"), "{message}");
-    let message = with("[law.combined]\nloading = \"brake\"\nunloading = \"plm\"");
-    assert!(message.contains("unknown loading \"brake\""), "{message}");
-    let message = with("[law.combined]\nloading = \"plm\"\nunloading = \"thorton\"");
-    assert!(message.contains("did you mean \"thornton\"?"), "{message}");
-    let message = refusal("[impact]\nspeed = 0.05\n[law.mesarovic_johnson]\n");
-    assert!(message.contains("no answer") && message.contains("negative"), "{message}");
-    let message = with("[sweep]\nlaw = [\"thorton\"]");
-    assert!(message.contains("did you mean \"thornton\"?") && message.contains("loading + unloading"), "{message}");
-    let message = with("[sweep]\nlaw = [\"thornton\"]\n\"law.thornton.yield_pressure\" = [\"1 GPa\"]");
-    assert!(message.contains("cannot vary together"), "{message}");
-    let message = with("[sweep]\n\"law.thornton.yield_pressure\" = [\"1 GPa\"]");
-    assert!(message.contains("no case is under that law"), "{message}");
 }
 
 #[test]
@@ -200,26 +162,6 @@ fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
     assert!((e - 0.516_039_176_3).abs() < 1e-9, "{e}");
     let share: f64 = column(&table, "residual_share")[1].parse().unwrap();
     assert!((share - 0.700_834).abs() < 1e-6, "{share}");
-}
-
-#[test]
-fn mistakes_in_comparisons_are_explained() {
-    let message = refusal("[compare]\npeak_indentation_ratio = 10\nspent_work = \"1 nJ\"");
-    assert!(message.contains("compare.spent_work: 1 nJ is less than any"), "{message}");
-    let message = refusal("[compare]\n");
-    assert!(message.contains("`peak_indentation_ratio` is missing"), "{message}");
-    let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_indentation = \"1 mm\"");
-    assert!(message.contains("write only one"), "{message}");
-    let message = refusal("[compare]\npeak_indentation_ratio = 10\npeak_force = \"1 kN\"");
-    assert!(message.contains("peak_contact_radius"), "{message}");
-    let message = refusal("[compare]\npeak_indentation_ratio = 0.5");
-    assert!(message.contains("> 1"), "{message}");
-    let message = refusal("[compare]\npeak_indentation_ratio = 10\nlaws = [\"kogut_komvopoulos\"]");
-    assert!(message.contains("unknown unloading"), "{message}");
-    let message = refusal("[impact]\nspeed = 1\n[compare]\npeak_indentation_ratio = 10");
-    assert!(message.contains("no motion"), "{message}");
-    let message = refusal("[law.thornton]\n[compare]\npeak_indentation_ratio = 10");
-    assert!(message.contains("compare.laws"), "{message}");
 }
 
 #[test]

@@ -24,6 +24,7 @@ mod pictures;
 mod plots;
 #[cfg(unix)]
 mod programs;
+mod refusals;
 mod repeat_cli;
 mod report;
 mod scenario;

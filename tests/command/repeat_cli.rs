@@ -42,60 +42,6 @@ fn refusal(rest: &str) -> String {
 }
 
 #[test]
-fn bad_tables_are_refused_with_the_way_out() {
-    let speed = "[impact]\nspeed = \"1 m/s\"\n";
-    let gravity = "[gravity]\nacceleration = 9.81\n";
-    let table = |keys: &str| format!("[repeat]\n{keys}\n");
-    let cases: [(String, &[&str]); 17] = [
-        (speed.to_owned() + &table("impacts = 3"), &["repeat", "`spot` is missing", "\"same\"", "\"fresh\""]),
-        (speed.to_owned() + &table("spot = \"same\""), &["repeat", "`impacts` is missing", "impacts = 20"]),
-        (
-            speed.to_owned() + &table("impacts = 3\nspot = \"sam\""),
-            &["repeat.spot", "\"sam\"", "did you mean \"same\"?"],
-        ),
-        (speed.to_owned() + &table("impacts = 0\nspot = \"same\""), &["s.toml:13", "repeat.impacts", ">= 1"]),
-        (speed.to_owned() + &table("impacts = 2.5\nspot = \"same\""), &["repeat.impacts", "whole number"]),
-        (speed.to_owned() + &table("impacts = 10_000_000\nspot = \"same\""), &["repeat.impacts", "<= 1e6"]),
-        (
-            speed.to_owned() + &table("impacts = 3\nspot = \"same\"\nuntil = { speed = \"1 mm/s\" }"),
-            &["repeat.until", "without [gravity]", "leave it out"],
-        ),
-        (
-            speed.to_owned() + gravity + &table("impacts = 3\nspot = \"same\"\nuntil = { speed = 0 }"),
-            &["repeat.until.speed", "> 0 m/s"],
-        ),
-        (
-            speed.to_owned() + gravity + &table("impacts = 3\nspot = \"same\"\nuntil = { height = \"1 mm\" }"),
-            &["repeat.until", "unknown key `height`", "speed"],
-        ),
-        (table("spot = \"same\"\nspeeds = []"), &["repeat.speeds", "is empty"]),
-        // a shot with zero speed is refused with its place in the file
-        (
-            table("spot = \"same\"\nspeeds = [\"1 m/s\", \"0 m/s\"]"),
-            &["s.toml:12", "repeat.speeds", "0 m/s", "> 0 m/s", "does not touch: leave it out"],
-        ),
-        (table("spot = \"same\"\nspeeds = [\"1 m/s\", \"-1 m/s\"]"), &["repeat.speeds", "> 0 m/s"]),
-        (table("spot = \"same\"\nspeeds = [\"1 m/s\", \"1 kg\"]"), &["repeat.speeds", "kg"]),
-        (
-            speed.to_owned() + &table("spot = \"same\"\nspeeds = [1]"),
-            &["impact", "repeat.speeds gives", "leave [impact] out"],
-        ),
-        (table("spot = \"same\"\nimpacts = 3\nspeeds = [1]"), &["repeat.impacts", "`speeds` is given too"]),
-        (
-            gravity.to_owned() + &table("spot = \"same\"\nspeeds = [1]"),
-            &["repeat.speeds", "bounces", "leave one of the two out"],
-        ),
-        (table("spot = \"same\"\nimpacts = 3"), &["[impact] is missing"]),
-    ];
-    for (rest, wants) in cases {
-        let message = refusal(&rest);
-        for want in wants {
-            assert!(message.contains(want), "{rest}\n{want:?} is not in\n{message}");
-        }
-    }
-}
-
-#[test]
 fn a_series_does_not_go_with_a_sweep() {
     let sweep = "[sweep]\n\"impact.speed\" = [1, 2]\n";
     let random = "[monte_carlo]\nsamples = 10\n\"sphere.radius\" = { normal = { mean = \"5 mm\", sd = \"0.1 mm\" } }\n";
