@@ -6,10 +6,10 @@
 //! carries a state to the end of the path: to a given distance, to zero speed, to zero contact force, or near to rest. The
 //! state lands *on* the end, so that no step crosses a kink.
 
-mod cubic;
 pub mod damped;
 mod dense;
 mod dop853;
+mod event;
 pub mod exact;
 mod landing;
 pub mod library;
@@ -20,6 +20,7 @@ pub mod rk8;
 use thiserror::Error;
 
 use crate::math::power::max_or_nan;
+use crate::math::smooth::Variable;
 
 /// The deceleration g(d) along one piece, d measured from the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +58,28 @@ impl Restoring {
             Self::Power { coefficient, exponent } => coefficient * crate::math::power::power(distance, exponent),
             Self::Straight { at_start, slope } => at_start + slope * distance,
             Self::Smooth { force, start, factor } => factor * force.value(start, distance),
+        }
+    }
+
+    /// (g, g', g'') at d.
+    fn derivatives(&self, distance: f64) -> [f64; 3] {
+        match *self {
+            Self::Power { exponent: n, .. } => {
+                let force = self.at(distance);
+                [force, n * force / distance, n * (n - 1.0) * force / distance / distance]
+            }
+            Self::Straight { slope, .. } => [self.at(distance), slope, 0.0],
+            Self::Smooth { force, start, factor } => {
+                let by_root = force.variable() == Variable::RootOfDistance;
+                let x = if by_root { distance.max(0.0).sqrt() } else { start + distance };
+                let jet = force.jet(x);
+                let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| factor * part);
+                match by_root {
+                    false => [f, s, k],
+                    true if x > 0.0 => [f, s / (2.0 * x), (k - s / x) / (4.0 * x * x)],
+                    true => [f, 0.5 * k, 0.0],
+                }
+            }
         }
     }
 
@@ -188,6 +211,36 @@ impl Path {
         (force, self.drag.per_speed(force, root) * speed)
     }
 
+    /// The contact force: g and what damping adds to it.
+    pub(crate) fn contact_force(&self, distance: f64, speed: f64) -> f64 {
+        let (force, drag) = self.forces(distance, speed);
+        force + drag
+    }
+
+    /// How fast the contact force grows in time:
+    ///
+    /// ```text
+    /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g'))
+    /// ```
+    fn growth_of_force(&self, distance: f64, speed: f64) -> f64 {
+        let [force, slope, curvature] = self.restoring.derivatives(distance);
+        let Drag { chi, eta } = self.drag;
+        let acceleration = self.pull - self.contact_force(distance, speed);
+        let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
+        if eta == 0.0 {
+            return of_law;
+        }
+        let root = root_of(slope);
+        let of_root = if curvature == 0.0 { 0.0 } else { 0.5 * curvature * speed * speed / root };
+        of_law + eta * (root * acceleration + of_root)
+    }
+
+    /// The larger one of the contact forces at both ends of a leg.
+    fn larger_force(&self, begun: &State, end: &State) -> f64 {
+        let at = |state: &State| self.contact_force(state.distance, state.speed);
+        max_or_nan(at(begun), at(end))
+    }
+
     /// Whether the contact force can vanish before the restoring force does.
     pub(crate) fn can_lift_off(&self) -> bool {
         matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
@@ -222,15 +275,12 @@ pub enum Landing {
     Rest,
 }
 
-/// What ends a leg with drag: a function of the state that falls through zero there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Crossing {
-    /// Of the speed.
-    Turning,
-    /// Of the way to the end of the piece.
-    End,
-    /// Of the contact force.
-    LiftOff,
+/// How a leg went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arrival {
+    pub landing: Landing,
+    /// The largest contact force on the leg, in units of the deceleration g.
+    pub largest_force: f64,
 }
 
 /// The cost of an integration.
@@ -280,39 +330,35 @@ pub enum IntegrationError {
     NotFinite { time: f64 },
 }
 
-/// Evenly spaced sampling of a motion, filled while it is integrated. Times are absolute, distances those of the leg.
-#[derive(Debug, Clone, Default)]
-pub struct Sampler {
-    interval: f64,
-    count: usize,
-    next: usize,
-    /// The samples of the current leg.
-    pub states: Vec<State>,
+/// A stretch of a motion with its continuous solution: the state at any time of the stretch. Times are absolute, distances
+/// those of the leg.
+pub struct Segment {
+    /// Time at its end.
+    pub end: f64,
+    at: Box<dyn Fn(f64) -> State>,
 }
 
-impl Sampler {
-    /// Samples at i × `interval`, i = 1 … `count`; the first touch at time 0 is not among them.
-    pub fn every(interval: f64, count: usize) -> Self {
-        Self { interval, count, next: 1, states: Vec::new() }
+impl Segment {
+    pub(crate) fn new(end: f64, at: impl Fn(f64) -> State + 'static) -> Self {
+        Self { end, at: Box::new(at) }
     }
 
-    /// The next sample time before `end`, if there is one left.
-    pub(crate) fn due_before(&self, end: f64) -> Option<f64> {
-        #[allow(clippy::cast_precision_loss)] // counts below 2^53
-        let time = self.interval * self.next as f64;
-        (self.next <= self.count && time < end).then_some(time)
+    /// The state at a time of the stretch.
+    pub fn at(&self, time: f64) -> State {
+        (self.at)(time)
     }
+}
 
-    /// Takes the sample that was due.
-    pub fn take(&mut self, state: State) {
-        self.states.push(state);
-        self.next += 1;
+impl std::fmt::Debug for Segment {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Segment").field("end", &self.end).finish_non_exhaustive()
     }
 }
 
 /// Carries a state along smooth pieces.
 pub trait Integrator {
     /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
+    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`Work`].
     ///
     /// # Errors
     /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.
@@ -320,8 +366,8 @@ pub trait Integrator {
         &mut self,
         path: &Path,
         state: &mut State,
-        samples: Option<&mut Sampler>,
-    ) -> Result<Landing, IntegrationError>;
+        track: Option<&mut Vec<Segment>>,
+    ) -> Result<Arrival, IntegrationError>;
 
     /// Cost so far.
     fn work(&self) -> Work;

@@ -29,6 +29,7 @@ pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use plm::{ContactRadius, ElasticLine, Hardening};
 
 use crate::math::functions::pow;
+use crate::math::power::max_or_nan;
 use published::WIDEST_PARABOLOID;
 pub use published::{Loading, OutsideLaw, Published};
 pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
@@ -243,6 +244,17 @@ impl Law {
             ElasticApproach::Published(law) if self.branch_at(peak.indentation).is_none() => law.accept(peak),
             _ => Ok(()),
         }
+    }
+
+    /// The largest force of loading on the way to a peak: that of the peak, unless the force of a published law falls at a
+    /// jump.
+    #[inline]
+    pub fn largest_force(&self, peak: &Peak) -> f64 {
+        if self.is_plain() {
+            return peak.force;
+        }
+        let passed = self.loading.pieces().windows(2).filter(|pair| pair[1].start <= peak.indentation);
+        passed.map(|pair| pair[0].force_at(pair[1].start)).fold(peak.force, max_or_nan)
     }
 
     /// Contact radius a/a_L at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).

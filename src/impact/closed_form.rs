@@ -105,6 +105,7 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
     Outcome {
         unloading,
         restitution,
+        largest_force: law.largest_force(peak),
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,

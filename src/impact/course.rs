@@ -16,38 +16,13 @@
 
 use super::closed_form::way_to_peak;
 use super::outcome::{Fate, Outcome};
-use super::record::{Along, Event, Recorder};
+use super::record::{Event, Recorder};
 use super::scaled_forces::{Creep, ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
-use crate::integrate::{Drag, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
+use crate::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
 use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
-
-/// Where an impact is.
-#[derive(Debug, Clone, Copy)]
-enum Phase {
-    /// On a piece of the loading curve: as far as a creep to rest would begin, or to the end of the piece.
-    Loading { piece: usize, creep: Option<Creep> },
-    /// On the way back, as far as the creep to rest would begin, or all of it; or at its end, with its fate. Distances count
-    /// from the residual indentation.
-    Unloading { unloading: Unloading, loading_time: f64, is_captured: bool, creep: Option<Creep>, fate: Option<Fate> },
-}
-
-/// An impact, leg by leg. The integrator carries `at` along `path` and reports how that leg ended.
-#[derive(Debug, Clone)]
-pub struct Course<'a> {
-    law: &'a Law,
-    forces: &'a ScaledForces,
-    q: f64,
-    /// Whether a trace is recorded and has not come to first yield. First yield ends no leg, because a trace must not change
-    /// the steps.
-    awaits_yield: bool,
-    phase: Phase,
-    /// The leg to be integrated.
-    pub path: Path,
-    /// The state at the start of that leg, and then at its end.
-    pub at: State,
-}
+use crate::math::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
 ///
@@ -60,237 +35,148 @@ pub fn integrate<I: Integrator>(
     integrator: &mut I,
     mut recorder: Option<&mut Recorder>,
 ) -> Result<Outcome, IntegrationError> {
-    let mut course = Course::begin(law, q, forces, recorder.as_deref_mut());
-    course.finish(integrator, recorder)
+    let distance = way_to_peak(law, 0.4 * q * q, forces);
+    let (pull, drag) = (ACCELERATION * forces.weight, forces.drag());
+    let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+    let (first, leg) = way_out(law, 0);
+    let mut path = Path { restoring: first, leg, sizes, pull, drag, rest: None };
+    // a sphere may come to rest without turning only under gravity and damping
+    let may_creep = pull > 0.0 && drag != Drag::NONE;
+    let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+    let mut at = start(law, touch, forces.weight, pull);
+    let mut largest = 0.0;
+    let mut event = Some((Event::Touch, touch));
+    let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: Option<&mut Recorder>| {
+        let track = recorder.map(|recorder| {
+            let first = event.take();
+            recorder.begin(piece, first)
+        });
+        let Arrival { landing, largest_force } = integrator.traverse(path, at, track)?;
+        largest = max_or_nan(largest, largest_force / ACCELERATION);
+        Ok(landing)
+    };
+
+    // first yield ends no leg, because a trace must not change the steps
+    let yields_at = law.elastic_until();
+    let mut awaits_yield = yields_at > 0.0 && yields_at.is_finite() && law.branch().is_none();
+    let mut piece = 0;
+    let is_at_rest = loop {
+        (path.restoring, path.leg) = way_out(law, piece);
+        if piece == 0 && law.stays_on_branch(0.4 * q * q, forces.weight) {
+            path.leg = Leg::Outward(f64::INFINITY);
+        }
+        let creep = if may_creep { creep_on(law, piece, forces, &at, &mut path) } else { None };
+        let begun = at.distance;
+        let landing = go(&path, &mut at, Some(piece), recorder.as_deref_mut())?;
+        if let Some(recorder) = recorder.as_deref_mut().filter(|_| awaits_yield) {
+            let distance = yields_at - law.loading.pieces()[piece].start + entry_of(law, piece);
+            if distance > begun && at.distance > distance {
+                awaits_yield = false;
+                recorder.passage(distance).into_iter().for_each(|state| recorder.mark(Event::Yield, state));
+            }
+        }
+        if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.below) {
+            break landing == Landing::Rest || landing == Landing::End;
+        }
+        if creep.is_some() {
+            // from the place near rest on along the same piece
+            continue;
+        }
+        let is_end_of_branch = piece == 0 && law.branch().is_some();
+        piece += 1;
+        let is_yield = is_end_of_branch || awaits_yield && law.loading.pieces()[piece].start == yields_at;
+        awaits_yield &= !is_yield;
+        if let Some(recorder) = recorder.as_deref_mut() {
+            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
+        }
+        at.distance = entry_of(law, piece);
+    };
+
+    let unloading = law.unloading(law.state_at(piece, at.distance - entry_of(law, piece)));
+    if let Some(recorder) = recorder.as_deref_mut() {
+        recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, at);
+    }
+    let loading_time = at.time;
+    at.distance = unloading.peak.elastic_approach;
+    let mut fate = Fate::Captured;
+    if !is_at_rest {
+        at.speed = 0.0;
+        path.sizes = Sizes { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
+        path.restoring = restoring(&unloading.branch());
+        // a sphere that came without speed does not leave
+        let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
+        let end = back_to(forces, &unloading, is_captured);
+        path.leg = Leg::Back(end);
+        let mut creep = None;
+        if may_creep {
+            let at_rest = forces.static_approach(&unloading);
+            creep = forces.creep(at_rest, forces.static_slope(&unloading, at_rest));
+            path.rest = creep.map(|creep| creep.rest(at_rest));
+            creep = creep.filter(|creep| at_rest + creep.within < at.distance);
+            path.leg = Leg::Back(creep.map_or(end, |creep| at_rest + creep.within));
+        }
+        let mut landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
+        let mut creeps = false;
+        if let Some(creep) = creep.filter(|_| landing == Landing::End) {
+            creeps = -at.speed <= creep.below;
+            if !creeps {
+                path.leg = Leg::Back(end);
+                landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
+            }
+        }
+        if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured && !creeps {
+            fate = Fate::Separated;
+        }
+        if let Some(recorder) = recorder.as_deref_mut() {
+            recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, at);
+        }
+    }
+    let State { time, distance, speed, loss } = at;
+    let outcome = Outcome {
+        restitution: if fate == Fate::Captured { 0.0 } else { -speed / q },
+        loading_time,
+        contact_time: time,
+        fate,
+        largest_force: if drag == Drag::NONE { law.largest_force(&unloading.peak) } else { largest },
+        end_indentation: distance + law.dent(&unloading.peak).residual(),
+        end_speed: speed,
+        loss: loss / ACCELERATION,
+        unloading,
+    };
+    if let Some(recorder) = recorder {
+        recorder.finish(law, &outcome, drag);
+    }
+    Ok(outcome)
 }
 
-impl<'a> Course<'a> {
-    /// At first touch.
-    #[inline(always)]
-    pub fn begin(law: &'a Law, q: f64, forces: &'a ScaledForces, recorder: Option<&mut Recorder>) -> Self {
-        let distance = way_to_peak(law, 0.4 * q * q, forces);
-        let pull = ACCELERATION * forces.weight;
-        let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
-        let (restoring, leg) = way_out(law, 0);
-        let is_reload = law.branch().is_some();
-        let yields_at = law.elastic_until();
-        let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-        let mut course = Self {
-            law,
-            forces,
-            q,
-            awaits_yield: recorder.is_some() && yields_at > 0.0 && yields_at.is_finite() && !is_reload,
-            phase: Phase::Loading { piece: 0, creep: None },
-            path: Path { restoring, leg, sizes, pull, drag: forces.drag(), rest: None },
-            at: touch,
-        };
-        course.at = course.start();
-        if let Some(recorder) = recorder {
-            recorder.take(&course.along(0), Some((Event::Touch, &touch)));
-        }
-        course.set_out(0);
-        course
+/// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
+/// still negligible beside the weight.
+fn start(law: &Law, touch: State, weight: f64, pull: f64) -> State {
+    if touch.speed != 0.0 {
+        return touch;
     }
+    let distance = 1e-22 * (equilibrium(law, weight).0 - law.touch());
+    let speed = (2.0 * distance * pull).sqrt();
+    State { time: speed / pull, distance, speed, loss: 0.0 }
+}
 
-    /// Integrates the rest.
-    ///
-    /// # Errors
-    /// What the integrator reports.
-    pub fn finish<I: Integrator>(
-        &mut self,
-        integrator: &mut I,
-        mut recorder: Option<&mut Recorder>,
-    ) -> Result<Outcome, IntegrationError> {
-        loop {
-            let begun = self.at;
-            let sampler = recorder.as_deref_mut().map(|recorder| &mut recorder.sampler);
-            let landing = integrator.traverse(&self.path, &mut self.at, sampler)?;
-            if let Some(recorder) = recorder.as_deref_mut() {
-                self.mark_yield(&begun, integrator, recorder)?;
-            }
-            self.landed(landing, recorder.as_deref_mut());
-            if let Some(outcome) = self.outcome() {
-                return Ok(outcome);
-            }
-        }
+/// Sets where the sphere may come to rest on a piece of the loading curve. If that lies ahead, the leg ends near it, and
+/// this is the creep there.
+#[cold]
+fn creep_on(law: &Law, index: usize, forces: &ScaledForces, at: &State, path: &mut Path) -> Option<Creep> {
+    path.rest = None;
+    let piece = &law.loading.pieces()[index];
+    let (x, of) = equilibrium(law, forces.weight);
+    let at_rest = (of == index).then_some(x)?;
+    let creep = forces.creep(at_rest - law.touch(), piece.slope_at(at_rest))?;
+    let distance = at_rest - (piece.start - piece.shape.lead());
+    path.rest = Some(creep.rest(distance));
+    let near = distance - creep.within;
+    if at.distance < near && near < path.leg.end() {
+        path.leg = Leg::Outward(near);
+        return Some(creep);
     }
-
-    /// Tells the recorder of first yield, if the leg since `begun` has passed it. The state there comes from a second run of
-    /// the first part of that leg.
-    fn mark_yield<I: Integrator>(
-        &mut self,
-        begun: &State,
-        integrator: &mut I,
-        recorder: &mut Recorder,
-    ) -> Result<(), IntegrationError> {
-        let Phase::Loading { piece, .. } = self.phase else { return Ok(()) };
-        let distance = self.law.elastic_until() - self.law.loading.pieces()[piece].start + entry_of(self.law, piece);
-        if !self.awaits_yield || distance <= begun.distance || self.at.distance <= distance {
-            return Ok(());
-        }
-        self.awaits_yield = false;
-        let mut at = *begun;
-        integrator.traverse(&Path { leg: Leg::Outward(distance), ..self.path }, &mut at, None)?;
-        // where the peak is at first yield to rounding, the second run may turn just before first yield
-        let time = at.time.min(self.at.time);
-        recorder.mark(Event::Yield, State { time, distance, ..at });
-        Ok(())
-    }
-
-    /// Goes on after a landing: to the next leg, or to the end.
-    pub fn landed(&mut self, landing: Landing, mut recorder: Option<&mut Recorder>) {
-        match self.phase {
-            Phase::Loading { piece, creep } => {
-                if let Some(recorder) = recorder.as_deref_mut() {
-                    recorder.take(&self.along(piece), None);
-                }
-                let is_near_rest = creep.is_some_and(|creep| self.at.speed <= creep.below);
-                if landing == Landing::End && !is_near_rest {
-                    self.go_on(piece, creep.is_none(), recorder);
-                } else {
-                    self.turn(piece, landing == Landing::Rest || landing == Landing::End, recorder);
-                }
-            }
-            Phase::Unloading { fate: Some(_), .. } => {}
-            Phase::Unloading { ref unloading, is_captured, ref mut creep, ref mut fate, .. } => {
-                let is_still = |creep: Creep| -self.at.speed <= creep.below;
-                let creeps = landing == Landing::End && creep.is_some_and(is_still);
-                if creep.is_some() && landing == Landing::End && !creeps {
-                    self.path.leg = Leg::Back(back_to(self.forces, unloading, is_captured));
-                    *creep = None;
-                    return;
-                }
-                let (end, event) = match landing {
-                    Landing::End | Landing::LiftOff if !is_captured && !creeps => (Fate::Separated, Event::Separation),
-                    _ => (Fate::Captured, Event::Captured),
-                };
-                *fate = Some(end);
-                if let Some(recorder) = recorder {
-                    recorder.take(&Along::Unloading { unloading, drag: self.path.drag }, Some((event, &self.at)));
-                }
-            }
-        }
-    }
-
-    /// Whether the sphere may come to rest without turning. This needs gravity and damping.
-    fn may_creep(&self) -> bool {
-        self.path.pull > 0.0 && self.path.drag != Drag::NONE
-    }
-
-    fn along(&self, piece: usize) -> Along<'a> {
-        Along::Loading { law: self.law, index: piece, drag: self.path.drag }
-    }
-
-    /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
-    /// still negligible beside the weight.
-    fn start(&self) -> State {
-        if self.q != 0.0 {
-            return self.at;
-        }
-        let distance = 1e-22 * (equilibrium(self.law, self.forces.weight).0 - self.law.touch());
-        let speed = (2.0 * distance * self.path.pull).sqrt();
-        State { time: speed / self.path.pull, distance, speed, loss: 0.0 }
-    }
-
-    /// Begins a piece of the loading curve: sets the leg along it, and the creep if the sphere may come to rest on it.
-    fn set_out(&mut self, index: usize) {
-        (self.path.restoring, self.path.leg) = way_out(self.law, index);
-        if index == 0 && self.law.stays_on_branch(0.4 * self.q * self.q, self.forces.weight) {
-            self.path.leg = Leg::Outward(f64::INFINITY);
-        }
-        let creep = if self.may_creep() { self.creep_on(index) } else { None };
-        self.phase = Phase::Loading { piece: index, creep };
-    }
-
-    /// Sets where the sphere may come to rest on a piece of the loading curve. If that lies ahead, the leg ends near it, and
-    /// this is the creep there.
-    #[cold]
-    fn creep_on(&mut self, index: usize) -> Option<Creep> {
-        self.path.rest = None;
-        let piece = &self.law.loading.pieces()[index];
-        let (x, of) = equilibrium(self.law, self.forces.weight);
-        let at_rest = (of == index).then_some(x)?;
-        let creep = self.forces.creep(at_rest - self.law.touch(), piece.slope_at(at_rest))?;
-        let distance = at_rest - (piece.start - piece.shape.lead());
-        self.path.rest = Some(creep.rest(distance));
-        let near = distance - creep.within;
-        if self.at.distance < near && near < self.path.leg.end() {
-            self.path.leg = Leg::Outward(near);
-            return Some(creep);
-        }
-        None
-    }
-
-    /// Goes on from the end of a leg of the loading curve, which is a knot or the beginning of a creep.
-    fn go_on(&mut self, mut piece: usize, is_knot: bool, recorder: Option<&mut Recorder>) {
-        let mut event = None;
-        if is_knot {
-            let is_end_of_branch = piece == 0 && self.law.branch().is_some();
-            piece += 1;
-            let begins_at_yield = || self.law.loading.pieces()[piece].start == self.law.elastic_until();
-            let is_yield = is_end_of_branch || self.awaits_yield && begins_at_yield();
-            self.awaits_yield &= !is_yield;
-            event = Some(if is_yield { Event::Yield } else { Event::Knot });
-            self.at.distance = entry_of(self.law, piece);
-        }
-        if let (Some(recorder), Some(event)) = (recorder, event) {
-            recorder.take(&self.along(piece), Some((event, &self.at)));
-        }
-        self.set_out(piece);
-    }
-
-    /// Begins the way back at the end of compression, unless the sphere has crept up to its static indentation.
-    fn turn(&mut self, piece: usize, is_at_rest: bool, recorder: Option<&mut Recorder>) {
-        let unloading = self.law.unloading(self.law.state_at(piece, self.at.distance - entry_of(self.law, piece)));
-        if let Some(recorder) = recorder {
-            let event = if is_at_rest { Event::Captured } else { Event::Peak };
-            recorder.take(&self.along(piece), Some((event, &self.at)));
-        }
-        let loading_time = self.at.time;
-        self.at.distance = unloading.peak.elastic_approach;
-        if is_at_rest {
-            let fate = Some(Fate::Captured);
-            self.phase = Phase::Unloading { unloading, loading_time, is_captured: true, creep: None, fate };
-            return;
-        }
-        self.at.speed = 0.0;
-        // a sphere that came without speed does not leave
-        let is_captured = self.q == 0.0 || self.forces.is_conservative() && self.forces.captures(&unloading, self.q);
-        let (mut creep, mut back_to) = (None, back_to(self.forces, &unloading, is_captured));
-        if self.may_creep() {
-            let at_rest = self.forces.static_approach(&unloading);
-            creep = self.forces.creep(at_rest, self.forces.static_slope(&unloading, at_rest));
-            self.path.rest = creep.map(|creep| creep.rest(at_rest));
-            creep = creep.filter(|creep| at_rest + creep.within < self.at.distance);
-            back_to = creep.map_or(back_to, |creep| at_rest + creep.within);
-        }
-        (self.path.restoring, self.path.leg) = (restoring(&unloading.branch()), Leg::Back(back_to));
-        let distance = unloading.peak.elastic_approach;
-        self.path.sizes = Sizes { distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
-        self.phase = Phase::Unloading { unloading, loading_time, is_captured, creep, fate: None };
-    }
-
-    /// Whether it has come to its end.
-    pub fn has_ended(&self) -> bool {
-        matches!(self.phase, Phase::Unloading { fate: Some(_), .. })
-    }
-
-    /// The outcome of an impact that has ended. It is large, so it is made only when it is wanted.
-    #[inline(always)]
-    pub fn outcome(&self) -> Option<Outcome> {
-        let Phase::Unloading { ref unloading, loading_time, fate: Some(fate), .. } = self.phase else { return None };
-        let State { time, distance, speed, loss } = self.at;
-        Some(Outcome {
-            unloading: *unloading,
-            restitution: if fate == Fate::Captured { 0.0 } else { -speed / self.q },
-            loading_time,
-            contact_time: time,
-            fate,
-            end_indentation: distance + self.law.dent(&unloading.peak).residual(),
-            end_speed: speed,
-            loss: loss / ACCELERATION,
-        })
-    }
+    None
 }
 
 /// Where the way back ends, if nothing ends it before.

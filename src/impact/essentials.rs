@@ -16,7 +16,7 @@ pub struct Essentials {
     /// First touch to separation \[s\], by [`Method::Verlet`](super::Method::Verlet) within its last step; infinite for a
     /// captured sphere.
     pub contact_time: f64,
-    /// F_m \[N\].
+    /// The largest contact force on the way \[N\], damping included.
     pub peak_force: f64,
     /// δ_m \[m\].
     pub peak_indentation: f64,
@@ -67,7 +67,7 @@ impl Essentials {
         Ok(Self {
             restitution: outcome.restitution,
             contact_time: if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time },
-            peak_force: normal("peak force (N)", peak.force * scales.force)?,
+            peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
             peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),

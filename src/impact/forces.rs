@@ -5,8 +5,8 @@
 //! The sphere moves by m δ'' = −F_c + m g, with the contact force F_c: the law's own F without damping, else as
 //! [`Damping`] says. The contact never pulls. Under viscous damping the sphere therefore leaves where F_c vanishes, above
 //! the bottom of its dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at
-//! the knots of a law, and so does the viscous force. With viscous damping the largest force comes a little before
-//! maximum compression.
+//! the knots of a law, and so does the viscous force. With damping the largest force comes before maximum
+//! compression; it is found as an event.
 //!
 //! # What serves as a reference
 //!

@@ -151,12 +151,7 @@ impl Contact {
         if let Some(exact) = exact.as_ref().filter(|_| forces.is_none()) {
             law.accept(&exact.unloading.peak)?;
         }
-        // the duration under gravity or damping is not known beforehand: the first run finds it, the second one samples
-        let duration = match (&exact, samples) {
-            (_, None) => 0.0,
-            (Some(exact), _) if forces.is_none() => exact.contact_time,
-            _ => run(law, *q, forces, exact.as_ref(), &solver, None)?.outcome.contact_time,
-        };
+        let duration = exact.as_ref().filter(|_| forces.is_none()).map(|exact| exact.contact_time);
         let mut recorder = samples.map(|samples| Recorder::new(samples, duration));
         let computed = run(law, *q, forces, exact.as_ref(), &solver, recorder.as_mut())?;
         let peak = &computed.outcome.unloading.peak;

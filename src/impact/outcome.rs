@@ -40,6 +40,8 @@ pub struct Outcome {
     pub unloading: Unloading,
     /// e: rebound speed over impact speed; 0 for a captured sphere.
     pub restitution: f64,
+    /// The largest contact force on the way, damping included.
+    pub largest_force: f64,
     /// Time of compression.
     pub loading_time: f64,
     /// Time from first touch to separation, or to where the run of a captured sphere ends.

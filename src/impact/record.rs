@@ -1,9 +1,11 @@
 //! The trace of an impact while it is integrated: even samples in time, and every event.
 
+use super::outcome::Outcome;
 use super::scales::ACCELERATION;
-use crate::integrate::{Drag, Sampler, State};
+use crate::integrate::{Drag, Segment, State};
 use crate::law::{Law, Peak, Unloading};
 use crate::math::power::max_or_nan;
+use crate::math::root::falls_through;
 
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,6 +48,7 @@ pub struct Point {
 }
 
 /// A branch of the law that a leg runs along, with the drag there.
+#[derive(Clone, Copy)]
 pub(super) enum Along<'a> {
     /// A piece of the loading curve; distances count from the zero of a power law, else from the start of the piece.
     Loading { law: &'a Law, index: usize, drag: Drag },
@@ -92,37 +95,89 @@ pub(super) fn loading_point(
     Point { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }
 }
 
-/// Collects a trace: even samples in time and every event.
-#[derive(Debug, Clone, Default)]
+/// A leg of a motion that is recorded.
+#[derive(Debug)]
+struct Recorded {
+    /// The piece of the loading curve; `None` on the unloading branch.
+    piece: Option<usize>,
+    /// Its continuous solution.
+    track: Vec<Segment>,
+    /// Events at its start, on it and at its end, in order of time.
+    events: Vec<(Event, State)>,
+}
+
+/// Collects a trace: the continuous solution of every leg, and every event. Its points are even samples in time, and the
+/// events.
+#[derive(Debug, Default)]
 pub struct Recorder {
-    pub(super) sampler: Sampler,
-    /// An event on the leg under way.
-    marked: Option<(Event, State)>,
+    /// Samples between first touch and the end.
+    pub(super) inner: usize,
+    /// What the samples are spread over; `None`: the contact time of this motion.
+    pub(super) duration: Option<f64>,
+    legs: Vec<Recorded>,
     /// The points in order of time.
     pub points: Vec<Point>,
 }
 
 impl Recorder {
-    /// A recorder of `samples` points evenly spaced over `duration`, both ends included (they are events).
-    pub fn new(samples: usize, duration: f64) -> Self {
-        let inner = samples.saturating_sub(2);
-        #[allow(clippy::cast_precision_loss)]
-        let interval = duration / (inner + 1) as f64;
-        Self { sampler: Sampler::every(interval, inner), marked: None, points: Vec::with_capacity(samples + 16) }
+    /// A recorder of `samples` points evenly spaced over `duration`, or over the motion itself, both ends included (they are
+    /// events).
+    pub fn new(samples: usize, duration: Option<f64>) -> Self {
+        Self { inner: samples.saturating_sub(2), duration, legs: Vec::new(), points: Vec::new() }
     }
 
-    /// Notes an event on the leg under way.
+    /// Time between two samples of a motion that lasts as long as this.
+    #[allow(clippy::cast_precision_loss)] // counts below 2^53
+    pub(super) fn interval(&self, contact_time: f64) -> f64 {
+        self.duration.unwrap_or(contact_time) / (self.inner + 1) as f64
+    }
+
+    /// Begins a leg on a piece of the loading curve, or on the unloading branch, perhaps with an event.
+    pub(super) fn begin(&mut self, piece: Option<usize>, event: Option<(Event, State)>) -> &mut Vec<Segment> {
+        let place = self.legs.len();
+        self.legs.push(Recorded { piece, track: Vec::new(), events: event.into_iter().collect() });
+        &mut self.legs[place].track
+    }
+
+    /// Notes an event on the leg that was begun last.
     pub(super) fn mark(&mut self, event: Event, at: State) {
-        self.marked = Some((event, at));
+        if let Some(leg) = self.legs.last_mut() {
+            leg.events.push((event, at));
+        }
     }
 
-    /// Turns the samples of a leg, an event noted on it, and the event at its end, into points.
-    pub(super) fn take(&mut self, along: &Along, event: Option<(Event, &State)>) {
-        let marked = self.marked.take().map(|(event, at)| along.point(&at, Some(event)));
-        let before = marked.map_or(0, |marked| self.sampler.states.partition_point(|state| state.time < marked.time));
-        self.points.extend(self.sampler.states.drain(..before).map(|state| along.point(&state, None)));
-        self.points.extend(marked);
-        self.points.extend(self.sampler.states.drain(..).map(|state| along.point(&state, None)));
-        self.points.extend(event.map(|(event, at)| along.point(at, Some(event))));
+    /// The state on the way out where the leg that was begun last passes a distance.
+    pub(super) fn passage(&self, distance: f64) -> Option<State> {
+        let track = &self.legs.last()?.track;
+        let of = track.partition_point(|segment| segment.at(segment.end).distance < distance);
+        let segment = track.get(of.min(track.len().checked_sub(1)?))?;
+        let begun = of.checked_sub(1).map_or(0.0, |before| track[before].end);
+        let time = falls_through((begun, segment.end), |time| distance - segment.at(time).distance);
+        Some(State { distance, ..segment.at(time) })
+    }
+
+    /// Makes the points of a motion that has ended.
+    pub(super) fn finish(&mut self, law: &Law, outcome: &Outcome, drag: Drag) {
+        let interval = self.interval(outcome.contact_time);
+        let mut next = 1;
+        for leg in self.legs.drain(..) {
+            let along = match leg.piece {
+                Some(index) => Along::Loading { law, index, drag },
+                None => Along::Unloading { unloading: &outcome.unloading, drag },
+            };
+            let mut events = leg.events.into_iter().peekable();
+            for segment in &leg.track {
+                #[allow(clippy::cast_precision_loss)] // counts below 2^53
+                let due = |next: usize| Some(interval * next as f64).filter(|time| *time < segment.end);
+                while let Some(time) = due(next).filter(|_| next <= self.inner) {
+                    while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
+                        self.points.push(along.point(&at, Some(event)));
+                    }
+                    self.points.push(along.point(&segment.at(time), None));
+                    next += 1;
+                }
+            }
+            self.points.extend(events.map(|(event, at)| along.point(&at, Some(event))));
+        }
     }
 }

@@ -110,6 +110,8 @@ pub struct Impact {
     pub unloading_radius: f64,
     /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
     pub residual_radius: Option<f64>,
+    /// F_m \[N\]: the force at δ_m, where the sphere stands still. Under damping the largest one comes before it.
+    pub force_at_peak_indentation: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
     /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
@@ -153,7 +155,7 @@ impl Impact {
         let Case { scales, law, forces, .. } = case;
         let Computed { outcome, work, fixed_steps } = computed;
         let essentials = Essentials::new(contact, speed, case, outcome)?;
-        let Essentials { restitution, kinetic_in, peak_force, peak_contact_radius, .. } = essentials;
+        let Essentials { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
         let ledger = Ledger::new(case, speed, &essentials, outcome);
@@ -207,7 +209,10 @@ impl Impact {
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
             residual_radius: (has_dent && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
-            peak_mean_pressure: peak_force / (std::f64::consts::PI * peak_contact_radius) / peak_contact_radius,
+            force_at_peak_indentation: peak.force * scales.force,
+            peak_mean_pressure: peak.force * scales.force
+                / (std::f64::consts::PI * peak_contact_radius)
+                / peak_contact_radius,
             dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(dent)),
             energy: Energy {
                 kinetic_in,

@@ -118,7 +118,15 @@ pub fn run(
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * steps + 10;
             let step = duration / f64::from(solver.steps_per_contact.max(1));
-            verlet::march(law, q, forces, step, most, recorder)
+            if let Some(recorder) = recorder {
+                // fixed steps are sampled while they are taken, so the end of the contact must be known before
+                if recorder.duration.is_none() {
+                    let end = verlet::march(law, q, forces, step, most, None)?.outcome.contact_time;
+                    recorder.duration = Some(end);
+                }
+                return verlet::march(law, q, forces, step, most, Some(recorder));
+            }
+            verlet::march(law, q, forces, step, most, None)
         }
     }
 }

@@ -10,7 +10,7 @@ use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::record::{Along, Event, Recorder, loading_point};
 use super::scaled_forces::{ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
-use crate::integrate::{Drag, IntegrationError, Sampler, State, Work};
+use crate::integrate::{Drag, IntegrationError, State, Work};
 use crate::law::piece::Piece;
 use crate::law::{Law, Peak, Unloading};
 use crate::math::power::max_or_nan;
@@ -94,6 +94,28 @@ impl<'a> Remembering<'a> {
     }
 }
 
+/// Evenly spaced samples of a motion, filled while it goes on.
+struct Sampler {
+    interval: f64,
+    count: usize,
+    next: usize,
+    states: Vec<State>,
+}
+
+impl Sampler {
+    /// Takes the samples that are due before `end` on a parabola from `state`.
+    fn take(&mut self, state: &State, acceleration: f64, end: f64) {
+        #[allow(clippy::cast_precision_loss)] // counts below 2^53
+        while self.next <= self.count && self.interval * (self.next as f64) < end {
+            let time = self.interval * self.next as f64;
+            let t = time - state.time;
+            let distance = state.distance + t * (state.speed + 0.5 * acceleration * t);
+            self.states.push(State { time, distance, speed: state.speed + acceleration * t, loss: state.loss });
+            self.next += 1;
+        }
+    }
+}
+
 /// Marches in steps of `step`. The force of damping is taken at the speed half a step before. The peak is the deepest step.
 /// The run ends with the first step on the way out in which no force pushes; or, for a captured sphere, with the first step
 /// in which the sphere moves inwards again.
@@ -115,7 +137,11 @@ pub(crate) fn march(
     let mut peak = State { speed: 0.0, ..touch };
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
-    let mut sampler = recorder.as_ref().map(|recorder| recorder.sampler.clone());
+    let mut sampler = recorder.as_ref().map(|recorder| {
+        let interval = recorder.interval(f64::INFINITY);
+        Sampler { interval, count: recorder.inner, next: 1, states: Vec::new() }
+    });
+    let mut largest_force = 0.0;
     for n in 1..=most_steps {
         let half = state.speed + 0.5 * step * acceleration;
         let distance = state.distance + step * half;
@@ -124,6 +150,7 @@ pub(crate) fn march(
         let (before, acceleration_before) = (state, acceleration);
         let (force, of_damping) = contact.at(distance, half);
         let total = max_or_nan(force + of_damping, 0.0);
+        largest_force = max_or_nan(largest_force, total);
         acceleration = ACCELERATION * (forces.weight - total);
         let loss = state.loss + ACCELERATION * (total - force) * half * step;
         state = State { time, distance, speed: half + 0.5 * step * acceleration, loss };
@@ -154,7 +181,7 @@ pub(crate) fn march(
             state = contact.left_at(&before, &state, step, gravity, residual);
         }
         if let Some(sampler) = &mut sampler {
-            sample(sampler, &before, acceleration_before, state.time);
+            sampler.take(&before, acceleration_before, state.time);
         }
         if let Some(unloading) = unloading {
             let loading_time = if is_back { turns_at.min(state.time) } else { peak.time };
@@ -168,6 +195,7 @@ pub(crate) fn march(
             let outcome = Outcome {
                 unloading,
                 restitution: if separates { -state.speed / q } else { 0.0 },
+                largest_force,
                 loading_time,
                 contact_time: state.time,
                 fate,
@@ -182,15 +210,6 @@ pub(crate) fn march(
         }
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
-}
-
-/// Takes the samples that are due before `end` on a parabola from `state`.
-fn sample(sampler: &mut Sampler, state: &State, acceleration: f64, end: f64) {
-    while let Some(time) = sampler.due_before(end) {
-        let t = time - state.time;
-        let distance = state.distance + t * (state.speed + 0.5 * acceleration * t);
-        sampler.take(State { time, distance, speed: state.speed + acceleration * t, loss: state.loss });
-    }
 }
 
 /// Whether an overdamped sphere has come near its static indentation.

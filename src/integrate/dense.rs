@@ -7,7 +7,7 @@
 
 use super::landing::Node;
 use super::piece::Variables;
-use super::{Sampler, State, nystrom};
+use super::{Segment, State, nystrom};
 use crate::math::root::kept_between;
 
 const TERMS: usize = 5;
@@ -65,11 +65,8 @@ fn part_of_step<F: Variables>(field: F, from: &Node, h: f64) -> (f64, f64) {
     (step.position, if h > 0.0 { step.velocity / h } else { from.u })
 }
 
-/// Takes every sample that is due in the step of `length` (in σ) from `from` to `to`; drag has taken `loss` before it.
-pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node, to: &Node, length: f64, loss: f64) {
-    if samples.due_before(to.t).is_none() {
-        return;
-    }
+/// The continuous solution of the step of `length` (in σ) from `from` to `to`; drag has taken `loss` before it.
+pub(super) fn segment<F: Variables>(field: F, from: Node, to: Node, length: f64, loss: f64) -> Segment {
     let derivatives = |node: &Node| {
         let (slope, curvature) = field.derivatives(node.y);
         [node.y, node.u, node.g, slope * node.u, curvature * node.u * node.u + slope * node.g]
@@ -78,13 +75,13 @@ pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node,
         let (h, h2) = (length, length * length);
         [a, b * h, c * h2 / 2.0, d * h2 * h / 6.0, e * h2 * h2 / 24.0]
     };
-    let (start, end) = (derivatives(from), derivatives(to));
+    let (start, end) = (derivatives(&from), derivatives(&to));
     let position = Hermite::new(taylor(start), taylor(end));
     // t' = 2 y on a regularised piece
     let times =
         |node: &Node, [y, u, g, j, _]: [f64; TERMS]| taylor([node.t - from.t, 2.0 * y, 2.0 * u, 2.0 * g, 2.0 * j]);
-    let clock = Hermite::new(times(from, start), times(to, end));
-    while let Some(time) = samples.due_before(to.t) {
+    let clock = Hermite::new(times(&from, start), times(&to, end));
+    Segment::new(to.t, move |time| {
         let wanted = time - from.t;
         let mut theta = wanted / (to.t - from.t);
         if !F::IS_TIME {
@@ -98,8 +95,8 @@ pub(super) fn sample<F: Variables>(field: F, samples: &mut Sampler, from: &Node,
             let (y, slope) = position.at(theta);
             (y, slope / length)
         } else {
-            part_of_step(field, from, theta * length)
+            part_of_step(field, &from, theta * length)
         };
-        samples.take(State { time, distance: field.distance_at(y), speed, loss });
-    }
+        State { time, distance: field.distance_at(y), speed, loss }
+    })
 }

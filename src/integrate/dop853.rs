@@ -83,8 +83,100 @@ const E5: [f64; 8] = [
 /// Weights of order 3, stages 1, 9, 12.
 const B3: [f64; 3] = [0.244_094_488_188_976_4, 0.733_846_688_281_611_8, 0.022_058_823_529_411_766];
 
+const A14: [f64; 8] = [
+    0.056_167_502_283_047_954,
+    0.253_500_210_216_624_83,
+    -0.246_239_037_470_802_5,
+    -0.124_191_423_263_816_37,
+    0.153_291_798_278_765_68,
+    0.008_201_052_295_634_69,
+    0.007_567_897_660_545_699,
+    -0.008_298,
+];
+const A15: [f64; 8] = [
+    0.031_834_648_163_502_14,
+    0.028_300_909_672_366_776,
+    0.053_541_988_307_438_566,
+    -0.054_923_748_571_390_99,
+    -0.000_108_347_328_697_249_32,
+    0.000_382_571_090_835_658_4,
+    -0.000_340_465_008_687_404_56,
+    0.141_312_443_674_632_5,
+];
+const A16: [f64; 8] = [
+    -0.428_896_301_583_791_94,
+    -4.697_621_415_361_164,
+    7.683_421_196_062_599,
+    4.068_989_818_397_11,
+    0.356_727_187_455_281_1,
+    -0.001_399_024_165_159_014_5,
+    2.947_514_789_152_772_4,
+    -9.150_958_472_179_87,
+];
+/// Weights of the last four terms, stages 1, 6 … 16.
+const D: [[f64; 12]; 4] = [
+    [
+        -8.428_938_276_109_013,
+        0.566_714_953_519_377_7,
+        -3.068_949_945_949_891_7,
+        2.384_667_656_512_07,
+        2.117_034_582_445_028,
+        -0.871_391_583_777_973,
+        2.240_437_430_260_788_3,
+        0.631_578_778_769_468_8,
+        -0.088_990_336_451_333_31,
+        18.148_505_520_854_727,
+        -9.194_632_392_478_356,
+        -4.436_036_387_594_894,
+    ],
+    [
+        10.427_508_642_579_134,
+        242.283_491_775_258_17,
+        165.200_451_717_270_28,
+        -374.546_754_722_690_2,
+        -22.113_666_853_125_306,
+        7.733_432_668_472_264,
+        -30.674_084_731_089_398,
+        -9.332_130_526_430_229,
+        15.697_238_121_770_845,
+        -31.139_403_219_565_178,
+        -9.352_924_358_844_48,
+        35.816_841_486_394_08,
+    ],
+    [
+        19.985_053_242_002_433,
+        -387.037_308_749_351_8,
+        -189.178_138_195_167_58,
+        527.808_159_205_423_6,
+        -11.573_902_539_959_63,
+        6.881_232_694_696_3,
+        -1.000_605_096_691_083_8,
+        0.777_713_779_805_344_3,
+        -2.778_205_752_353_508,
+        -60.196_695_231_264_12,
+        84.320_405_506_677_16,
+        11.992_291_136_182_79,
+    ],
+    [
+        -25.693_933_462_703_75,
+        -154.189_748_690_236_43,
+        -231.529_379_176_045_5,
+        357.639_117_910_614_1,
+        93.405_324_183_624_32,
+        -37.458_323_136_451_63,
+        104.099_649_508_962_3,
+        29.840_293_426_660_5,
+        -43.533_456_590_011_14,
+        96.324_553_959_188_28,
+        -39.177_261_675_615_44,
+        -149.726_836_257_985_64,
+    ],
+];
+
 /// Evaluations of the rates a step costs: stages 2 … 12 and the first of the next step.
 pub(super) const EVALUATIONS: u64 = 12;
+/// Evaluations that its continuous solution costs besides.
+pub(super) const CONTINUOUS_EVALUATIONS: u64 = 3;
 
 /// The end of a step.
 #[derive(Debug, Clone, Copy)]
@@ -96,9 +188,58 @@ pub(super) struct Step {
     pub(super) fifth: f64,
     /// Largest relative error of order 3, per length of the step.
     pub(super) third: f64,
+    /// Stages 1, 6 … 12.
+    stages: [Quad; 8],
+}
+
+/// The continuous solution of a step, of order 7: a polynomial on 0 ≤ θ ≤ 1 with the right values and rates at both ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Continuous([Quad; 8]);
+
+impl Continuous {
+    /// A part of the node at θ, and its derivative.
+    #[inline]
+    pub(super) fn part(&self, part: usize, theta: f64) -> (f64, f64) {
+        let (mut value, mut slope) = (self.0[7][part], 0.0);
+        for k in (0..7).rev() {
+            let (x, dx) = if k % 2 == 0 { (theta, 1.0) } else { (1.0 - theta, -1.0) };
+            slope = slope * x + value * dx;
+            value = self.0[k][part] + value * x;
+        }
+        (value, slope)
+    }
+
+    /// The node at θ.
+    pub(super) fn at(&self, theta: f64) -> Quad {
+        [0, 1, 2, 3].map(|part| self.part(part, theta).0)
+    }
 }
 
 impl Step {
+    /// The continuous solution of this step of length h from `node`.
+    pub(super) fn continuous<M: Motion>(&self, motion: M, node: &Quad, h: f64) -> Continuous {
+        let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;
+        let k13 = &self.rates;
+        let rates = |weights: [f64; 8], stages: [&Quad; 8]| {
+            motion.rates(node[0] + h * sum(weights, stages, 0), node[1] + h * sum(weights, stages, 1))
+        };
+        let k14 = &rates(A14, [k1, k7, k8, k9, k10, k11, k12, k13]);
+        let k15 = &rates(A15, [k1, k6, k7, k8, k11, k12, k13, k14]);
+        let k16 = &rates(A16, [k1, k6, k7, k8, k9, k13, k14, k15]);
+        let mut terms = [*node; 8];
+        for part in 0..4 {
+            let way = self.node[part] - node[part];
+            let first = h * k1[part] - way;
+            terms[1][part] = way;
+            terms[2][part] = first;
+            terms[3][part] = way - h * k13[part] - first;
+            for (term, weights) in terms[4..].iter_mut().zip(D) {
+                term[part] = h * sum(weights, [k1, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16], part);
+            }
+        }
+        Continuous(terms)
+    }
+
     /// Estimated error of this step of length h relative to the sizes, `least` times that of order 5 at least.
     #[inline(always)]
     pub(super) fn error(&self, h: f64, least: f64) -> f64 {
@@ -162,7 +303,8 @@ pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inve
         fifth = fifth.max(of_fifth);
         third = third.max(of_third);
     }
-    Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third }
+    let stages = [k1, k6, k7, k8, k9, k10, k11, k12];
+    Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third, stages }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The exact motion on a piece as an [`Integrator`]: harmonic on a straight line, an incomplete beta function on a power law,
 //! a quadrature on any other. It serves traces without integration error, and is the reference of the other integrators.
 
-use super::{IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sampler, State, Work};
+use super::{Arrival, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Segment, State, Work};
 use crate::math::functions::{atan, pow, sin, sin_cos};
 use crate::math::power::{power, power_state, power_time, quarter_period};
 use crate::math::root::kept_between;
@@ -16,8 +16,8 @@ impl Integrator for Exact {
         &mut self,
         path: &Path,
         state: &mut State,
-        samples: Option<&mut Sampler>,
-    ) -> Result<Landing, IntegrationError> {
+        track: Option<&mut Vec<Segment>>,
+    ) -> Result<Arrival, IntegrationError> {
         let start = *state;
         let (landing, end, at) = match (path.restoring, path.leg) {
             (Restoring::Straight { at_start, slope }, leg) => straight(start, leg, at_start, slope),
@@ -29,14 +29,14 @@ impl Integrator for Exact {
                 SmoothWay { force, start: x, c }.along(start, leg)
             }
         };
-        if let Some(samples) = samples {
-            while let Some(time) = samples.due_before(end.time) {
+        if let Some(track) = track {
+            track.push(Segment::new(end.time, move |time| {
                 let (distance, speed) = at(time - start.time);
-                samples.take(State { time, distance, speed, ..start });
-            }
+                State { time, distance, speed, ..start }
+            }));
         }
         *state = end;
-        Ok(landing)
+        Ok(Arrival { landing, largest_force: path.larger_force(&start, state) })
     }
 
     fn work(&self) -> Work {

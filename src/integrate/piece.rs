@@ -44,7 +44,7 @@ pub(super) trait Field: Copy {
 }
 
 /// The variables of a piece without drag, needed where a leg begins and ends.
-pub(super) trait Variables: Field {
+pub(super) trait Variables: Field + 'static {
     /// Whether g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
     /// Whether a pull may be stronger than the force.
@@ -79,17 +79,9 @@ pub(super) trait Motion: Copy {
 }
 
 /// What landing and sampling need of a piece with drag.
-pub(super) trait Dragged: Motion {
+pub(super) trait Dragged: Motion + 'static {
     /// m.
     const ROOT: i32;
-    /// A function that is zero where the contact force is, and its derivative.
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64);
-    /// Another function that is zero there, and its derivative: one that is nearly straight, so that Newton's method needs few
-    /// steps. Where the force goes with a high power of y, the first function is not.
-    #[inline(always)]
-    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        self.contact(node, rates)
-    }
     /// About √g' at y, for the first step.
     fn frequency(&self, y: f64) -> f64;
 

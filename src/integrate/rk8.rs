@@ -24,14 +24,16 @@
 //! of undamped impacts have closed forms, and damped ones gained less than a factor of two.
 
 use super::damped::Damped;
-use super::dense::sample;
+use super::dense::segment;
 use super::landing::{Node, Target};
 use super::nystrom::{self, EVALUATIONS};
 use super::piece::power::Power;
 use super::piece::smooth::Curve;
 use super::piece::straight::Straight;
 use super::piece::{Field, Variables};
-use super::{Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Sampler, State, Work};
+use super::{
+    Arrival, Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Segment, State, Work,
+};
 use crate::math::functions::pow;
 use crate::math::smooth::Variable;
 
@@ -68,12 +70,12 @@ impl Rk8 {
         &mut self,
         path: &Path,
         state: &mut State,
-        samples: Option<&mut Sampler>,
-    ) -> Option<Result<Landing, IntegrationError>> {
+        track: Option<&mut Vec<Segment>>,
+    ) -> Option<Result<Arrival, IntegrationError>> {
         macro_rules! traverse {
             ($field:expr) => {{
                 let field = $field;
-                (!PULLED || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, samples))
+                (!PULLED || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, track))
             }};
         }
         match path.restoring {
@@ -87,10 +89,10 @@ impl Rk8 {
             Restoring::Smooth { .. } if PULLED => None,
             Restoring::Smooth { force, start, factor } => Some(match force.variable() {
                 Variable::Indentation => {
-                    self.traverse_field(Curve::<false> { force, start, c: factor }, path, state, samples)
+                    self.traverse_field(Curve::<false> { force, start, c: factor }, path, state, track)
                 }
                 Variable::RootOfDistance => {
-                    self.traverse_field(Curve::<true> { force, start, c: 2.0 * factor }, path, state, samples)
+                    self.traverse_field(Curve::<true> { force, start, c: 2.0 * factor }, path, state, track)
                 }
             }),
         }
@@ -101,8 +103,8 @@ impl Rk8 {
         field: F,
         path: &Path,
         state: &mut State,
-        mut samples: Option<&mut Sampler>,
-    ) -> Result<Landing, IntegrationError> {
+        mut track: Option<&mut Vec<Segment>>,
+    ) -> Result<Arrival, IntegrationError> {
         let (leg, mut now, mut h) = self.begin(field, path, state);
         self.work.force_evaluations += 1;
         for _ in 0..MOST_STEPS {
@@ -132,14 +134,14 @@ impl Rk8 {
                     landing = Some(landed.landing);
                 }
             }
-            if let Some(samples) = samples.as_deref_mut() {
-                sample(field, samples, &now, &next, length, state.loss);
+            if let Some(track) = track.as_deref_mut() {
+                track.push(segment(field, now, next, length, state.loss));
             }
             now = next;
             if let Some(landing) = landing {
                 let distance = path.landed_at(landing, field.distance_at(now.y));
-                *state = State { time: now.t, distance, speed: now.u, ..*state };
-                return Ok(landing);
+                let begun = std::mem::replace(state, State { time: now.t, distance, speed: now.u, ..*state });
+                return Ok(Arrival { landing, largest_force: path.larger_force(&begun, state) });
             }
             h = grown(this, error);
         }
@@ -231,19 +233,19 @@ impl Integrator for Rk8 {
         &mut self,
         path: &Path,
         state: &mut State,
-        mut samples: Option<&mut Sampler>,
-    ) -> Result<Landing, IntegrationError> {
+        mut track: Option<&mut Vec<Segment>>,
+    ) -> Result<Arrival, IntegrationError> {
         if path.drag == Drag::NONE && matches!(path.leg, Leg::Outward(_) | Leg::Back(0.0)) {
             let landed = if path.pull == 0.0 {
-                self.conservative::<false>(path, state, samples.as_deref_mut())
+                self.conservative::<false>(path, state, track.as_deref_mut())
             } else {
-                self.conservative::<true>(path, state, samples.as_deref_mut())
+                self.conservative::<true>(path, state, track.as_deref_mut())
             };
             if let Some(landed) = landed {
                 return landed;
             }
         }
-        self.damped.traverse(path, state, samples)
+        self.damped.traverse(path, state, track)
     }
 
     fn work(&self) -> Work {

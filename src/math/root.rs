@@ -60,6 +60,32 @@ pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> boo
     (low, high)
 }
 
+/// The zero of a function that falls from above 0 at `low` to 0 or below at `high`: regula falsi (Illinois), with a halving
+/// after every third guess.
+pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) -> f64) -> f64 {
+    let (mut above, mut below) = (at(low), at(high));
+    for guess in 1..MOST {
+        let mut x = low + (high - low) * (above / (above - below));
+        if guess % 4 == 0 || !(x > low && x < high) {
+            x = 0.5 * (low + high);
+        }
+        if high - low <= 2.0 * f64::EPSILON * high.abs() || !(x > low && x < high) {
+            break;
+        }
+        let value = at(x);
+        if value == 0.0 {
+            return x;
+        }
+        // the end that stays counts half
+        if value > 0.0 {
+            (low, above, below) = (x, value, 0.5 * below);
+        } else {
+            (high, below, above) = (x, value, 0.5 * above);
+        }
+    }
+    high
+}
+
 /// The zero of a convex function below a place where it is positive and rises: from there Newton's method falls towards it,
 /// and ends where rounding stops the fall. `step` is the value over the derivative.
 #[inline]

@@ -33,7 +33,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
         return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
     };
     let branches = [(true, &trace[..=turn]), (false, &trace[turn..])];
-    let peak = (impact.peak_indentation, impact.peak_force);
+    let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
     let ink = |mark| Style::marker(mark, INK);
     let to_peak = Style::line(GREY, 2.0).dashed(DOTTED);
     let mut series = vec![Series::bare("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
@@ -83,7 +83,7 @@ pub(super) fn peak_name(impact: &Impact) -> &'static str {
 
 /// The force at the turning point. It is the peak force F_m only without damping.
 pub(super) fn force_at_peak(impact: &Impact) -> String {
-    let force = quantity(impact.peak_force, "N");
+    let force = quantity(impact.force_at_peak_indentation, "N");
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 

@@ -3,6 +3,7 @@
 mod at_rest;
 mod creep;
 mod error_control;
+mod peak_force;
 mod properties;
 
 use plm_impact::impact::{

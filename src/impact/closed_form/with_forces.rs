@@ -22,8 +22,9 @@ use crate::integrate::Drag;
 use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
-use crate::math::power::{power, power_turn};
+use crate::math::power::{max_or_nan, power, power_turn};
 use crate::math::quadrature;
+use crate::math::root::falls_through;
 
 /// Where an impact of energy `kinetic` (in units of Φ L) and weight w turns: the piece, and the distance from its start.
 fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
@@ -199,6 +200,11 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     Some(Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { rebound / q },
+        largest_force: if chi == 0.0 {
+            law.largest_force(&unloading.peak)
+        } else {
+            largest_force(law, last, distance, speeds.energy(q), speeds)
+        },
         loading_time,
         contact_time,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
@@ -206,6 +212,27 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
         end_speed,
         loss,
     })
+}
+
+/// The largest contact force f (1 + χ u) on the way to the turning point at `distance` from the start of piece `last`. It
+/// rises where df/dx u > (5/4) χ f².
+fn largest_force(law: &Law, last: usize, distance: f64, energy: f64, speeds: Speeds) -> f64 {
+    let pieces = law.loading.pieces();
+    let mut largest = 0.0;
+    for (index, piece) in pieces[..=last].iter().enumerate() {
+        let end = if index < last { pieces[index + 1].start - piece.start } else { distance };
+        let speed = |d: f64| speeds.speed(energy - ACCELERATION * piece.work_at(piece.start + d), 1.0);
+        let force = |d: f64| piece.force_at(piece.start + d) * (1.0 + speeds.chi * speed(d));
+        largest = max_or_nan(largest, max_or_nan(force(0.0), force(end)));
+        let growth = |d: f64| {
+            let f = piece.force_at(piece.start + d);
+            piece.slope_at(piece.start + d) * speed(d) - ACCELERATION * speeds.chi * f * f
+        };
+        if growth(0.0) >= 0.0 && growth(end) < 0.0 {
+            largest = max_or_nan(largest, force(falls_through((0.0, end), growth)));
+        }
+    }
+    largest
 }
 
 /// Time along these pieces to the turning point at `distance` from the start of the last one.

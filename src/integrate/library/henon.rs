@@ -73,13 +73,6 @@ pub(super) fn run(
     Ok((nodes, landing, [t, d, u, start[3]]))
 }
 
-/// The state at `time`, from a node before it.
-pub(super) fn after(library: &mut Library, path: &Path, node: Node, time: f64) -> Result<Node, IntegrationError> {
-    let equations = Equations { path, along: DISTANCE, nodes: None };
-    let end = library.drive(equations, library.tolerance, node[0], time, Vector2::new(node[1], node[2]))?;
-    Ok([time, end[0], end[1], node[3]])
-}
-
 /// The state where the distance or the speed reaches `to`.
 fn reach(library: &mut Library, path: &Path, along: usize, node: Node, to: f64) -> Result<Node, IntegrationError> {
     let [t, d, u, loss] = node;

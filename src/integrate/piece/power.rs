@@ -118,17 +118,6 @@ impl<const M: u8> DraggedHertz<M> {
     }
 }
 
-impl<const M: u8> DraggedHertz<M> {
-    /// Contact force over d^¼, m = 4: k r⁵ + c u; and its derivative.
-    #[inline(always)]
-    pub(super) fn contact_force(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        let square = node[0] * node[0];
-        let fourth = square * square;
-        let c = self.drag.eta;
-        (self.k * fourth * node[0] + c * node[1], self.k * 5.0 * fourth * rates[0] + c * rates[1])
-    }
-}
-
 impl<const M: u8> Motion for DraggedHertz<M> {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
@@ -149,12 +138,6 @@ impl<const M: u8> Motion for DraggedHertz<M> {
 
 impl<const M: u8> Dragged for DraggedHertz<M> {
     const ROOT: i32 = M as i32;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        self.contact_force(node, rates)
-    }
-    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        beyond_lift_off(self.k, 5.0, self.drag.eta, node, rates).unwrap_or_else(|| self.contact(node, rates))
-    }
     fn frequency(&self, y: f64) -> f64 {
         frequency(self.k, 1.5, y, Self::ROOT)
     }
@@ -175,30 +158,9 @@ impl<const M: u8> Motion for DraggedPower<M> {
 
 impl<const M: u8> Dragged for DraggedPower<M> {
     const ROOT: i32 = M as i32;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        // contact force over d^((n−1)/2): k r^(m(n+1)/2) + c u
-        let p = 0.5 * f64::from(M) * (self.n + 1.0);
-        let slope = self.k * p * pow(node[0].abs(), p - 1.0);
-        let c = self.drag.eta;
-        (slope * node[0] / p + c * node[1], slope * rates[0] + c * rates[1])
-    }
-    fn lift_off(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        let p = 0.5 * f64::from(M) * (self.n + 1.0);
-        beyond_lift_off(self.k, p, self.drag.eta, node, rates).unwrap_or_else(|| self.contact(node, rates))
-    }
     fn frequency(&self, y: f64) -> f64 {
         frequency(self.k, self.n, y, Self::ROOT)
     }
-}
-
-/// How far r is beyond the one at which k r^p + c u vanishes, and the derivative of that; `None` unless it is on the way back.
-fn beyond_lift_off(k: f64, p: f64, c: f64, node: &Quad, rates: &Quad) -> Option<(f64, f64)> {
-    let (r, u) = (node[0], node[1]);
-    if u >= 0.0 {
-        return None;
-    }
-    let end = pow(-c * u / k, 1.0 / p);
-    Some((r - end, rates[0] - end / (p * u) * rates[1]))
 }
 
 /// √ of −du'/dr of a power law.

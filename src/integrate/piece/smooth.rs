@@ -1,7 +1,7 @@
 //! Pieces that are neither powers nor straight lines: a formula that is smooth in d, or in √d.
 
 use super::{Dragged, Field, Motion, Quad, Variables};
-use crate::integrate::{Drag, Path, root_of};
+use crate::integrate::{Drag, Path};
 use crate::math::functions::powi;
 use crate::math::smooth::{Jet, Smooth};
 
@@ -106,15 +106,6 @@ impl<const M: u8> Motion for DraggedCurve<M> {
 
 impl<const M: u8> Dragged for DraggedCurve<M> {
     const ROOT: i32 = M as i32;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        // f + η √s u, where s = f'(d); f and s change along σ as d does
-        let [f, s, k] = self.derivatives(node[0]);
-        let moved = rates[0] * Self::clock(node[0]);
-        let root = root_of(s);
-        let of_root = if root > 0.0 { 0.5 * (k * moved) / root } else { 0.0 };
-        let eta = self.drag.eta;
-        (f + eta * root * node[1], s * moved + eta * (root * rates[1] + of_root * node[1]))
-    }
     fn frequency(&self, y: f64) -> f64 {
         let m = f64::from(M);
         let [f, s, _] = self.derivatives(y);

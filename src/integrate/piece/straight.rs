@@ -63,15 +63,6 @@ impl DraggedStraight {
     }
 }
 
-impl DraggedStraight {
-    /// The contact force and its derivative.
-    #[inline(always)]
-    pub(super) fn contact_force(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        let c = self.drag.eta;
-        (self.a + self.b * node[0] + c * node[1], self.b * rates[0] + c * rates[1])
-    }
-}
-
 impl Motion for DraggedStraight {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
@@ -83,9 +74,6 @@ impl Motion for DraggedStraight {
 
 impl Dragged for DraggedStraight {
     const ROOT: i32 = 1;
-    fn contact(&self, node: &Quad, rates: &Quad) -> (f64, f64) {
-        self.contact_force(node, rates)
-    }
     fn frequency(&self, _: f64) -> f64 {
         self.b.sqrt()
     }

@@ -125,10 +125,10 @@ fn printed_force(name: &str, impact: &Impact, indentation: f64) -> f64 {
         // F = (2 F_m/π)(θ − sin θ cos θ), 1 − cos θ = (δ − δ_r)/(δ_m − δ_r)
         let cosine = 1.0 - (indentation - residual) / (deepest - residual);
         let angle = cosine.acos();
-        impact.peak_force * std::f64::consts::FRAC_2_PI * (angle - angle.sin() * cosine)
+        impact.force_at_peak_indentation * std::f64::consts::FRAC_2_PI * (angle - angle.sin() * cosine)
     } else {
         let hertz = |x: f64| x.powf(1.5) - residual.powf(1.5);
-        impact.peak_force * hertz(indentation) / hertz(deepest)
+        impact.force_at_peak_indentation * hertz(indentation) / hertz(deepest)
     }
 }
 
