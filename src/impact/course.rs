@@ -107,14 +107,7 @@ pub fn integrate<I: Integrator>(
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
         let end = back_to(forces, &unloading, is_captured);
         path.leg = Leg::Back(end);
-        let mut creep = None;
-        if may_creep {
-            let at_rest = forces.static_approach(&unloading);
-            creep = forces.creep(at_rest, forces.static_slope(&unloading, at_rest));
-            path.rest = creep.map(|creep| creep.rest(at_rest));
-            creep = creep.filter(|creep| at_rest + creep.within < at.distance);
-            path.leg = Leg::Back(creep.map_or(end, |creep| at_rest + creep.within));
-        }
+        let creep = if may_creep { creep_back(forces, &unloading, &mut path) } else { None };
         let mut landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
         let mut creeps = false;
         if let Some(creep) = creep.filter(|_| landing == Landing::End) {
@@ -158,6 +151,18 @@ fn start(law: &Law, touch: State, weight: f64, pull: f64) -> State {
     let distance = 1e-22 * (equilibrium(law, weight).0 - law.touch());
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
+}
+
+/// Sets where the sphere may come to rest on the way back. If that lies ahead, the leg ends near it, and this is the creep
+/// there.
+#[cold]
+fn creep_back(forces: &ScaledForces, unloading: &Unloading, path: &mut Path) -> Option<Creep> {
+    let at_rest = forces.static_approach(unloading);
+    let creep = forces.creep(at_rest, forces.static_slope(unloading, at_rest));
+    path.rest = creep.map(|creep| creep.rest(at_rest));
+    let creep = creep.filter(|creep| at_rest + creep.within < unloading.peak.elastic_approach)?;
+    path.leg = Leg::Back(at_rest + creep.within);
+    Some(creep)
 }
 
 /// Sets where the sphere may come to rest on a piece of the loading curve. If that lies ahead, the leg ends near it, and

@@ -94,26 +94,16 @@ impl Damped {
                 return Err(IntegrationError::Creeping { steps: MOST_STEPS });
             }
             let last = step_to(sign * (end - node[0]), sign * rates[0], sign * rates[1]);
-            if h >= last {
-                h = last;
-            } else if 2.0 * h > last && rounds == 0 {
-                // no tiny step for the end
-                h = 0.5 * last;
-            }
+            // no tiny step for the end
+            let is_half = h < last && 2.0 * h > last && rounds == 0;
+            h = if is_half { 0.5 * last } else { h.min(last) };
             let next = dop853::step(piece, &node, &rates, h, &inverse_sizes);
             self.work.force_evaluations += EVALUATIONS;
             let error = next.error(h, least);
             let pace = 0.9 * pow(error, -0.125);
             // NaN where a stage left the range of a formula: a shorter step may stay inside
             if error > 1.0 || error.is_nan() {
-                self.work.rejected += 1;
-                h *= pace.max(0.2);
-                if h < f64::MIN_POSITIVE && !rates.iter().all(|rate| rate.is_finite()) {
-                    return Err(IntegrationError::NotFinite { time: node[2] });
-                }
-                if h < f64::MIN_POSITIVE {
-                    return Err(IntegrationError::StepUnderflow { time: node[2], step: h });
-                }
+                h = self.rejected(h * pace.max(0.2), &node, &rates)?;
                 continue;
             }
             let mut solved: Option<Continuous> = None;
@@ -174,6 +164,18 @@ impl Damped {
             }
             (node, rates) = (next.node, next.rates);
             h *= pace.min(5.0);
+        }
+    }
+
+    /// Notes a rejected step; `h` is the length of the next one.
+    fn rejected(&mut self, h: f64, node: &Quad, rates: &Quad) -> Result<f64, IntegrationError> {
+        self.work.rejected += 1;
+        match h {
+            f64::MIN_POSITIVE.. => Ok(h),
+            _ if rates.iter().all(|rate| rate.is_finite()) => {
+                Err(IntegrationError::StepUnderflow { time: node[2], step: h })
+            }
+            _ => Err(IntegrationError::NotFinite { time: node[2] }),
         }
     }
 

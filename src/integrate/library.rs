@@ -115,7 +115,7 @@ impl Integrator for Library {
         &mut self,
         path: &Path,
         state: &mut State,
-        mut track: Option<&mut Vec<Segment>>,
+        track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError> {
         self.taken_before_leg = self.work.steps + self.work.rejected;
         let Sizes { distance, speed } = path.sizes;
@@ -153,7 +153,7 @@ impl Integrator for Library {
                 largest = Stretch { path, end: path.leg.end(), solution }.crest::<Plain>(1.0);
             }
         }
-        if let Some(track) = track.as_deref_mut() {
+        if let Some(track) = track {
             Damped::new(tolerance).traverse(path, &mut begun.clone(), Some(track))?;
         }
         *state = states.last().copied().unwrap_or(begun);
