@@ -81,10 +81,32 @@ impl Measurements {
             Source::File(path) => of_text(&path.display().to_string(), read_text(path, LARGEST)?)?,
             Source::Text(name, text) => of_text(name, text.clone())?,
         };
+        Self::with(scenario, wanted, data, sha256)
+    }
+
+    /// The request of a scenario with data that were read. It may have no key to find.
+    pub fn with(
+        scenario: &Scenario,
+        wanted: Wanted,
+        data: Data,
+        sha256: Option<String>,
+    ) -> Result<Self, CalibrateError> {
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
         let measured = Self { wanted, data, sha256 };
         measured.check()?;
         Ok(measured)
+    }
+
+    /// What the law gives for every value, and the impact speed of every row \[m/s\], if there is no key to find.
+    pub fn predicted(&self) -> Result<(Vec<f64>, Vec<f64>), CalibrateError> {
+        let problem = self.problem();
+        Ok((problem.predict(&[]).map_err(|reason| self.no_answer(reason))?, problem.speeds()))
+    }
+
+    /// The request and the data without deviations.
+    fn problem(&self) -> Problem<'_> {
+        let ones = vec![1.0; self.data.values.len()];
+        Problem::new(&self.wanted.scene, &self.wanted.free, &self.data, ones, false)
     }
 
     fn check(&self) -> Result<(), CalibrateError> {
@@ -104,9 +126,7 @@ impl Measurements {
         }
         // the limit is known if speed and gravity are not to be found
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
-        let ones = vec![1.0; values];
-        let problem = Problem::new(&self.wanted.scene, &self.wanted.free, &self.data, ones, false);
-        match problem.beyond_elastic() {
+        match self.problem().beyond_elastic() {
             Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
                 let said = [value.value, limit].map(|value_of| human(value_of, value.what.quantity().dimension));
                 let [found, limit] = said.map(|text| text.trim_end().to_owned());

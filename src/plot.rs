@@ -19,7 +19,7 @@ mod history;
 mod indentation;
 mod key;
 mod loops;
-mod of_key;
+pub mod of_key;
 mod pen;
 mod pictures;
 mod posterior;

@@ -13,7 +13,7 @@ use plm_impact::validation::{self, ValidationError, Verdict, check, experiments,
 use super::pictures::PictureArguments;
 use super::watched::watched;
 
-/// Compare with finite elements, published values and closed forms: CSV, Markdown, pictures, a summary on the terminal
+/// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal
 ///
 /// Exit code 3 if a deviation exceeds its tolerance and is not on record as known.
 #[derive(Debug, Args)]
@@ -30,10 +30,12 @@ pub struct Arguments {
     /// Validate the law with these coefficients instead of the built-in ones
     #[arg(long, value_name = "FILE")]
     coefficients: Option<PathBuf>,
-    /// Compare with measured restitution too: every CSV file of this directory
+    /// Compare with measurements of your own too: every CSV file of this directory
     ///
-    /// Columns speed_m_per_s, restitution and, if known, restitution_sd. Comment lines name the bodies, as keys of a
-    /// scenario: `# sphere.diameter = 3 mm`, `# half_space.hardness = 300 HV`; `# source = ...` says who measured.
+    /// The columns are those of `calibrate`: speed_m_per_s or drop_height_mm, restitution, rebound_height_mm and others,
+    /// with standard deviations (restitution_sd) if known. Comment lines name the bodies, as keys of a scenario:
+    /// `# sphere.diameter = 3 mm`, `# half_space.hardness = 300 HV`; `# law = thornton` another law; `# source = ...` says
+    /// who measured.
     #[arg(long, value_name = "DIR")]
     experiments: Option<PathBuf>,
     #[command(flatten)]
@@ -60,9 +62,9 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let mut files = vec![OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? }];
     let mut said = report::table(&checks);
     if !measured.is_empty() {
-        page += &report::experiments::section(&measured);
-        said = report::experiments::table(&measured) + "\n" + &said;
-        files.push(OutputFile { name: "experiments.csv".into(), bytes: report::experiments::csv(&measured)? });
+        page += &experiments::section(&measured);
+        said = experiments::table(&measured) + "\n" + &said;
+        files.push(OutputFile { name: "experiments.csv".into(), bytes: experiments::csv(&measured)? });
     }
     if format == Pictures::Svg {
         page = page.replace(".png", ".svg");

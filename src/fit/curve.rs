@@ -19,13 +19,12 @@
 //! | elastic approach | `sphere_indentation_m` or `elastic_approach_m` | `delta_s_over_delta` |
 //! | contact radius | `contact_radius_m` | `a_over_R` |
 //!
-//! Further columns are ignored. Instead of the keys, one comment line may give `E'=… E'_s=… E'_h=… a_Y/R=…` (moduli in
-//! any common unit); then the columns are dimensionless.
+//! Further columns are ignored.
 
 use std::path::Path;
 
 use super::error::FitError;
-use super::header::{Bodies, Header};
+use super::header::Bodies;
 use crate::material::Pair;
 use crate::math::functions::ln;
 use crate::scenario::read_text;
@@ -52,7 +51,7 @@ pub struct LoadingPoint {
 pub struct LoadingCurve {
     /// The name of the file.
     pub name: String,
-    /// The bodies; dimensionless (radius 1, no yield point) if the file gives only ratios.
+    /// The bodies; the radius is 1 if the file does not give it.
     pub pair: Pair,
     /// Contact radius at first yield over radius of the sphere, a_Y/R.
     pub yield_radius_ratio: f64,
@@ -97,7 +96,7 @@ impl LoadingCurve {
     pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
         let refused = TableError::of(name);
         let text = without_mark(text);
-        let bodies = Header::read(text).and_then(|header| header.bodies()).map_err(refused)?;
+        let bodies = Bodies::read(text).map_err(refused)?;
         let table = CsvText::new(text).map_err(refused)?;
         let columns = Columns::find(&table.header, &bodies).map_err(|message| refused((table.line, message)))?;
         let mut points: Vec<LoadingPoint> = Vec::new();

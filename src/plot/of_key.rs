@@ -11,7 +11,7 @@ pub(super) fn words(path: &str) -> String {
 }
 
 /// The path of a key as a title, such as "Half-space Young's modulus".
-pub(super) fn title_of(path: &str) -> String {
+pub fn title_of(path: &str) -> String {
     capital(&words(path.trim_start_matches("impact.")))
 }
 

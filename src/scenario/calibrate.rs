@@ -30,7 +30,7 @@ pub enum Source {
 pub struct Wanted {
     /// The scene, with the keys to find at the lower ends of their ranges. The speed is not a number if none is given.
     pub scene: Scene,
-    /// The keys to find: one or two.
+    /// The keys to find: one or two, or none where measurements are only compared.
     pub free: Vec<Free>,
     /// The measurements.
     pub source: Source,
@@ -56,6 +56,18 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or something is missing.
     pub fn wanted(&self) -> Result<Wanted, ScenarioError> {
+        self.request(|scene| self.free(scene))
+    }
+
+    /// The same with nothing to find: the measurements are compared with the law.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] where keys contradict each other or something is missing.
+    pub fn compared(&self) -> Result<Wanted, ScenarioError> {
+        self.request(|_| Vec::new())
+    }
+
+    fn request(&self, free: impl Fn(&Scene) -> Vec<Free>) -> Result<Wanted, ScenarioError> {
         self.refuse_columns("a calibration")?;
         if self.kind()? != Kind::Calibrate {
             return Err(self.document.refuse("", NO_TABLE));
@@ -64,7 +76,7 @@ impl Scenario {
         if self.method().is_none() {
             scene.solver.method = Method::Auto;
         }
-        let free = self.free(&scene);
+        let free = free(&scene);
         for free in &free {
             (free.key.set)(&mut scene, free.from);
         }

@@ -33,7 +33,7 @@ pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) 
 pub fn markdown<R: AsRef<[String]>>(rows: &[R]) -> String {
     let mut text = String::new();
     for (i, row) in rows.iter().enumerate() {
-        let cells = row.as_ref();
+        let cells: Vec<String> = row.as_ref().iter().map(|cell| cell.replace('|', "\\|")).collect();
         let _ = writeln!(text, "| {} |", cells.join(" | "));
         if i == 0 {
             let _ = writeln!(text, "{}|", "|---".repeat(cells.len()));

@@ -2,12 +2,37 @@
 
 use crate::math::power::farther_or_nan;
 
+/// Largest deviation that passes, in either direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// Largest deviation that passes, in either direction.
     pub limit: f64,
+    source: Source,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Source {
+    Found(f64),
+    Stated(&'static str),
+}
+
+impl Tolerance {
+    /// A limit beyond the deviation that was found when the law was fixed. It shows changes; no reference states it.
+    pub const fn found(deviation: f64, limit: f64) -> Self {
+        Self { limit, source: Source::Found(deviation) }
+    }
+
+    /// A limit that a reference states, or that follows from the error of the reference.
+    pub const fn stated(limit: f64, source: &'static str) -> Self {
+        Self { limit, source: Source::Stated(source) }
+    }
+
     /// Where the limit comes from.
-    pub source: &'static str,
+    pub fn source(&self) -> String {
+        match self.source {
+            Source::Found(deviation) => format!("found {:.2} %, and a margin", 100.0 * deviation),
+            Source::Stated(source) => source.to_owned(),
+        }
+    }
 }
 
 /// A known deviation beyond the tolerance. It does not count as a pass, but the validation does not fail.
@@ -37,6 +62,69 @@ impl Verdict {
     }
 }
 
+/// What the checks of one quantity have in common.
+#[derive(Debug, Clone, Copy)]
+pub struct Group {
+    /// The quantity. If the deviation is not relative to the expected number, the name says what else it is a share of.
+    pub quantity: &'static str,
+    /// Where the expected numbers come from.
+    pub reference: &'static str,
+    /// Unit of the numbers; empty for plain numbers.
+    pub unit: &'static str,
+    /// Tolerance of one number.
+    pub tolerance: Tolerance,
+    /// Whether the deviation is the difference of the numbers, because both are shares of another number.
+    pub is_difference: bool,
+    /// Tolerances of statistics over all numbers.
+    pub overall: &'static [(Statistic, Tolerance)],
+}
+
+impl Group {
+    /// Checks of numbers against a reference.
+    pub const fn of(quantity: &'static str, reference: &'static str, unit: &'static str, tolerance: Tolerance) -> Self {
+        Self { quantity, reference, unit, tolerance, is_difference: false, overall: &[] }
+    }
+
+    /// The same with tolerances of statistics.
+    #[must_use]
+    pub const fn with_overall(self, overall: &'static [(Statistic, Tolerance)]) -> Self {
+        Self { overall, ..self }
+    }
+
+    /// The same with differences as deviations.
+    #[must_use]
+    pub const fn of_differences(self) -> Self {
+        Self { is_difference: true, ..self }
+    }
+
+    /// The check of one number.
+    pub fn check(&self, case: String, [expected, got]: [f64; 2]) -> Check {
+        Check {
+            quantity: self.quantity.to_owned(),
+            case,
+            reference: self.reference,
+            unit: self.unit,
+            expected: Some(expected),
+            got: Some(got),
+            deviation: if self.is_difference { got - expected } else { deviation(expected, got) },
+            tolerance: self.tolerance,
+            known: None,
+        }
+    }
+
+    /// The checks of these numbers, then those of their statistics. `things` says what the cases are.
+    pub fn checks(&self, numbers: impl Iterator<Item = (String, [f64; 2])>, things: &str) -> Vec<Check> {
+        let mut checks: Vec<Check> = numbers.map(|(case, numbers)| self.check(case, numbers)).collect();
+        let deviations: Vec<f64> = checks.iter().map(|check| check.deviation).collect();
+        for ((name, statistic), tolerance) in self.overall {
+            let quantity = format!("{}, {name}", self.quantity);
+            let case = format!("{} {things}", deviations.len());
+            checks.push(Check::mean(quantity, case, self.reference, statistic(&deviations), *tolerance));
+        }
+        checks
+    }
+}
+
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// The quantity that is compared. Checks of the same quantity share a row of the summary.
@@ -49,7 +137,7 @@ pub struct Check {
     pub unit: &'static str,
     /// The number of the reference; `None` for a mean over many.
     pub expected: Option<f64>,
-    /// The number of the law or the program; `None` for a mean over many.
+    /// The number of the law; `None` for a mean over many.
     pub got: Option<f64>,
     /// Relative deviation, got/expected − 1. If it is relative to another number, the name of the quantity says so.
     pub deviation: f64,
@@ -58,47 +146,9 @@ pub struct Check {
 }
 
 impl Check {
-    /// A check of one number against another.
-    pub fn numbers(
-        quantity: &str,
-        case: String,
-        reference: &'static str,
-        unit: &'static str,
-        [expected, got]: [f64; 2],
-        tolerance: Tolerance,
-    ) -> Self {
-        Self {
-            quantity: quantity.to_owned(),
-            case,
-            reference,
-            unit,
-            expected: Some(expected),
-            got: Some(got),
-            deviation: deviation(expected, got),
-            tolerance,
-            known: None,
-        }
-    }
-
-    /// The same check with the difference of both numbers as its deviation, because both are shares of another number.
-    #[must_use]
-    pub fn of_difference(self) -> Self {
-        let deviation = self.expected.zip(self.got).map_or(f64::NAN, |(expected, got)| got - expected);
-        Self { deviation, ..self }
-    }
-
     /// A check of a mean, or of a root mean square, of deviations.
-    pub fn mean(quantity: &str, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
-        let quantity = quantity.to_owned();
+    pub fn mean(quantity: String, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
         Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
-    }
-
-    /// A check of a statistic of the deviations of these checks, which are of one quantity and of these `things`.
-    pub fn overall(checks: &[Self], (name, statistic): Statistic, things: &str, tolerance: Tolerance) -> Option<Self> {
-        let Self { quantity, reference, .. } = checks.first()?;
-        let deviations: Vec<f64> = checks.iter().map(|check| check.deviation).collect();
-        let case = format!("{} {things}", checks.len());
-        Some(Self::mean(&format!("{quantity}, {name}"), case, reference, statistic(&deviations), tolerance))
     }
 
     /// Whether the deviation is within the tolerance, or at least within the known deviation.

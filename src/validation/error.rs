@@ -1,5 +1,6 @@
 //! Errors of a validation, and the exponents that it compares.
 
+use crate::calibrate::CalibrateError;
 use crate::error::{Error, ErrorKind};
 use crate::impact::ImpactError;
 use crate::law::UnloadingExponent;
@@ -12,12 +13,12 @@ use crate::units::csv_text::TableError;
 /// Why a validation has no result.
 #[derive(Debug, thiserror::Error)]
 pub enum ValidationError {
-    /// A file of the user cannot be read, or its keys are refused.
+    /// A file of the user cannot be read.
     #[error(transparent)]
     Unreadable(ScenarioError),
     /// A file of measurements is refused.
     #[error(transparent)]
-    Experiment(TableError),
+    Measured(#[from] CalibrateError),
     #[error("{file}: {problem}")]
     Coefficients { file: String, problem: String },
     /// A reference table of the program is damaged.
@@ -41,7 +42,7 @@ impl From<ValidationError> for Error {
     fn from(error: ValidationError) -> Self {
         match error {
             ValidationError::Unreadable(error) => error.into(),
-            ValidationError::Experiment(error) => error.into(),
+            ValidationError::Measured(error) => error.into(),
             ValidationError::Coefficients { ref file, .. } => Self::of(ErrorKind::Input, &error).about(file),
             error => Self::of(ErrorKind::Failed, &error),
         }

@@ -1,61 +1,74 @@
-//! Restitution measured by the user: a directory of CSV files, each with the properties of its bodies in comment lines.
+//! Measurements of the user beside the law: every CSV file of a directory. They are a calibration in which nothing is
+//! to be found; comment lines give the scenario.
 //!
 //! ```text
 //! # sphere.radius = 1.5 mm                   (keys of [sphere], [half_space], [law], [gravity], [damping])
 //! # half_space.hardness = 300 HV
+//! # law = thornton                           (the law by its name, in place of a key such as law.plm.unloading_exponent)
 //! # source = who measured it, and where it is published
 //! speed_m_per_s,restitution,restitution_sd
 //! 2.0,0.533,0.012
 //! ```
 //!
-//! Other comment lines and other columns are ignored. `restitution_sd`, the standard deviation, may be left out. With
-//! `half_space.density` the law includes the loss by elastic waves. Keys have the same defaults as in a scenario.
+//! The columns are those of [`crate::calibrate::data`]; other comment lines are free. A standard deviation may be left
+//! out. With `half_space.density` the law includes the loss by elastic waves. Keys have the same defaults as in a scenario.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::ValidationError;
-use crate::impact::{Contact, Method, Solver};
+use super::check::{largest, mean, rms};
+use super::report::{share, signed};
+use crate::calibrate::data::Data;
+use crate::calibrate::quantity::Measured;
+use crate::calibrate::{CalibrateError, Measurements};
 use crate::law::{LawChoice, PlmCoefficients};
-use crate::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, read_text};
-use crate::units::csv_text::{CsvText, TableError, without_mark};
+use crate::scenario::{Scenario, read_text};
+use crate::scene::keys::every_key;
+use crate::scene::words::LAWS;
+use crate::units::aligned::{aligned, markdown};
+use crate::units::csv_text::{TableError, keys_in_comments};
+use crate::units::nearest::did_you_mean;
 
-/// A file of measured restitution, with the restitution by the law.
+/// A file of measurements, with the predictions of the law.
 #[derive(Debug, Clone)]
 pub struct Experiment {
     /// The name of the file without its ending.
     pub name: String,
     /// Who measured; empty if the file does not say so.
     pub source: String,
-    pub rows: Vec<Measured>,
-    /// The two bodies and their law.
-    contact: Contact,
+    pub rows: Vec<Row>,
 }
 
+/// One measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Measured {
+pub struct Row {
     /// Line of the file, counted from 1.
     pub line: u64,
-    /// Impact speed \[m/s\].
+    /// Impact speed \[m/s\]; NaN for an indentation curve.
     pub speed: f64,
-    pub restitution: f64,
-    /// Standard deviation of the measured e.
+    pub what: Measured,
+    /// The measured value, SI.
+    pub measured: f64,
+    /// Its standard deviation.
     pub sd: Option<f64>,
-    /// Restitution e by the law, with the loss by waves if the half-space has a density.
+    /// The same by the law, with the loss by waves if the half-space has a density.
     pub law: f64,
 }
 
-impl Measured {
+impl Row {
     /// Relative deviation: law over measurement − 1.
     pub fn deviation(&self) -> f64 {
-        self.law / self.restitution - 1.0
+        self.law / self.measured - 1.0
     }
 }
 
 /// The tables of a scenario whose keys a comment line may give.
-const TABLES: [&str; 5] = ["sphere", "half_space", "law", "gravity", "damping"];
-const COLUMNS: [&str; 3] = ["speed_m_per_s", "restitution", "restitution_sd"];
+const TABLES: [&str; 5] = ["sphere.", "half_space.", "law.", "gravity.", "damping."];
+/// Largest file of measurements \[MiB\].
+const LARGEST: u64 = 64;
 
 /// All experiments of a directory, in the order of their names. `coefficients` are used for the PLM if a file names no
 /// others.
@@ -63,107 +76,142 @@ const COLUMNS: [&str; 3] = ["speed_m_per_s", "restitution", "restitution_sd"];
 /// # Errors
 /// [`ValidationError`] with the file, the line, what is wrong and what is needed.
 pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, ValidationError> {
-    let refuse = |problem: String| refusal(directory, None, problem);
+    let refuse = |message: String| refusal(directory, (None, message));
     let entries = fs::read_dir(directory).map_err(|error| refuse(format!("cannot be read: {error}")))?;
     let paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<PathBuf>, std::io::Error>>();
     let mut paths = paths.map_err(|error| refuse(format!("cannot be read: {error}")))?;
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
     paths.sort();
     if paths.is_empty() {
-        return Err(refuse(format!("has no file of measurements: a CSV file with the columns {}", COLUMNS.join(", "))));
+        return Err(refuse(
+            "has no file of measurements: a CSV file with columns such as speed_m_per_s, restitution, restitution_sd"
+                .to_owned(),
+        )
+        .into());
     }
-    paths.iter().map(|path| experiment(path, coefficients)).collect()
+    paths.iter().map(|path| Ok(experiment(path, coefficients)?)).collect()
 }
 
-fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, ValidationError> {
-    let text = read_text(path, LARGEST_SCENARIO).map_err(ValidationError::Unreadable)?;
-    let text = without_mark(&text);
-    let contact = contact(path, text, coefficients)?;
-    let source =
-        text.lines().find_map(|line| line.strip_prefix('#')?.trim().strip_prefix("source")?.trim().strip_prefix('='));
-    let rows = rows(path, text, &contact)?;
-    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(Experiment { name, source: source.unwrap_or_default().trim().to_owned(), rows, contact })
+fn refusal(path: &Path, refusal: (Option<u64>, String)) -> CalibrateError {
+    TableError::of(&path.display().to_string())(refusal).into()
 }
 
-fn refusal(path: &Path, line: Option<u64>, message: String) -> ValidationError {
-    ValidationError::Experiment(TableError { name: path.display().to_string(), line, message })
-}
-
-/// The contact of the bodies in the comment lines. The keys are read as a scenario, in which every key has the line
-/// number that it has in the file.
-fn contact(path: &Path, text: &str, coefficients: &PlmCoefficients) -> Result<Contact, ValidationError> {
-    let scenario: Vec<String> =
-        text.lines().map(|line| line.strip_prefix('#').and_then(key).unwrap_or_default()).collect();
-    let directory = path.parent().unwrap_or(Path::new("")).to_owned();
-    let read = || -> Result<_, ScenarioError> {
-        // the scenario needs a speed, which is not used: every row has its own
-        let speed = "impact.speed=1".to_owned();
-        let name = path.display().to_string();
-        let scenario = Scenario::in_directory(&name, &scenario.join("\n"), &[speed], directory)?;
-        let mut scene = scenario.resolve()?;
-        if let LawChoice::Plm(plm) = &mut scene.law
-            && !scenario.document.has("law.plm.coefficients")
-        {
-            plm.coefficients = Arc::new(coefficients.clone());
+fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, CalibrateError> {
+    let (text, name) = (read_text(path, LARGEST)?, path.display().to_string());
+    let keys: Vec<&str> = every_key().map(|key| key.path).collect();
+    let of_tables = keys.into_iter().filter(|key| TABLES.iter().any(|table| key.starts_with(table)));
+    let known: Vec<&str> = of_tables.chain(["law", "source"]).collect();
+    let given = keys_in_comments(&text, &known).map_err(|fault| refusal(path, fault))?;
+    // a scenario in which every key has the line number that it has in the file
+    let mut lines = vec![String::new(); text.lines().count()];
+    let (mut settings, mut source) =
+        (vec![format!("calibrate.data={}", toml::Value::from(name.as_str()))], String::new());
+    for (line, key, value) in given {
+        match key {
+            "source" => value.clone_into(&mut source),
+            "law" if LawChoice::from_name(value).is_none() => {
+                let laws = (LAWS.known)();
+                let hint =
+                    did_you_mean(value, laws.iter().map(String::as_str), '`', &format!("laws are {}", laws.join(", ")));
+                return Err(refusal(path, (Some(line as u64), format!("unknown law `{value}`{hint}"))));
+            }
+            "law" => settings.push(format!("law={}", toml::Value::from(value))),
+            key => {
+                let plain = format!(" {key} = {value}");
+                let is_toml = toml::from_str::<toml::Table>(&plain).is_ok();
+                lines[line - 1] = if is_toml { plain } else { format!(" {key} = {}", toml::Value::from(value)) };
+            }
         }
-        Ok(scene)
-    };
-    let scene = read().map_err(ValidationError::Unreadable)?;
-    scene.contact().map_err(|error| refusal(path, None, error.to_string()))
-}
-
-/// The line of a scenario for a comment that gives a key; `None` for other comments.
-fn key(comment: &str) -> Option<String> {
-    let (key, value) = comment.split_once('=')?;
-    let (key, value) = (key.trim(), value.trim());
-    let is_key = key.split_once('.').is_some_and(|(table, _)| TABLES.contains(&table)) && !key.contains(' ');
-    let is_toml = |text: &str| toml::from_str::<toml::Table>(text).is_ok();
-    let plain = format!(" {key} = {value}");
-    is_key.then(|| if is_toml(&plain) { plain } else { format!(" {key} = {}", toml::Value::from(value)) })
-}
-
-fn rows(path: &Path, text: &str, contact: &Contact) -> Result<Vec<Measured>, ValidationError> {
-    let refused = |(line, message)| refusal(path, line, message);
-    let table = CsvText::new(text).map_err(refused)?;
-    let (header, first) = (table.header.clone(), table.line);
-    let places = COLUMNS.map(|name| header.iter().position(|column| column == name));
-    let [Some(speed), Some(restitution), sd] = places else {
-        let problem = format!("needs the columns {} and {}, and may have {}", COLUMNS[0], COLUMNS[1], COLUMNS[2]);
-        return Err(refusal(path, first, problem));
-    };
-    let mut rows = Vec::new();
-    for row in table.rows() {
-        let (line, record) = row.map_err(refused)?;
-        let number = |place: usize, what: &str, is_allowed: fn(f64) -> bool| {
-            let text = &record[place];
-            let value = text.parse().ok().filter(|value| is_allowed(*value));
-            value.ok_or_else(|| {
-                refusal(path, Some(line), format!("{} = {text:?} is not allowed: it must be {what}", &header[place]))
-            })
-        };
-        let speed = number(speed, "a speed in m/s, above 0 and finite", |value| value > 0.0 && value.is_finite())?;
-        let restitution = number(restitution, "a number above 0, and at most 1", |value| value > 0.0 && value <= 1.0)?;
-        let sd = sd.filter(|place| !record[*place].is_empty());
-        let sd = sd.map(|place| number(place, "0 or more, and finite", |value| value >= 0.0 && value.is_finite()));
-        let law = law(contact, speed).map_err(|error| refusal(path, Some(line), error.to_string()))?;
-        rows.push(Measured { line, speed, restitution, sd: sd.transpose()?, law });
     }
-    if rows.is_empty() {
-        return Err(refusal(path, first, "has no rows: give at least one measured restitution".to_owned()));
+    let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+    let scenario = Scenario::in_directory(&name, &lines.join("\n"), &settings, directory)?;
+    let mut wanted = scenario.compared()?;
+    if let LawChoice::Plm(plm) = &mut wanted.scene.law
+        && !scenario.document.has("law.plm.coefficients")
+    {
+        plm.coefficients = Arc::new(coefficients.clone());
     }
-    Ok(rows)
-}
-
-fn law(contact: &Contact, speed: f64) -> Result<f64, crate::impact::ImpactError> {
-    let solver = Solver { method: Method::Auto, ..Solver::default() };
-    let row = contact.essentials_by(speed, &solver)?;
-    Ok(row.restitution_with_waves().unwrap_or(row.restitution))
+    let measured = Measurements::with(&scenario, wanted, Data::parse(&name, &text)?, None)?;
+    let (predicted, speeds) = measured.predicted()?;
+    let rows = measured.data.values.iter().zip(predicted).map(|(value, law)| Row {
+        line: measured.data.rows[value.row].line,
+        speed: speeds[value.row],
+        what: value.what,
+        measured: value.value,
+        sd: value.deviation,
+        law,
+    });
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok(Experiment { name: stem, source, rows: rows.collect() })
 }
 
 impl Experiment {
-    /// Restitution by the law at a speed \[m/s\]; NaN if there is no result.
-    pub fn law_at(&self, speed: f64) -> f64 {
-        law(&self.contact, speed).unwrap_or(f64::NAN)
+    /// The rows of every quantity that was measured.
+    pub fn quantities(&self) -> impl Iterator<Item = (Measured, Vec<&Row>)> {
+        let of = |what: Measured| (what, self.rows.iter().filter(|row| row.what == what).collect::<Vec<_>>());
+        Measured::ALL.into_iter().map(of).filter(|(_, rows)| !rows.is_empty())
+    }
+}
+
+/// The text of `experiments.csv`: every measured value, and the value by the law.
+pub fn csv(experiments: &[Experiment]) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["file", "line", "quantity", "speed_m_per_s", "measured", "sd", "law", "deviation"])?;
+    for Experiment { name, rows, .. } in experiments {
+        for row in rows {
+            let Row { line, what, measured, sd, law, .. } = row;
+            let speed = row.speed.is_finite().then_some(row.speed);
+            writer.serialize((name, line, what.name(), speed, measured, sd, law, row.deviation()))?;
+        }
+    }
+    writer.into_inner().map_err(|error| error.into_error().into())
+}
+
+const SUMMARY: [&str; 8] = ["measurements", "quantity", "points", "bias", "rms", "largest", "within 2 sd", "source"];
+
+/// The names of the columns, and a row for each quantity of a file with bias and rms of law over measurement − 1.
+fn summary(experiments: &[Experiment]) -> Vec<[String; 8]> {
+    let of_quantity = |of: &Experiment, what: Measured, rows: &[&Row]| {
+        let deviations: Vec<f64> = rows.iter().map(|row| row.deviation()).collect();
+        let within = rows.iter().filter_map(|row| Some((row.law - row.measured).abs() <= 2.0 * row.sd?));
+        let within: Vec<bool> = within.collect();
+        let inside = within.iter().filter(|is_inside| **is_inside).count();
+        [
+            of.name.clone(),
+            what.name().to_owned(),
+            deviations.len().to_string(),
+            signed(mean(&deviations)),
+            share(rms(&deviations)),
+            signed(largest(deviations.iter().copied())),
+            if within.is_empty() { String::new() } else { format!("{inside} of {}", within.len()) },
+            of.source.clone(),
+        ]
+    };
+    let rows = experiments.iter().flat_map(|of| of.quantities().map(move |(what, rows)| of_quantity(of, what, &rows)));
+    std::iter::once(SUMMARY.map(str::to_owned)).chain(rows).collect()
+}
+
+/// The summary for the terminal.
+pub fn table(experiments: &[Experiment]) -> String {
+    aligned(&summary(experiments), |column| matches!(column, 0 | 1 | 7))
+}
+
+/// The summary and the pictures for the page.
+pub fn section(experiments: &[Experiment]) -> String {
+    let table = markdown(&summary(experiments));
+    let mut text =
+        format!("\n## Measurements of your own\n\nLaw over measurement − 1; rows in `experiments.csv`.\n\n{table}");
+    for of in experiments {
+        for (what, _) in of.quantities() {
+            let _ = writeln!(text, "\n![{}, {}](<{}.png>)", what.name(), of.name, of.picture(what));
+        }
+    }
+    text
+}
+
+impl Experiment {
+    /// The name of a picture.
+    pub fn picture(&self, what: Measured) -> String {
+        format!("experiment-{}-{}", self.name, what.name())
     }
 }

@@ -3,62 +3,62 @@
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, RMS, Tolerance};
+use super::check::{Check, Group, RMS, Statistic, Tolerance};
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::reference::hardening::{Materials, unloadings};
 use crate::reference::unloading::Unloaded;
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 
-/// The only quantity whose deviation is a difference, because a shallow dent would have a large relative deviation.
-const DENT: &str = "residual indentation, deviation over peak indentation";
+/// A quantity of an unloading: its checks, and its number by the finite elements and by the law.
+type Quantity = (Group, fn(&Unloaded) -> f64, fn(&AtEnergy) -> f64);
 
-/// A quantity of an unloading by the finite elements and by the law, and the tolerances of one value and of the rms.
-struct Quantity {
+const fn quantity(
     name: &'static str,
+    limit: Tolerance,
+    of_rms: &'static [(Statistic, Tolerance)],
     of_reference: fn(&Unloaded) -> f64,
     of_law: fn(&AtEnergy) -> f64,
-    of_one: Tolerance,
-    of_rms: Tolerance,
+) -> Quantity {
+    (Group::of(name, REFERENCE, "", limit).with_overall(of_rms), of_reference, of_law)
 }
 
-const QUANTITIES: [Quantity; 5] = [
-    Quantity {
-        name: "restitution, pressure-shape",
-        of_reference: |row| row.restitution,
-        of_law: |state| state.restitution,
-        of_one: Tolerance { limit: 0.031, source: "documented 2.9 %, margin 0.2 %" },
-        of_rms: Tolerance { limit: 0.012, source: "documented 1.1 %, margin 0.1 %" },
-    },
-    Quantity {
-        name: "peak force",
-        of_reference: |row| row.f,
-        of_law: |state| state.peak.force,
-        of_one: Tolerance { limit: 0.040, source: "documented 3.8 %, margin 0.2 %" },
-        of_rms: Tolerance { limit: 0.015, source: "documented 1.4 %, margin 0.1 %" },
-    },
-    Quantity {
-        name: "peak indentation",
-        of_reference: |row| row.x,
-        of_law: |state| state.peak.indentation,
-        of_one: Tolerance { limit: 0.033, source: "documented 3.1 %, margin 0.2 %" },
-        of_rms: Tolerance { limit: 0.011, source: "documented 1.0 %, margin 0.1 %" },
-    },
-    Quantity {
-        name: DENT,
-        of_reference: |row| row.residual_share,
-        of_law: |state| state.peak.residual() / state.peak.indentation,
-        of_one: Tolerance { limit: 0.030, source: "found 2.8 %, margin 0.2 %" },
-        of_rms: Tolerance { limit: 0.010, source: "found 0.9 %, margin 0.1 %" },
-    },
-    Quantity {
-        name: "contact radius",
-        of_reference: |row| row.contact_radius,
-        of_law: |state| state.contact_radius,
-        of_one: Tolerance { limit: 0.038, source: "documented 3.5 %, margin 0.3 % for the digits of the reference" },
-        of_rms: Tolerance { limit: 0.016, source: "documented 1.5 %, margin 0.1 %" },
-    },
-];
+const RESTITUTION: Quantity = quantity(
+    "hardening: restitution, pressure-shape",
+    Tolerance::found(0.0289, 0.031),
+    &[(RMS, Tolerance::found(0.0109, 0.012))],
+    |row| row.restitution,
+    |state| state.restitution,
+);
+const FORCE: Quantity = quantity(
+    "hardening: peak force",
+    Tolerance::found(0.0375, 0.040),
+    &[(RMS, Tolerance::found(0.0137, 0.015))],
+    |row| row.f,
+    |state| state.peak.force,
+);
+const INDENTATION: Quantity = quantity(
+    "hardening: peak indentation",
+    Tolerance::found(0.0307, 0.033),
+    &[(RMS, Tolerance::found(0.0105, 0.011))],
+    |row| row.x,
+    |state| state.peak.indentation,
+);
+/// A shallow dent would have a large relative deviation.
+const DENT: Quantity = quantity(
+    "hardening: residual indentation, deviation over peak indentation",
+    Tolerance::found(0.0280, 0.030),
+    &[(RMS, Tolerance::found(0.0091, 0.010))],
+    |row| row.residual_share,
+    |state| state.peak.residual() / state.peak.indentation,
+);
+const RADIUS: Quantity = quantity(
+    "hardening: contact radius",
+    Tolerance::found(0.0355, 0.038),
+    &[(RMS, Tolerance::found(0.0143, 0.016))],
+    |row| row.contact_radius,
+    |state| state.contact_radius,
+);
 
 /// A load cycle by the law.
 pub(super) struct AtEnergy {
@@ -99,20 +99,11 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             states.push((row, at_energy(&law, yield_radius_ratio, row.spent)));
         }
     }
-    let mut checks: Vec<Check> = Vec::new();
-    for Quantity { name, of_reference, of_law, of_one, of_rms } in QUANTITIES {
-        let is_difference = name == DENT;
-        let name = format!("hardening: {name}");
-        let of_row = |(row, state): &(&Unloaded, AtEnergy)| {
-            let case = format!("{}, x = {}", row.material, row.x);
-            let numbers = [of_reference(row), of_law(state)];
-            let check = Check::numbers(&name, case, REFERENCE, "", numbers, of_one);
-            if is_difference { check.of_difference() } else { check }
-        };
-        let first = checks.len();
-        checks.extend(states.iter().map(of_row));
-        checks.extend(Check::overall(&checks[first..], RMS, "unloadings", of_rms));
-    }
-    checks.extend(super::oracle::of_hardening()?);
-    Ok(checks)
+    let dent = (DENT.0.of_differences(), DENT.1, DENT.2);
+    let of = |(group, of_reference, of_law): Quantity| {
+        let case = |row: &Unloaded| format!("{}, x = {}", row.material, row.x);
+        let numbers = states.iter().map(|(row, state)| (case(row), [of_reference(row), of_law(state)]));
+        group.checks(numbers, "unloadings")
+    };
+    Ok([RESTITUTION, FORCE, INDENTATION, dent, RADIUS].into_iter().flat_map(of).collect())
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, RMS, Tolerance};
+use super::check::{Check, Group, RMS, Tolerance};
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -22,9 +22,15 @@ const TIP: f64 = 1.5e-3;
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 const STEEL_DENSITY: f64 = 7850.0;
 
-/// Tolerance of a test block: 30 HL, the lower end of the values that the makers state.
+/// Tolerance of a test block, the lower end of the values that the makers state \[HL\].
 const BLOCK: f64 = 30.0;
-const OF_RMS: Tolerance = Tolerance { limit: 0.02, source: "found 1.8 %, margin 0.2 %" };
+const GROUP: Group = Group::of(
+    "measured: rebound of Leeb devices",
+    REFERENCE,
+    "",
+    Tolerance::stated(0.0, "tolerance of the test blocks, 30 HL"),
+)
+.with_overall(&[(RMS, Tolerance::found(0.0184, 0.02))]);
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
 pub(super) fn restitution(
@@ -58,18 +64,16 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
     let coefficients = Arc::new(coefficients.clone());
     let devices = measured::devices()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
-    let mut checks: Vec<Check> = Vec::new();
+    let (mut numbers, mut limits) = (Vec::new(), Vec::new());
     for (block, of_device) in measured::BLOCKS {
         let strength = strength_for(first, of_device(first) / 1000.0, &coefficients)?;
         for device in others {
-            let measured = of_device(device) / 1000.0;
-            let numbers = [measured, restitution(device, strength, &coefficients)?];
             let case = format!("{block}, device {}, strength from D {:.0} MPa", device.name, strength / 1e6);
-            let tolerance =
-                Tolerance { limit: BLOCK / of_device(device), source: "tolerance of the test blocks, 30 HL" };
-            checks.push(Check::numbers("measured: rebound of Leeb devices", case, REFERENCE, "", numbers, tolerance));
+            numbers.push((case, [of_device(device) / 1000.0, restitution(device, strength, &coefficients)?]));
+            limits.push(BLOCK / of_device(device));
         }
     }
-    checks.extend(Check::overall(&checks, RMS, "predictions", OF_RMS));
+    let mut checks = GROUP.checks(numbers.into_iter(), "predictions");
+    checks.iter_mut().zip(limits).for_each(|(check, limit)| check.tolerance.limit = limit);
     Ok(checks)
 }

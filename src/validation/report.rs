@@ -1,7 +1,5 @@
 //! The report of `validate`: every comparison as CSV, and a summary for the terminal and for a page in Markdown.
 
-pub mod experiments;
-
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
@@ -34,7 +32,7 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
             &number(check.got),
             &check.deviation.to_string(),
             &check.tolerance.limit.to_string(),
-            check.tolerance.source,
+            &check.tolerance.source(),
             check.verdict().name(),
         ])?;
     }
@@ -89,7 +87,7 @@ fn groups(checks: &[Check]) -> Vec<Group<'_>> {
 }
 
 /// A share in per cent; below 1e-4 as a plain number.
-fn share(value: f64) -> String {
+pub(super) fn share(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude == 0.0 {
         "0".to_owned()
@@ -101,7 +99,7 @@ fn share(value: f64) -> String {
 }
 
 /// A share as [`share`] writes it, with a plus sign if it is positive.
-fn signed(value: f64) -> String {
+pub(super) fn signed(value: f64) -> String {
     if value > 0.0 { format!("+{}", share(value)) } else { share(value) }
 }
 
@@ -142,7 +140,7 @@ pub fn table(checks: &[Check]) -> String {
     for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
         let Check { quantity, case, tolerance, .. } = check;
         let (off, limit) = (signed(check.deviation), share(tolerance.limit));
-        let _ = writeln!(text, "MISS: {quantity}: {case}: {off}, tolerance {limit} ({})", tolerance.source);
+        let _ = writeln!(text, "MISS: {quantity}: {case}: {off}, tolerance {limit} ({})", tolerance.source());
     }
     for group in groups(checks) {
         if let Some(remark) = group.remark() {
@@ -152,37 +150,31 @@ pub fn table(checks: &[Check]) -> String {
     text + &verdict(checks) + "\n"
 }
 
-/// The page of the report: the summary as a table, then references and tolerances of each quantity. For the built-in
-/// law it also says where the law deviates, and shows some of the pictures.
+/// The page of the report: a table for every reference. For the built-in law it also says where the law deviates, and
+/// shows some of the pictures.
 pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
-    let mut rows = String::new();
-    for row in summary(checks).iter().skip(1) {
-        let _ = writeln!(rows, "| {} |", row.join(" | "));
-    }
-    let (mut sources, mut above) = (String::new(), String::new());
-    for group in groups(checks) {
-        let listed = |of: fn(&Check) -> &'static str| {
-            let mut texts: Vec<&str> = group.checks.iter().map(|check| of(check)).collect();
-            texts.sort_unstable();
-            texts.dedup();
-            texts.join("; ")
-        };
-        let (references, tolerances) = (listed(|check| check.reference), listed(|check| check.tolerance.source));
-        if references != above {
-            let _ = writeln!(sources, "\nReference: {references}.\n");
-            above = references;
+    let mut tables = String::new();
+    let (groups, summary) = (groups(checks), summary(checks));
+    for (i, (group, row)) in groups.iter().zip(&summary[1..]).enumerate() {
+        let reference = group.checks[0].reference;
+        if i == 0 || groups[i - 1].checks[0].reference != reference {
+            let _ = writeln!(tables, "\n## Against {reference}\n\n{HEAD}\n|---|---|---|---|---|---|---|---|");
         }
-        let known =
-            group.remark().map(|remark| format!(" On record for the built-in law: {remark}.")).unwrap_or_default();
-        let _ = writeln!(sources, "* {}. Tolerance: {tolerances}.{known}", group.quantity);
+        let source = group.checks[0].tolerance.source();
+        let [quantity, count, mean, rms, largest, tolerance, verdict] = row;
+        let _ = writeln!(
+            tables,
+            "| {quantity} | {count} | {mean} | {rms} | {largest} | {tolerance} | {source} | {verdict} |"
+        );
+    }
+    for group in &groups {
+        if let Some(remark) = group.remark() {
+            let _ = writeln!(tables, "\nOn record for the built-in law: {}: {remark}.", group.quantity);
+        }
     }
     let about = if is_built_in { include_str!("built_in_law.md") } else { "" };
-    format!(
-        include_str!("page.md"),
-        law = law,
-        verdict = verdict(checks),
-        rows = rows,
-        sources = sources,
-        about = about
-    )
+    format!(include_str!("page.md"), law = law, verdict = verdict(checks), tables = tables, about = about)
 }
+
+/// The columns of the page.
+const HEAD: &str = "| quantity | checks | mean deviation | rms | largest | tolerance | from | verdict |";

@@ -8,7 +8,7 @@ use approx::assert_relative_eq;
 use plm_impact::law::PlmCoefficients;
 use plm_impact::math::power::max_or_nan;
 use plm_impact::progress::Counter;
-use plm_impact::validation::check::{Check, Known, Tolerance, Verdict, largest};
+use plm_impact::validation::check::{Check, Group, Known, Tolerance, Verdict, largest};
 use plm_impact::validation::{self, report};
 use tempfile::TempDir;
 
@@ -42,7 +42,10 @@ fn a_clean_checkout_passes_and_shows_it() {
 
     let read = |name: &str| fs::read_to_string(directory.path().join("v").join(name)).unwrap();
     let checks = rows(&read("validation.csv"));
-    assert_eq!(checks.len(), 1141, "no group has vanished");
+    // 4 quantities over 5 curves and 2 largest deviations each; 63 unloadings, of which 52 have a resolved dent and 59 a
+    // known spent work; 3 impacts; 43 unloadings of metals that harden; 6 rebounds of Leeb devices; means and rms
+    let expected = 30 + 4 * 63 + 52 + 2 * (59 + 2) + 3 * 8 + 5 * (43 + 1) + 6 + 1;
+    assert_eq!(checks.len(), expected, "no group has vanished");
     for row in &checks {
         let (deviation, tolerance) = (number(row, "deviation"), number(row, "tolerance"));
         assert_eq!(row["verdict"] == "pass", deviation.abs() <= tolerance, "{row:?}");
@@ -83,7 +86,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             pictures += 1;
         }
     }
-    assert!(pictures > 50, "{pictures}");
+    assert_eq!(pictures, 10);
 }
 
 #[test]
@@ -102,14 +105,12 @@ fn another_law_misses_and_the_exit_code_says_so() {
     assert_eq!(output.status.code(), Some(3), "{table}{message}");
     assert!(table.contains("MISS: loading: force, rms over the curve: case 3"), "{table}");
     assert!(message.contains("checks missed their tolerance: see v/validation.csv"), "{message}");
-    // the tables are written, and the checks of the program alone still pass
+    // the tables are written
     let checks = rows(&fs::read_to_string(directory.path().join("v/validation.csv")).unwrap());
     assert!(checks.iter().any(|row| row["verdict"] == "MISS"));
     // deviations that are known for the built-in law are misses for another law
     assert!(checks.iter().all(|row| row["verdict"] != "known"), "{table}");
     assert!(!table.contains("built-in law"), "{table}");
-    let of_program = |row: &&Row| row["quantity"].starts_with("program") || row["quantity"].starts_with("Hertz");
-    assert!(checks.iter().filter(of_program).all(|row| row["verdict"] == "pass"));
 }
 
 #[test]
@@ -123,8 +124,8 @@ fn a_deviation_that_is_no_number_is_the_largest_and_a_miss() {
         assert!(worst.is_nan(), "{place}");
     }
     assert_eq!([0.1, 0.3, 0.2].into_iter().fold(0.0, max_or_nan), 0.3);
-    let tolerance = Tolerance { limit: 1e300, source: "none" };
-    let check = Check::mean("mean", String::new(), "none", f64::NAN, tolerance);
+    let tolerance = Tolerance::stated(1e300, "none");
+    let check = Check::mean("mean".to_owned(), String::new(), "none", f64::NAN, tolerance);
     let known = Some(Known { limit: f64::INFINITY, remark: "" });
     assert_eq!(Check { known, ..check }.verdict(), Verdict::Miss);
 }
@@ -147,9 +148,9 @@ fn bad_coefficients_and_directories_are_refused() {
 
 #[test]
 fn a_row_passes_up_to_its_tolerance_and_is_known_up_to_what_is_on_record() {
-    let with = |got: f64, known: Option<Known>| {
-        let tolerance = Tolerance { limit: 0.25, source: "test" };
-        Check { known, ..Check::numbers("q", "c".into(), "r", "N", [2.0, got], tolerance) }
+    let with = |got: f64, known: Option<Known>| Check {
+        known,
+        ..Group::of("q", "r", "N", Tolerance::stated(0.25, "test")).check("c".into(), [2.0, got])
     };
     let known = Some(Known { limit: 0.5, remark: "test" });
     for (got, known, want) in [

@@ -115,6 +115,32 @@ fn golden_case_of_lammps_is_reproduced() {
     }
 }
 
+/// Chung and Ooi (2011), test 2: spheres of 0.1 m on a rigid plane at 0.2 m/s. A rigid sphere of the same density on a
+/// half-space with the modulus of the sphere is the same problem. Half a unit of the last printed digit is allowed.
+#[test]
+fn published_impacts_of_hertz_are_reproduced() {
+    let rigid = Material { youngs_modulus: f64::INFINITY, poissons_ratio: 0.3 };
+    let aluminium = (70e9, 0.3, 2699.0, [(49.72e-6, 0.005e-6), (11_370.0, 0.5), (731.7e-6, 0.05e-6)]);
+    let magnesium = (40e9, 0.35, 1800.0, [(52.12e-6, 0.005e-6), (7233.0, 0.5), (767.1e-6, 0.05e-6)]);
+    for (youngs_modulus, poissons_ratio, density, printed) in [aluminium, magnesium] {
+        let scene = Scene {
+            radius: 0.1,
+            density,
+            sphere: rigid,
+            half_space: Material { youngs_modulus, poissons_ratio },
+            yield_strength: None,
+            exponent: UnloadingExponent::Paper,
+        };
+        for (method, _) in STEPPING {
+            let impact = scene.impact(0.2, method, 1e-10, None);
+            let got = [impact.peak_indentation, impact.peak_force, impact.contact_time];
+            for (got, (want, half_a_digit)) in got.into_iter().zip(printed) {
+                assert!((got - want).abs() <= half_a_digit, "{}: {got} {want}", method.name());
+            }
+        }
+    }
+}
+
 #[test]
 fn closed_form_is_hertzs() {
     let impact = Scene { yield_strength: None, ..Scene::steel() }.impact(1.0, Method::ClosedForm, 1e-10, None);

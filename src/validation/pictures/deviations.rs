@@ -1,12 +1,10 @@
-//! Pictures against depth: deviations of force, indentations and contact radius during loading, of the dent, of the
-//! force during unloading, and of restitution; and restitution itself.
+//! Pictures against depth: deviations of force and contact radius during loading, of the dent and of the restitution; and
+//! the restitution itself.
 
 use super::super::EXPONENTS;
 use super::super::cases::{Case, Cycle};
 use super::super::check::deviation;
-use super::super::loading::{QUANTITIES, Quantity, along};
-use super::super::restitution::restitution;
-use super::super::unloading::{branch, farthest};
+use super::super::quasi_static::{QUANTITIES, Quantity, along, restitution};
 use super::{Picture, log_sampled, slug};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::plot::{Axis, Chart, Guide, Series};
@@ -26,13 +24,12 @@ fn by_case(cases: &[Case], points: impl Fn(&Case, &Cycle) -> Option<(f64, f64)>)
 }
 
 pub(super) fn pictures(cases: &[Case], coefficients: &PlmCoefficients) -> Vec<Picture> {
-    let mut pictures: Vec<Picture> = QUANTITIES.iter().map(|quantity| loading(cases, coefficients, quantity)).collect();
+    let drawn = QUANTITIES.iter().filter(|quantity| ["force", "contact radius"].contains(&quantity.name));
+    let mut pictures: Vec<Picture> = drawn.map(|quantity| loading(cases, coefficients, quantity)).collect();
     pictures.push(residual(cases));
-    for (exponent, slug) in EXPONENTS.into_iter().zip(["paper", "pressure-shape"]) {
-        pictures.push(force(cases, coefficients, exponent, slug));
-    }
     pictures.push(restitution_deviation(cases, coefficients));
-    pictures.extend(cases.iter().map(|case| restitution_itself(case, coefficients)));
+    pictures
+        .extend(cases.iter().filter(|case| case.name == "case 3").map(|case| restitution_itself(case, coefficients)));
     pictures
 }
 
@@ -62,21 +59,6 @@ fn residual(cases: &[Case]) -> Picture {
     let limits = of_paper.into_iter().flat_map(|(limit, label)| [limit, -limit].map(|at| Guide::horizontal(at, label)));
     lines.panels[0].guides.splice(..0, limits);
     (name, lines)
-}
-
-fn force(
-    cases: &[Case],
-    coefficients: &PlmCoefficients,
-    (exponent, name): (UnloadingExponent, &str),
-    slug: &str,
-) -> Picture {
-    let series = by_case(cases, |case, cycle| {
-        let (_, numbers) = farthest(cycle, &branch(case, cycle, coefficients, exponent))?;
-        Some((cycle.row.x, 100.0 * (numbers[1] - numbers[0])))
-    });
-    let title = format!("Unloading force: largest deviation between peak and dent, {name}");
-    let y = Axis::linear("(Law − finite elements) over peak force", "%").between(-6.0, 6.0);
-    picture(&format!("error-unloading-force-{slug}"), title, y, series)
 }
 
 fn restitution_deviation(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {

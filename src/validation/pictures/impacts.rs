@@ -1,4 +1,4 @@
-//! Pictures of whole impacts: force against indentations and against time (Fig. 12).
+//! Pictures of whole impacts: force against indentations (Fig. 12 of Xie et al. 2024).
 
 use super::super::EXPONENTS;
 use super::super::dynamic::Case;
@@ -16,16 +16,6 @@ const SHARES: [Share; 3] = [
     ("half-space δₕ", |sample| sample.half_space_indentation, |row| row.half_space_indentation),
 ];
 
-pub(super) fn pictures(cases: &[Case]) -> Vec<Picture> {
-    cases.iter().flat_map(|case| [force_indentation(case), history(case)]).collect()
-}
-
-fn picture(kind: &str, case: &Case, axes: [Axis; 2], series: Vec<Series>) -> Picture {
-    let slug = slug(case.name);
-    let title = format!("Impact {} (scenarios/dynamic-fe-{slug}.toml)", case.name);
-    (format!("impact-{slug}-{kind}"), Chart::new(title, axes, series).with_notes(notes(case)))
-}
-
 /// Restitution by the finite elements and by the law with each exponent.
 fn notes(case: &Case) -> Vec<String> {
     let of_law =
@@ -36,7 +26,7 @@ fn notes(case: &Case) -> Vec<String> {
     ["Restitution".to_owned(), of_reference].into_iter().chain(of_law).chain(with_waves).collect()
 }
 
-fn force_indentation(case: &Case) -> Picture {
+pub(super) fn picture(case: &Case) -> Picture {
     let mut series = Vec::new();
     for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
         let points = case.samples.iter().map(|sample| (of_sample(sample), sample.force));
@@ -47,16 +37,7 @@ fn force_indentation(case: &Case) -> Picture {
         }
     }
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
-    picture("force-indentation", case, axes, series)
-}
-
-fn history(case: &Case) -> Picture {
-    let points = case.samples.iter().map(|sample| (sample.time, sample.force)).collect();
-    let mut series = vec![Series::points("finite elements", points)];
-    for (i, (impact, (_, exponent))) in case.impacts.iter().zip(EXPONENTS).enumerate() {
-        let curve = impact.trace.iter().map(|row| (row.time, row.force)).collect();
-        series.push(Series::bare(format!("law, {exponent}"), curve).styled(i + 1));
-    }
-    let axes = [Axis::engineering("Time", "s"), Axis::engineering("Force", "N")];
-    picture("history", case, axes, series)
+    let slug = slug(case.name);
+    let title = format!("Impact {} (scenarios/dynamic-fe-{slug}.toml)", case.name);
+    (format!("impact-{slug}-force-indentation"), Chart::new(title, axes, series).with_notes(notes(case)))
 }
