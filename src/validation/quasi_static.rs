@@ -165,7 +165,7 @@ const CYCLES: [OfCycle; 7] = [
         ),
         |_, cycle| cycle.is_resolved().then(|| [cycle.row.residual_radius, residual_radius(&cycle.peak)]),
     ),
-    differences(of_cycle(DENT, "delta_m", PAPER, Tolerance::found(0.0201, 0.022), |law, cycle| {
+    differences(of_cycle(DENT, "delta_m", PAPER, Tolerance::found(0.0182, 0.022), |law, cycle| {
         let x = cycle.row.x;
         Some([cycle.residual() / x, law.loaded_to(x).residual() / x])
     })),
