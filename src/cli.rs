@@ -7,7 +7,6 @@ mod fit_plm;
 mod init;
 mod interrupt;
 mod materials;
-mod merge;
 mod names;
 mod output;
 mod pictures;
@@ -51,7 +50,6 @@ enum Command {
     Run(run::Arguments),
     Check(run::CheckArguments),
     Calibrate(calibrate::Arguments),
-    Merge(merge::Arguments),
     Export(export::Arguments),
     /// List the contact laws: name, source, loading, unloading, validity, confidence; and those that are not public
     #[command(after_help = "Examples:
@@ -80,7 +78,6 @@ pub fn run() -> Result<(), Error> {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
-        Command::Merge(arguments) => merge::merge(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Laws => terminal::print(&plm_impact::report::laws::list()),
         Command::Materials(arguments) => materials::materials(&arguments),

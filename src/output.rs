@@ -1,33 +1,45 @@
 //! How the program writes files. Every file goes through these steps:
 //!
-//! 1. It is locked, so that one process at a time writes it ([`Lock`]).
-//! 2. It is made under a random name beside its place; no link is followed ([`NewFile`]).
-//! 3. It is written and synchronised to the disk, so that all errors come before anything is replaced.
-//! 4. It is entered into the folder's list of files of this program ([`MANIFEST`]), which may be replaced later.
-//! 5. It is renamed, and the folder is synchronised to the disk. The sidecar or summary, which shows that a table is
-//!    complete,
-//!    comes last.
+//! 1. It is made under a random name beside its place; no link is followed ([`NewFile`]).
+//! 2. It is written and synchronised to the disk, so that all errors come before anything is replaced.
+//! 3. It is renamed, and the folder is synchronised to the disk. The summary, which says of what the results are, comes last.
 //!
-//! Whenever the process is killed, each place holds either its old file or its new one, complete.
+//! Whenever the process is killed, each place holds either its old file or its new one, complete. Nothing is locked: of two
+//! processes that write the same file the last to rename it wins.
 
-mod lock;
-mod manifest;
 mod new_file;
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::fs::{self, File};
+use std::io::{self, Read as _, Write as _};
+use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use serde_json::Value;
 
 use crate::error::{Error, ErrorKind};
-use crate::provenance::{FORMAT, PROGRAM};
-pub use lock::{Lock, LockError};
-pub use manifest::MANIFEST;
-use manifest::{Manifest, Record, relative};
-pub use new_file::{NewFile, PART, folder, refuse_special, remove, remove_stale, replace, sync_folder, with_suffix};
+pub use new_file::{
+    NewFile, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
+};
 
 /// The name of the summary of any run.
 pub const SUMMARY: &str = "summary.json";
+
+/// The other results of runs, by names and endings. Those of an older scenario do not stay beside newer ones.
+const RESULTS: [(&[&str], &[&str]); 2] = [
+    (&["table", "trace", "impacts", "comparison", "residuals", "posterior"], &["csv", "parquet"]),
+    (
+        &[
+            "force_indentation",
+            "history",
+            "impacts",
+            "unloading",
+            "restitution",
+            "restitution_map",
+            "restitution_histogram",
+        ],
+        &["png", "svg"],
+    ),
+];
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,18 +54,8 @@ pub enum OutputError {
     /// The file system refuses.
     #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
     Unwritable { path: PathBuf, reason: io::Error },
-    /// Another process is writing it.
-    #[error("{}: {holder} is writing it; wait for its end, or name another --out", .path.display())]
-    Busy {
-        path: PathBuf,
-        /// The other process, and since when it writes.
-        holder: String,
-    },
-    /// A file that another program wrote or changed.
-    #[error(
-        "{}: exists, but not as this program wrote it; move it, name another --out, or replace it with --force",
-        .path.display()
-    )]
+    /// A file that another program wrote.
+    #[error("{}: exists, and is no result of this program; move it, name another --out, or replace it with --force", .path.display())]
     Foreign { path: PathBuf },
     /// The directory holds other results.
     #[error(
@@ -62,9 +64,9 @@ pub enum OutputError {
     )]
     Taken {
         path: PathBuf,
-        /// Scenario, shards or command of the results that are there; a path as seen from the directory.
+        /// Scenario of the results that are there.
         other: String,
-        /// Scenario, shards or command of the results to write.
+        /// Scenario or command of the results to write.
         own: String,
     },
 }
@@ -73,10 +75,8 @@ impl From<OutputError> for Error {
     fn from(error: OutputError) -> Self {
         use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
         let is_full = |reason: &io::Error| matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
-        let (OutputError::Unwritable { path, .. }
-        | OutputError::Busy { path, .. }
-        | OutputError::Foreign { path }
-        | OutputError::Taken { path, .. }) = &error;
+        let (OutputError::Unwritable { path, .. } | OutputError::Foreign { path } | OutputError::Taken { path, .. }) =
+            &error;
         let is_failure = matches!(&error, OutputError::Unwritable { reason, .. } if is_full(reason));
         Self::of(if is_failure { ErrorKind::Failed } else { ErrorKind::Input }, &error).about(path.display())
     }
@@ -92,10 +92,21 @@ impl OutputError {
 /// The origin of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Origin<'a> {
-    /// A scenario or shards: where they are, and the hash of the scenario.
+    /// A scenario: its file, and its hash.
     File(&'a Path, &'a str),
     /// A command that needs none.
     Command(&'static str),
+}
+
+/// What is in a directory before a run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Before {
+    /// No summary.
+    Nothing,
+    /// Results of the same scenario.
+    Same,
+    /// Results of the same file with another text or other overrides.
+    Older(String),
 }
 
 /// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
@@ -104,60 +115,64 @@ pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
-    /// The origin of its results; `None` for a shared directory, into which several processes write.
-    own: Option<Manifest>,
+    before: Before,
+    /// Set once the older results are removed.
+    is_cleared: AtomicBool,
     is_forced: bool,
-    is_of_earlier_version: bool,
 }
 
 impl OutputDirectory {
-    /// Makes the directory and tests that it takes files, before anything is computed. All its results are of one
-    /// origin. With `is_forced`, results of another origin and files that the program did not write are replaced.
+    /// Makes the directory and tests that it takes files, before anything is computed. All its results are of one scenario.
+    /// With `is_forced`, results of another scenario and files that the program did not write are replaced.
     ///
     /// # Errors
-    /// [`OutputError::Unwritable`] if it cannot be made, is a file, or takes no files; [`OutputError::Taken`].
+    /// [`OutputError::Unwritable`] if it cannot be made, is a file, or takes no files; [`OutputError::Taken`];
+    /// [`OutputError::Foreign`] for a summary of another program.
     pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, OutputError> {
-        let mut directory = Self::shared(path)?;
-        directory.claim(origin, is_forced)?;
-        Ok(directory)
-    }
-
-    /// Sets the origin of the results to write.
-    ///
-    /// # Errors
-    /// [`OutputError::Taken`] where there are those of something else, unless `is_forced`.
-    pub fn claim(&mut self, origin: Origin, is_forced: bool) -> Result<(), OutputError> {
-        let (made_from, scenario_sha256) = match origin {
-            Origin::File(file, hash) => (relative(file, &self.path), Some(hash.to_owned())),
-            Origin::Command(name) => (name.to_owned(), None),
-        };
-        let written_by = PROGRAM.to_owned();
-        let own = Manifest { format_version: FORMAT, written_by, made_from, scenario_sha256, files: Vec::new() };
-        match self.manifest()? {
-            Some(there) => {
-                let is_empty = !there.files.iter().any(|record| self.path.join(&record.name).exists());
-                if !is_forced && !is_empty && !there.belongs_with(&own) {
-                    let (other, own) = (there.made_from, own.made_from);
-                    return Err(OutputError::Taken { path: self.path.clone(), other, own });
-                }
-            }
-            None => self.is_of_earlier_version = has_marks(&self.path),
-        }
-        self.is_forced = is_forced;
-        self.own = Some(own);
-        Ok(())
-    }
-
-    /// Prepares a shared directory, into which several processes write. Each file is checked by itself.
-    pub fn shared(path: &Path) -> Result<Self, OutputError> {
         let refuse = OutputError::at(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
-        let directory = Self { path: path.to_owned(), made, own: None, is_forced: false, is_of_earlier_version: false };
+        let mut directory = Self {
+            path: path.to_owned(),
+            made,
+            before: Before::Nothing,
+            is_cleared: AtomicBool::new(false),
+            is_forced,
+        };
         fs::create_dir_all(path).map_err(&refuse)?;
         directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
         drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
+        directory.before = match directory.find(origin) {
+            Err(OutputError::Taken { other, .. }) if is_forced => Before::Older(other),
+            Err(OutputError::Foreign { .. }) if is_forced => Before::Nothing,
+            found => found?,
+        };
         Ok(directory)
+    }
+
+    /// What the summary says of the results that are there.
+    fn find(&self, origin: Origin) -> Result<Before, OutputError> {
+        let path = self.path.join(SUMMARY);
+        refuse_special(&path).map_err(OutputError::at(&path))?;
+        let text = match fs::read(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Before::Nothing),
+            text => text.map_err(OutputError::at(&path))?,
+        };
+        let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
+        let of = |key: &str| summary["provenance"][key].as_str();
+        let (Some(hash), Some(other)) = (of("scenario_sha256"), of("scenario_file")) else {
+            return Err(OutputError::Foreign { path });
+        };
+        match origin {
+            Origin::File(_, own) if own == hash => Ok(Before::Same),
+            Origin::File(file, _) if is_same_file(file, other) => Ok(Before::Older(other.to_owned())),
+            Origin::File(file, _) => Err(self.taken(other, &file.display().to_string())),
+            Origin::Command(name) => Err(self.taken(other, name)),
+        }
+    }
+
+    fn taken(&self, other: &str, own: &str) -> OutputError {
+        OutputError::Taken { path: self.path.clone(), other: other.to_owned(), own: own.to_owned() }
     }
 
     /// Where it is.
@@ -165,117 +180,74 @@ impl OutputDirectory {
         &self.path
     }
 
-    /// Whether it holds results of an earlier version, which kept no list of them. Those with the names and kinds of new
-    /// files are replaced.
-    pub fn is_of_earlier_version(&self) -> bool {
-        self.is_of_earlier_version
+    /// Whether files of others may be replaced.
+    pub fn is_forced(&self) -> bool {
+        self.is_forced
     }
 
-    /// Locks a file of the directory for a run.
-    pub fn lock(&self, name: &Path) -> Result<Lock, OutputError> {
-        let path = self.path.join(name);
-        Lock::take(&path).map_err(|error| refuse_lock(&path, error))
+    /// The scenario of older results, which will be replaced.
+    pub fn replaces(&self) -> Option<&str> {
+        if let Before::Older(name) = &self.before { Some(name) } else { None }
     }
 
-    /// Whether the file is unchanged since the same version of the program wrote it for the same scenario.
-    pub fn has_own(&self, name: &str) -> bool {
-        let there = self.manifest().ok().flatten();
-        self.own.as_ref().zip(there).is_some_and(|(own, there)| there.is_like(own) && there.knows(&self.path, name))
-    }
-
-    /// Whether files of these names may be written.
+    /// Whether a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
+    /// gives way only to one that begins with the same line, as a table does to another of the same columns.
     ///
     /// # Errors
-    /// [`OutputError::Foreign`]; [`OutputError::Unwritable`] for what is no file.
-    pub fn check<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Result<(), OutputError> {
-        let there = self.manifest()?;
-        names.into_iter().try_for_each(|name| self.may_replace(there.as_ref(), name, None))
+    /// [`OutputError::Foreign`]; [`OutputError::Unwritable`] for what is no ordinary file.
+    pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), OutputError> {
+        let place = self.path.join(name);
+        refuse_special(&place).map_err(OutputError::at(&place))?;
+        if self.is_forced || self.before != Before::Nothing || !place.exists() {
+            return Ok(());
+        }
+        let line = new.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
+        let line = &line[..line.len().min(4096)];
+        let mut begins = Vec::new();
+        let read = File::open(&place).and_then(|file| file.take(line.len() as u64).read_to_end(&mut begins));
+        read.map_err(OutputError::at(&place))?;
+        if begins == line { Ok(()) } else { Err(OutputError::Foreign { path: place }) }
     }
 
-    /// Writes all files, then puts them in place.
+    /// Writes all files, then puts them in place, the summary last.
     ///
     /// # Errors
     /// [`OutputError`] naming the file; then no file was replaced unless a rename itself failed halfway.
     pub fn write(&self, files: &[OutputFile]) -> Result<(), OutputError> {
-        let _lock = self.lock_list()?;
         let mut new = Vec::new();
         for file in files {
+            self.may_replace(&file.name, &file.bytes)?;
             let place = self.path.join(&file.name);
-            let refuse = OutputError::at(&place);
             let begun = remove_stale(&place).and_then(|()| NewFile::create(&place));
-            let mut begun = begun.map_err(&refuse)?;
-            begun.write_all(&file.bytes).and_then(|()| begun.sync()).map_err(&refuse)?;
-            new.push(begun);
+            let written = begun.and_then(|mut begun| {
+                begun.write_all(&file.bytes)?;
+                begun.sync()?;
+                Ok(begun)
+            });
+            new.push((file.name == SUMMARY, written.map_err(OutputError::at(&place))?));
         }
-        self.put_all(new, false)
+        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        self.remove_older(&names)?;
+        new.sort_by_key(|(is_summary, _)| *is_summary);
+        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(OutputError::at(&self.path))
     }
 
-    /// Puts the files of a complete table in place. Removes the summary and the pictures of another table first.
-    ///
-    /// # Errors
-    /// [`OutputError`]; then it is not in place.
-    pub fn put_table(&self, files: Vec<NewFile>) -> Result<(), OutputError> {
-        files.iter().try_for_each(|file| file.sync().map_err(OutputError::at(file.temporary())))?;
-        let _lock = self.own.is_some().then(|| self.lock_list()).transpose()?;
-        self.put_all(files, true)
-    }
-
-    fn put_all(&self, mut files: Vec<NewFile>, is_table: bool) -> Result<(), OutputError> {
-        self.enter(&files, is_table)?;
-        for file in &mut files {
-            let place = file.place().to_owned();
-            file.rename().map_err(OutputError::at(&place))?;
+    /// Removes results of the same file with another text, apart from those of these names, and their summary first. Does
+    /// nothing when it is called again.
+    pub fn remove_older(&self, kept: &[&str]) -> Result<(), OutputError> {
+        if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
+            return Ok(());
         }
-        let folders: BTreeSet<&Path> = files.iter().map(|file| folder(file.place())).collect();
-        folders.into_iter().try_for_each(|folder| sync_folder(folder).map_err(OutputError::at(folder)))
-    }
-
-    /// Enters files into the list of the directory, before they take the place of others.
-    fn enter(&self, files: &[NewFile], is_table: bool) -> Result<(), OutputError> {
-        let Some(own) = &self.own else { return Ok(()) };
-        let there = self.manifest()?;
-        let refuse = OutputError::at(&self.path);
-        let mut records = Vec::new();
-        for file in files {
-            let name = file.place().strip_prefix(&self.path).unwrap_or(file.place()).to_string_lossy();
-            self.may_replace(there.as_ref(), &name, Some(file.temporary()))?;
-            records.push(Record::of(file.temporary(), &name, is_table).map_err(OutputError::at(file.place()))?);
-        }
-        let is_new = |old: &Record| records.iter().any(|new| new.name == old.name);
-        let mut list = Manifest { files: Vec::new(), ..own.clone() };
-        if let Some(there) = there {
-            let is_like = there.is_like(own);
-            for old in there.files {
-                let is_there = old.is_in(&self.path);
-                if is_there && !is_like && !is_new(&old) && !old.is_table {
-                    remove(&self.path.join(&old.name)).map_err(&refuse)?;
-                } else if is_there && !records.contains(&old) {
-                    list.files.push(old);
-                }
+        let results = RESULTS.iter().flat_map(|(names, endings)| {
+            names.iter().flat_map(|name| endings.iter().map(move |ending| format!("{name}.{ending}")))
+        });
+        for name in std::iter::once(SUMMARY.to_owned()).chain(results).filter(|name| !kept.contains(&name.as_str())) {
+            let place = self.path.join(name);
+            if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
+                remove(&place).map_err(OutputError::at(&place))?;
             }
         }
-        list.files.extend(records);
-        list.write(&self.path).map_err(&refuse)
-    }
-
-    fn may_replace(&self, there: Option<&Manifest>, name: &str, new: Option<&Path>) -> Result<(), OutputError> {
-        let place = self.path.join(name);
-        refuse_special(&place).map_err(OutputError::at(&place))?;
-        let is_allowed = self.is_forced
-            || self.own.is_none()
-            || !place.exists()
-            || there.is_some_and(|there| there.knows(&self.path, name))
-            || self.is_of_earlier_version && new.is_none_or(|new| is_alike(&place, new))
-            || new.is_some_and(|new| is_same(&place, new));
-        if is_allowed { Ok(()) } else { Err(OutputError::Foreign { path: place }) }
-    }
-
-    fn manifest(&self) -> Result<Option<Manifest>, OutputError> {
-        Manifest::read(&self.path).map_err(OutputError::at(&self.path))
-    }
-
-    fn lock_list(&self) -> Result<Lock, OutputError> {
-        Lock::wait(&self.path.join(MANIFEST)).map_err(|error| refuse_lock(&self.path, error))
+        Ok(())
     }
 }
 
@@ -286,61 +258,35 @@ impl Drop for OutputDirectory {
     }
 }
 
-/// A temporary directory beside the outputs, which is removed with all its files.
-#[derive(Debug)]
-pub struct Scratch {
-    path: PathBuf,
-    _lock: Lock,
+/// Whether a scenario file is the one that a summary names, perhaps as seen from another folder.
+fn is_same_file(file: &Path, named: &str) -> bool {
+    let named = Path::new(named);
+    let is_plain = |part: &Component| !matches!(part, Component::CurDir | Component::ParentDir);
+    let tail: PathBuf = named.components().filter(is_plain).collect();
+    file == named || file.canonicalize().is_ok_and(|file| file.ends_with(tail))
 }
 
+/// A temporary directory beside the outputs, which is removed with all its files.
+#[derive(Debug)]
+pub struct Scratch(PathBuf);
+
 impl Scratch {
-    /// Makes one with this name and a random number; those that killed runs left are removed.
+    /// Makes one with this name and a random number; those that killed runs left are removed after an hour.
     pub fn new(directory: &OutputDirectory, name: &str) -> Result<Self, OutputError> {
-        let lock = directory.lock(Path::new(name))?;
         let place = directory.path.join(name);
         let made = remove_stale(&place).and_then(|()| new_file::temporary(&place));
         let made = made.and_then(|path| fs::create_dir(&path).map(|()| path));
-        Ok(Self { path: made.map_err(OutputError::at(&place))?, _lock: lock })
+        Ok(Self(made.map_err(OutputError::at(&place))?))
     }
 
     /// Where it is.
     pub fn path(&self) -> &Path {
-        &self.path
+        &self.0
     }
 }
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        drop(fs::remove_dir_all(&self.path));
+        drop(fs::remove_dir_all(&self.0));
     }
-}
-
-fn refuse_lock(path: &Path, error: LockError) -> OutputError {
-    match error {
-        LockError::Held(holder) => OutputError::Busy { path: path.to_owned(), holder },
-        LockError::File(reason) => OutputError::Unwritable { path: path.to_owned(), reason },
-    }
-}
-
-/// Whether a directory without a list holds results of this program: its summary or report says so.
-fn has_marks(directory: &Path) -> bool {
-    let has = |name: &str, mark: &str| fs::read_to_string(directory.join(name)).is_ok_and(|text| text.contains(mark));
-    has(SUMMARY, "\"command\": \"plm-impact ")
-        || has("validation.md", "# Validation\n")
-        || has("report.md", "# Speed against error\n")
-}
-
-/// Whether two files have the same bytes. Then nothing is lost where one takes the place of the other.
-fn is_same(one: &Path, two: &Path) -> bool {
-    fs::read(one).ok().zip(fs::read(two).ok()).is_some_and(|(one, two)| one == two)
-}
-
-/// Whether two files begin with the same line: the header of a table, the heading of a report, the mark of a picture.
-fn is_alike(one: &Path, two: &Path) -> bool {
-    let line = |path: &Path| -> io::Result<Vec<u8>> {
-        let mut line = Vec::new();
-        io::BufRead::read_until(&mut io::BufReader::new(fs::File::open(path)?), b'\n', &mut line)?;
-        Ok(line)
-    };
-    line(one).ok().zip(line(two).ok()).is_some_and(|(one, two)| one == two)
 }

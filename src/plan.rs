@@ -195,6 +195,18 @@ impl Plan {
         }
     }
 
+    /// About how many microseconds a row takes on one core, under the slowest of its methods.
+    pub fn microseconds(&self) -> f64 {
+        let steps = f64::from(self.scene.solver.steps_per_contact);
+        let of = |method: Method| match method {
+            Method::Verlet => 0.05 * steps,
+            Method::Dopri5 | Method::Dop853 => 32.0,
+            method if self.is_stepped(method) => 8.0,
+            _ => 0.25,
+        };
+        self.methods().into_iter().map(of).fold(0.25, f64::max)
+    }
+
     /// Whether the half-space can yield. If not, nothing plastic is reported.
     pub fn is_plastic(&self) -> bool {
         self.scene.half_space.yield_strength.is_some()

@@ -18,11 +18,6 @@ pub const FORMAT: u64 = 1;
 /// dealt out to shards in another way: rows of different versions are not put into one table.
 pub const NUMBERS: u64 = 7;
 
-/// The version of the form of files that do not name it.
-pub fn first_format() -> u64 {
-    1
-}
-
 /// A hash in hexadecimal.
 pub fn hex(bytes: &[u8]) -> String {
     bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut hex, byte| {
@@ -38,7 +33,7 @@ pub struct Provenance {
     pub format_version: u64,
     /// Version of the program.
     pub version: &'static str,
-    /// The scenario as the command line names it; `None` for tables, which may be merged from shards.
+    /// The scenario as the command line names it; `None` where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scenario_file: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.

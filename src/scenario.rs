@@ -56,7 +56,6 @@ use entries::Entries;
 pub use error::ScenarioError;
 pub use kind::Kind;
 pub use place::{Place, Refusal};
-pub use source::plan_of;
 pub use template::template;
 
 /// A scenario file, read and checked.

@@ -1,27 +1,23 @@
 //! Sweeps: many cases of one scene are written to one table. A sweep uses all cores, can be divided into shards, and
 //! can be resumed.
 //!
-//! A row depends on its case number alone ([`crate::plan`]), so threads, shards and interruptions do not change the
-//! table. Pieces of rows are computed and encoded on all threads and written to the file in order (`ordered`), as text
-//! or as Parquet. Memory does not grow with the number of rows.
+//! A row depends on its case number alone ([`crate::plan`]), and the rows of part k of a table on k alone ([`parts`]). So
+//! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
+//! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
 
 pub mod caution;
 mod column;
 pub mod count;
-pub mod driver;
+pub mod csv;
 pub mod evaluator;
+pub mod form;
 pub mod job;
-pub mod merge;
 mod ordered;
-pub mod pace;
 #[cfg(feature = "parquet")]
-pub mod parquet;
-pub mod partition;
-pub mod seal;
+mod parquet;
+pub mod parts;
 pub mod shard;
-pub mod sidecar;
 pub mod statistics;
-pub mod table;
 pub mod throughput;
 
 use std::io;
@@ -30,15 +26,14 @@ use std::path::{Path, PathBuf};
 use crate::error::{Error, ErrorKind};
 use crate::output::OutputError;
 
+pub use form::Format;
 pub use job::{Job, Written};
-pub use partition::Partition;
 pub use shard::Shard;
-pub use table::Format;
 
 /// Why a sweep did not finish.
 #[derive(Debug, thiserror::Error)]
 pub enum SweepError {
-    /// The file system reported an error. The rows written so far stay, and can be resumed.
+    /// The file system reported an error. The parts written so far stay.
     #[error("{}: {problem}", .path.display())]
     File {
         /// The file.
@@ -48,7 +43,7 @@ pub enum SweepError {
         /// The error of the file system.
         source: io::Error,
     },
-    /// The table cannot be written to its directory, or another process is writing it.
+    /// The table cannot be written to its directory.
     #[error(transparent)]
     Output(#[from] OutputError),
     /// A file does not hold what the program wrote into it.
@@ -56,94 +51,49 @@ pub enum SweepError {
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// What is wrong, and the way out.
         problem: String,
     },
-    /// The file holds unfinished rows or a shard of another sweep.
-    #[error(
-        "{}: holds {what} of {of} (sidecar {}); go on as it was begun, name another --out, or delete both files to start over",
-        .table.display(), .sidecar.display()
-    )]
+    /// The folder holds parts of another table.
+    #[error("{}: these parts are {difference}; go on as they were begun, name another --out, or start over with --force", .path.display())]
     Changed {
-        /// The table.
-        table: PathBuf,
-        /// Its sidecar.
-        sidecar: PathBuf,
-        /// `unfinished rows` or `a shard`.
-        what: &'static str,
-        /// The other sweep or machine that the rows belong to.
-        of: &'static str,
-    },
-    /// Another version of the program wrote the table.
-    #[error(
-        "{}: {versions}; go on with that version, name another --out, or delete this file and its table to start over",
-        .sidecar.display()
-    )]
-    Version {
-        /// The table's sidecar.
-        sidecar: PathBuf,
-        /// The version that wrote the table, and the version of this program.
-        versions: String,
+        /// The folder of the parts.
+        path: PathBuf,
+        /// In what the other table differs.
+        difference: String,
     },
     /// Stopped on request.
-    #[error("interrupted after {rows} of {total} rows; the same command goes on from there ({})", .part.display())]
+    #[error("interrupted after {rows} of {total} rows; {}", if *.is_in_parts {
+        "the same command goes on from the parts that are whole"
+    } else {
+        "nothing was written, as a table of this size is written at once; the same command starts anew"
+    })]
     Interrupted {
-        /// Rows that are complete.
+        /// Rows that were computed or found.
         rows: u64,
         /// All rows of the table or shard.
         total: u64,
-        /// The unfinished table.
-        part: PathBuf,
+        /// Whether they are in parts.
+        is_in_parts: bool,
     },
-    /// Stopped on request; the rows are lost, because a Parquet table cannot be resumed.
-    #[error("interrupted; a Parquet table starts over, csv and json can be resumed")]
-    Dropped,
-    /// A request that the build or the format does not allow.
+    /// A request that the build does not allow.
     #[error("{0}")]
     Unsupported(&'static str),
-    /// The table cannot be divided into files by this key.
-    #[error("--partition-by {key}: {}", if .of_words.is_empty() {
-        "no axis of this [sweep] has words for values, such as law = [\"plm\", \"thornton\"]".to_owned()
-    } else {
-        format!("a table is divided by an axis of words, here by {}", .of_words.join(" or "))
-    })]
-    PartitionBy {
-        /// The key as the user gave it.
-        key: String,
-        /// The axes by which this table can be divided.
-        of_words: Vec<&'static str>,
-    },
-    /// Another file lies in the folder of a divided table, and would be read as part of the table.
-    #[error("{}: is not of this table, and would be read as part of it; move or delete it, or name another --out", .0.display())]
-    Stray(PathBuf),
-    /// The merged table cannot be written to this path.
-    #[error("--out {}: {problem}; name another file", .path.display())]
-    Place {
-        /// The path that was asked for.
-        path: PathBuf,
-        /// Why the table cannot be written there.
-        problem: &'static str,
-    },
-    /// The shards do not make one table; each text names one problem.
-    #[error("these shards do not make a table:\n  {}", .0.join("\n  "))]
-    Shards(Vec<String>),
 }
 
 impl From<SweepError> for Error {
     fn from(error: SweepError) -> Self {
         let kind = match &error {
             SweepError::File { .. } => ErrorKind::Failed,
-            SweepError::Interrupted { .. } | SweepError::Dropped => ErrorKind::Stopped(130),
+            SweepError::Interrupted { .. } => ErrorKind::Stopped(130),
             _ => ErrorKind::Input,
         };
         let told = Self::of(kind, &error);
         match error {
             SweepError::Output(error) => error.into(),
-            SweepError::File { path, .. }
-            | SweepError::Damaged { path, .. }
-            | SweepError::Changed { table: path, .. }
-            | SweepError::Version { sidecar: path, .. }
-            | SweepError::Place { path, .. } => told.about(path.display()),
+            SweepError::File { path, .. } | SweepError::Damaged { path, .. } | SweepError::Changed { path, .. } => {
+                told.about(path.display())
+            }
             _ => told,
         }
     }
@@ -154,5 +104,13 @@ impl SweepError {
     pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::File { path: path.clone(), problem, source }
+    }
+
+    /// Whether a file or a folder was gone.
+    pub(crate) fn is_not_found(&self) -> bool {
+        let (Self::File { source, .. } | Self::Output(OutputError::Unwritable { reason: source, .. })) = self else {
+            return false;
+        };
+        source.kind() == io::ErrorKind::NotFound
     }
 }

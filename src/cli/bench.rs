@@ -35,8 +35,6 @@ const PAGE: &str = "README.md";
 
 pub fn bench(arguments: &Arguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force)?;
-    super::output::say_what_is_replaced(&directory);
-    directory.check([PAGE, "speed_vs_error.csv"])?;
     let (rounds, burst) =
         if arguments.quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
@@ -77,7 +75,7 @@ const NINE: &str =
 /// How fast tables are computed and written: a row of the report for each table.
 fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<Vec<Vec<String>>, Error> {
     let scratch = Scratch::new(directory, "throughput")?;
-    let tables = OutputDirectory::shared(scratch.path())?;
+    let tables = OutputDirectory::prepare(scratch.path(), Origin::Command("bench"), true)?;
     let measure = |columns: Option<&str>| -> Result<Vec<String>, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();

@@ -6,7 +6,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
 use plm_impact::law::PlmCoefficients;
-use plm_impact::output::{OutputDirectory, OutputError, OutputFile, refuse_special};
+use plm_impact::output::{OutputError, refuse_special, replace};
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 
 /// Determine PLM coefficients from loading curves: a file for `[law.plm] coefficients`, deviations to the terminal
@@ -42,7 +42,8 @@ pub struct Arguments {
 }
 
 pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
-    let (directory, file_name) = place(&arguments.out).map_err(Error::input)?;
+    let nameless = || Error::input(format!("--out {}: is not the name of a file", arguments.out.display()));
+    let file_name = arguments.out.file_name().and_then(|name| name.to_str()).ok_or_else(nameless)?;
     let curves: Result<Vec<LoadingCurve>, FitError> =
         arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
     let curves = curves?;
@@ -60,28 +61,18 @@ pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
         [] => built_in.clone(),
         knots => fit::knots::with_knots(built_in, knots)?,
     };
-    let directory = OutputDirectory::shared(directory)?;
-    let _lock = directory.lock(Path::new(&file_name))?;
     may_replace(&arguments.out, arguments.force)?;
     let plan = Plan { start, has_knots: arguments.fit_knots };
     let fitted = fit::fit(&curves, &plan)?;
-    let default_name = || format!("PLM, {}", Path::new(&file_name).with_extension("").display());
+    let default_name = || format!("PLM, {}", Path::new(file_name).with_extension("").display());
     let name = arguments.name.clone().unwrap_or_else(default_name);
     let coefficients = report::coefficients(&fitted, &name, &super::output::command_line());
     let text = report::toml(&coefficients)?;
-    directory.write(&[OutputFile { name: file_name, bytes: text.into_bytes() }])?;
+    replace(&arguments.out, text.as_bytes()).map_err(OutputError::at(&arguments.out))?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
     super::terminal::print(&report::table(&fitted, &of_built_in))?;
     super::terminal::note(format_args!("wrote {}", arguments.out.display()));
     Ok(())
-}
-
-/// Directory and name of the file to write.
-fn place(path: &Path) -> Result<(&Path, String), String> {
-    let name = path.file_name().and_then(|name| name.to_str());
-    let name = name.ok_or_else(|| format!("--out {}: is not the name of a file", path.display()))?;
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
-    Ok((parent.unwrap_or(Path::new(".")), name.to_owned()))
 }
 
 /// A file of coefficients names the command that wrote it.

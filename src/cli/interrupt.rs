@@ -1,8 +1,8 @@
 //! Ctrl-C and SIGTERM: a sweep is asked to stop, and is ended if it has not stopped within a second. Its files stay
 //! complete, as an unfinished file has not replaced any other.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use plm_impact::error::{Error, ErrorKind};
@@ -25,12 +25,15 @@ pub struct Interrupt {
     pub is_set: Arc<AtomicBool>,
     code: Arc<AtomicUsize>,
     is_over: Arc<AtomicBool>,
+    /// What a run that is ended now leaves.
+    leaves: Arc<Mutex<&'static str>>,
 }
 
 impl Interrupt {
     /// Listens from now on.
     pub fn listen() -> Result<Self, Error> {
-        let interrupt = Self { is_set: Arc::default(), code: Arc::default(), is_over: Arc::default() };
+        let interrupt =
+            Self { is_set: Arc::default(), code: Arc::default(), is_over: Arc::default(), leaves: Arc::default() };
         for signal in [SIGINT, SIGTERM] {
             let code = ENDED_BY + signal.unsigned_abs() as usize;
             let listened = flag::register_conditional_default(signal, Arc::clone(&interrupt.is_over));
@@ -40,15 +43,21 @@ impl Interrupt {
         Ok(interrupt)
     }
 
+    /// Says what a run that is ended from now on leaves, and what to do then.
+    pub fn leave(&self, what: &'static str) {
+        *self.leaves.lock().unwrap_or_else(PoisonError::into_inner) = what;
+    }
+
     /// From now on the process ends a second after a signal, even if a single row or a picture takes longer.
     pub fn end_the_slow(&self) -> Result<(), Error> {
-        let code = Arc::clone(&self.code);
+        let (code, leaves) = (Arc::clone(&self.code), Arc::clone(&self.leaves));
         let end = move || {
             while code.load(Ordering::Relaxed) == 0 {
                 std::thread::sleep(LOOK);
             }
             std::thread::sleep(PATIENCE);
-            let exit_code = super::terminal::error(&stopped(GOES_ON.to_owned(), &code));
+            let leaves = *leaves.lock().unwrap_or_else(PoisonError::into_inner);
+            let exit_code = super::terminal::error(&stopped(format!("interrupted; {leaves}"), &code));
             std::process::exit(exit_code.into());
         };
         std::thread::Builder::new().spawn(end).map(drop).map_err(other("signals"))
@@ -72,8 +81,6 @@ impl Drop for Interrupt {
         self.is_over.store(true, Ordering::Relaxed);
     }
 }
-
-const GOES_ON: &str = "interrupted; the same command goes on from the rows that are written";
 
 fn stopped(what: String, code: &AtomicUsize) -> Error {
     let exit_code = u8::try_from(code.load(Ordering::Relaxed)).ok().filter(|code| *code > 0);

@@ -35,16 +35,6 @@ pub struct Output {
     pub pictures: PictureArguments,
 }
 
-/// Notes that results of an earlier version will be replaced.
-pub fn say_what_is_replaced(directory: &OutputDirectory) {
-    if directory.is_of_earlier_version() {
-        let path = directory.path().display();
-        super::terminal::note(format_args!(
-            "{path}: the results of an earlier version that are there will be replaced"
-        ));
-    }
-}
-
 /// Warnings to standard error.
 pub fn warn(warnings: &[String]) {
     for warning in warnings {
@@ -101,7 +91,12 @@ impl Output {
         let hash = scenario.sha256()?;
         let origin = Origin::File(file, &hash);
         let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force)?;
-        say_what_is_replaced(&directory);
+        if let Some(older) = directory.replaces() {
+            let path = directory.path().display();
+            super::terminal::note(format_args!(
+                "{path}: replaces the results of {older} as it was, or with other --set"
+            ));
+        }
         Ok(directory)
     }
 }

@@ -49,7 +49,6 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let measured = arguments.experiments.as_deref().map(|path| experiments::load(path, &coefficients));
     let measured = measured.transpose()?.unwrap_or_default();
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
-    super::output::say_what_is_replaced(&directory);
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
     let (checks, measured, pictures) = watched(false, move |progress| {

@@ -3,19 +3,22 @@
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::hash::{BuildHasher as _, RandomState};
-use std::io::{self, Seek as _, SeekFrom, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
-/// The end of a temporary name, and of the name of an unfinished table.
-pub const PART: &str = ".part";
+/// The end of a temporary name.
+const PART: &str = ".part";
+/// A temporary file that nobody has written to for so long was left by a killed run.
+const STALE: Duration = Duration::from_secs(3600);
 
-/// A file that is not in its place yet. It is removed unless it is put there; only rows that a later run can continue stay.
+/// A file that is not in its place yet. It is removed unless it is put there.
 #[derive(Debug)]
 pub struct NewFile {
     file: File,
     temporary: PathBuf,
     place: PathBuf,
-    is_kept: bool,
+    is_put: bool,
 }
 
 impl NewFile {
@@ -24,35 +27,12 @@ impl NewFile {
         refuse_special(place)?;
         let temporary = temporary(place)?;
         let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
-        Ok(Self { file, temporary, place: place.to_owned(), is_kept: false })
+        Ok(Self { file, temporary, place: place.to_owned(), is_put: false })
     }
 
-    /// Continues at `end` the rows that an earlier run left in `part`, or begins that file. The rows stay if this run
-    /// fails. What follows `end` is cut off. The place has to be locked.
-    pub fn resume(place: &Path, part: PathBuf, end: u64) -> io::Result<Self> {
-        refuse_special(place)?;
-        let mut options = OpenOptions::new();
-        options.write(true);
-        let mut file = match options.clone().create_new(true).open(&part) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                refuse_link(&part)?;
-                options.open(&part)?
-            }
-            result => result?,
-        };
-        file.set_len(end)?;
-        file.seek(SeekFrom::Start(end))?;
-        Ok(Self { file, temporary: part, place: place.to_owned(), is_kept: true })
-    }
-
-    /// Where it will be.
-    pub fn place(&self) -> &Path {
-        &self.place
-    }
-
-    /// Where it is so far.
-    pub fn temporary(&self) -> &Path {
-        &self.temporary
+    /// The open file, for a copy inside the system.
+    pub fn inner(&mut self) -> &mut File {
+        &mut self.file
     }
 
     /// Synchronises it to the disk. After that, closing the file cannot fail.
@@ -60,12 +40,12 @@ impl NewFile {
         self.file.sync_all()
     }
 
-    /// Puts it in its place, over an older file; to be followed by [`sync_folder`].
-    pub fn rename(&mut self) -> io::Result<()> {
+    /// Puts it in its place, over an older file.
+    pub fn put(mut self) -> io::Result<()> {
         refuse_special(&self.place)?;
         fs::rename(&self.temporary, &self.place)?;
-        self.is_kept = true;
-        Ok(())
+        self.is_put = true;
+        sync_folder(folder(&self.place))
     }
 }
 
@@ -81,19 +61,37 @@ impl Write for NewFile {
 
 impl Drop for NewFile {
     fn drop(&mut self) {
-        if !self.is_kept {
+        if !self.is_put {
             drop(fs::remove_file(&self.temporary));
         }
     }
 }
 
-/// Writes a single file: complete, on the disk and in its place, or not at all.
+/// Writes a single file, in place of an older one: complete and on the disk, or not at all. Makes its folder.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
+    fs::create_dir_all(folder(place))?;
     let mut file = NewFile::create(place)?;
     file.write_all(bytes)?;
     file.sync()?;
-    file.rename()?;
-    sync_folder(folder(place))
+    file.put()
+}
+
+/// Writes a single file where there is none: complete and on the disk, or not at all.
+///
+/// # Errors
+/// [`io::ErrorKind::AlreadyExists`] if there is one, even if another process has made it just now.
+pub fn create(place: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = NewFile::create(place)?;
+    file.write_all(bytes)?;
+    file.sync()?;
+    match fs::hard_link(&file.temporary, place) {
+        // some file systems have no links
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists && !place.exists() => file.put(),
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+            Err(io::Error::from(io::ErrorKind::AlreadyExists))
+        }
+        linked => linked.and_then(|()| sync_folder(folder(place))),
+    }
 }
 
 /// Removes a file of the program, also from the disk.
@@ -102,6 +100,16 @@ pub fn remove(path: &Path) -> io::Result<()> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Err(error) => Err(error),
         Ok(()) => sync_folder(folder(path)),
+    }
+}
+
+/// Removes a folder of the program with all its files. It is renamed first, so that other processes see all of it or nothing.
+pub fn remove_folder(path: &Path) -> io::Result<()> {
+    let away = temporary(path)?;
+    match fs::rename(path, &away) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(error),
+        Ok(()) => fs::remove_dir_all(&away),
     }
 }
 
@@ -123,13 +131,6 @@ pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// A path with something behind its name.
-pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(suffix);
-    name.into()
-}
-
 /// Refuses a path at which there is something else than an ordinary file: a directory, a link, a device, a pipe.
 pub fn refuse_special(path: &Path) -> io::Result<()> {
     let kind = match path.symlink_metadata() {
@@ -143,44 +144,6 @@ pub fn refuse_special(path: &Path) -> io::Result<()> {
     }
     let what = if kind.is_symlink() { "a link" } else { "a device or a pipe" };
     Err(io::Error::new(io::ErrorKind::InvalidInput, format!("it is {what}, and only ordinary files are written")))
-}
-
-/// Refuses a file that has another name too, and anything that is not an ordinary file.
-fn refuse_link(path: &Path) -> io::Result<()> {
-    refuse_special(path)?;
-    if links(path)? > 1 {
-        let problem = "it is a hard link, and what it is linked to would change; remove it to start over";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
-    }
-    Ok(())
-}
-
-#[cfg(unix)]
-fn links(path: &Path) -> io::Result<u64> {
-    path.symlink_metadata().map(|data| std::os::unix::fs::MetadataExt::nlink(&data))
-}
-
-#[cfg(not(unix))]
-fn links(_: &Path) -> io::Result<u64> {
-    Ok(1)
-}
-
-/// Whether an open file is the one at this path.
-#[cfg(unix)]
-pub(super) fn is_at(file: &File, path: &Path) -> io::Result<bool> {
-    use std::os::unix::fs::MetadataExt as _;
-    let opened = file.metadata()?;
-    match path.symlink_metadata() {
-        Ok(there) => Ok(there.ino() == opened.ino() && there.dev() == opened.dev()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
-        Err(error) => Err(error),
-    }
-}
-
-/// Whether an open file is the one at this path: elsewhere than on Unix a locked file cannot be replaced.
-#[cfg(not(unix))]
-pub(super) fn is_at(_: &File, path: &Path) -> io::Result<bool> {
-    path.try_exists()
 }
 
 /// 64 random bits from the operating system, so that processes on all machines have different ones.
@@ -201,7 +164,7 @@ pub(super) fn temporary(place: &Path) -> io::Result<PathBuf> {
     Ok(folder(place).join(hidden))
 }
 
-/// Removes what killed runs left of this output. The place has to be locked.
+/// Removes what killed runs left of this output an hour ago or more. Younger files may be those of a run at work.
 pub fn remove_stale(place: &Path) -> io::Result<()> {
     let mut before = OsString::from(".");
     before.push(name(place)?);
@@ -211,10 +174,11 @@ pub fn remove_stale(place: &Path) -> io::Result<()> {
         let name = entry.file_name();
         let number = name.as_encoded_bytes().strip_prefix(before.as_encoded_bytes());
         let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
-        if !number.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit)) {
+        let is_temporary = number.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit));
+        let age = || entry.metadata().and_then(|data| data.modified()).map(|time| time.elapsed().unwrap_or_default());
+        if !is_temporary || age().is_ok_and(|age| age < STALE) {
             continue;
         }
-        // `bench` measures in a directory
         let is_directory = entry.file_type()?.is_dir();
         let removed = if is_directory { fs::remove_dir_all(entry.path()) } else { fs::remove_file(entry.path()) };
         match removed {

@@ -10,9 +10,8 @@ use crate::plot::{self, Chart, Guide, Look, PlotError, Series, heatmap, histogra
 use crate::reference::quasi_static;
 use crate::scene::quantity::Notation;
 use crate::strength::hardness::vickers;
-use crate::sweep::count::Count;
+use crate::sweep::count::{Count, Tally};
 use crate::sweep::evaluator::{Evaluator, Rows};
-use crate::sweep::sidecar::Tally;
 use crate::units::capital;
 
 /// Largest number of points of a curve: more than the pixels of a picture.

@@ -20,8 +20,7 @@ use crate::provenance::Provenance;
 use crate::report;
 use crate::run::{Order, Outcome as Written, Run, table, way};
 use crate::scenario::Scenario;
-use crate::sweep::count::Count;
-use crate::sweep::sidecar::Tally;
+use crate::sweep::count::{Count, Tally};
 
 /// The name of measurements that are arrays, in messages.
 const DATA: &str = "data";

@@ -1,7 +1,7 @@
 //! Computes the rows of tables on all threads.
 
 use std::ops::Range;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
@@ -16,7 +16,6 @@ use crate::plan::axis::{Axis, Setting, Word};
 use crate::scene::Key;
 use crate::scene::results::Column as Result;
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
-use crate::sweep::pace::{LONGEST, Pace};
 
 /// Computed rows.
 #[derive(Debug)]
@@ -107,6 +106,11 @@ struct Piece<'a> {
     status: &'a mut [u8],
 }
 
+/// The most rows of a piece.
+const LONGEST: usize = 4096;
+/// Rows between two looks for an interruption.
+const HEARD: usize = 64;
+
 /// Computes rows: the columns of swept values, the columns of results, and the status of every row. If they can be
 /// cancelled, they are computed on the threads of the pool, else in the calling one.
 fn fill(
@@ -132,8 +136,7 @@ fn fill(
         piece.put(&computed, n_swept, results);
         return Ok(Made { columns, status });
     };
-    #[allow(clippy::cast_possible_truncation)] // some thousand rows
-    let longest = rows.div_ceil(8 * rayon::current_num_threads()).clamp(1, LONGEST as usize);
+    let longest = rows.div_ceil(8 * rayon::current_num_threads()).clamp(1, LONGEST);
     let starts = (0..rows).step_by(longest);
     let mut pieces: Vec<Piece> = starts
         .zip(status.chunks_mut(longest))
@@ -144,13 +147,14 @@ fn fill(
             piece.columns.push(part);
         }
     }
-    let pace = Pace::new(is_cancelled, &|_| ());
     pieces.into_par_iter().for_each(|mut piece| {
         let mut made = Rows::default();
-        pace.walk(piece.rows.start as u64..piece.rows.end as u64, |cases| {
-            #[allow(clippy::cast_possible_truncation)] // they come from the range of this piece
-            make(cases.start as usize..cases.end as usize, &mut made);
-        });
+        for start in piece.rows.clone().step_by(HEARD) {
+            if is_cancelled.load(Ordering::Relaxed) {
+                break;
+            }
+            make(start..piece.rows.end.min(start + HEARD), &mut made);
+        }
         piece.put(&made, n_swept, results);
     });
     Ok(Made { columns, status })

@@ -11,7 +11,7 @@ use crate::plan::{Cases, Plan};
 use crate::provenance::Provenance;
 use crate::scene::results::table::{Drawn, Totals, drawn, totals};
 use crate::scene::results::{Fields, fields};
-use crate::sweep::sidecar::Tally;
+use crate::sweep::count::Tally;
 
 #[derive(Serialize)]
 struct Results<'a> {

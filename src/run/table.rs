@@ -1,4 +1,4 @@
-//! Summary, pictures and warnings of a table, whether it is written at once or merged from shards.
+//! Summary, pictures and warnings of a table.
 
 use super::outcome::{Outcome, file, no_result, texts};
 use crate::error::Error;
@@ -13,7 +13,7 @@ use crate::report::strength;
 use crate::report::sweep::summary;
 use crate::scenario::Scenario;
 use crate::sweep::caution::at_corners;
-use crate::sweep::sidecar::Tally;
+use crate::sweep::count::Tally;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;

@@ -7,13 +7,7 @@ use super::document::{LARGEST_SCENARIO, read_text};
 use super::flow::TABLE;
 use super::law::COEFFICIENTS;
 use super::{Scenario, ScenarioError};
-use crate::plan::{Plan, Source};
-
-/// The plan of a table, from the texts of its scenario; `name` stands for the file in messages.
-pub fn plan_of(name: &str, source: &Source) -> Result<Plan, String> {
-    let plan = Scenario::from_source(name, source).and_then(|scenario| scenario.plan());
-    plan.map_err(|error| error.to_string())?.ok_or_else(|| "its scenario has no table".to_owned())
-}
+use crate::plan::Source;
 
 impl Scenario {
     /// Its texts.

@@ -1,5 +1,6 @@
 //! Warns where a table leaves the range of the model. Before the sweep starts, one impact is computed at each corner of
-//! the grid, or in the tails of the distributions. The rows of a table carry no warnings.
+//! the grid, or in the tails of the distributions. Of very many corners, those that differ from the first in one axis are
+//! computed, and a sample of the others. The rows of a table carry no warnings.
 
 use std::mem::discriminant;
 
@@ -9,13 +10,13 @@ use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, put};
 use crate::scene::Scene;
 
-/// The largest number of corners that are computed: those of thirteen axes of numbers.
-const MOST_CORNERS: usize = 1 << 13;
+/// The largest number of corners that are computed all: those of thirteen axes of numbers. Of more, so many are a sample.
+const MOST_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
-/// The worst warning of each kind with the corner where it was found, and the largest peak indentation over the radius
-/// of the sphere.
+/// The worst warning of each kind with the corner where it was found, a warning about corners that were not looked at, and the
+/// largest peak indentation over the radius of the sphere.
 pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let tails: Vec<Axis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
@@ -23,16 +24,15 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     };
     let axes = if plan.is_monte_carlo() { &tails } else { plan.axes() };
     let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
-    let corners = ends.iter().map(Vec::len).fold(1, usize::saturating_mul);
+    let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
+    let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
+        (0..all).map(|corner| at_corner(&ends, corner)).collect()
+    } else {
+        one_at_a_time(&ends).chain((0..MOST_CORNERS).map(|number| sampled(&ends, number))).collect()
+    };
+    let computed = chosen.len();
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
-    for corner in 0..corners.min(MOST_CORNERS) {
-        let mut rest = corner;
-        let place_on = |ends: &Vec<u64>| {
-            let place = ends[rest % ends.len()];
-            rest /= ends.len();
-            place
-        };
-        let places: Vec<u64> = ends.iter().map(place_on).collect();
+    for places in chosen {
         let mut scene = plan.scene.clone();
         put(axes, &places, &mut scene);
         let Some(impact) = impact(&scene) else { continue };
@@ -47,7 +47,57 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
             }
         }
     }
-    (worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect(), deepest)
+    let mut warnings: Vec<String> =
+        worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
+    if all > MOST_CORNERS {
+        warnings.push(format!(
+            "of the {all} corners of this table {computed} were looked at: every value at an end of one axis, and a sample of the others; the model may be left at the rest"
+        ));
+    }
+    (warnings, deepest)
+}
+
+/// The places of a corner; the first axis varies fastest.
+fn at_corner(ends: &[Vec<u64>], corner: u64) -> Vec<u64> {
+    let mut rest = corner;
+    let place_on = |ends: &Vec<u64>| {
+        let (count, at) = (ends.len() as u64, rest);
+        rest /= count;
+        pick(ends, at)
+    };
+    ends.iter().map(place_on).collect()
+}
+
+/// One of the places of an axis, for any number.
+#[allow(clippy::cast_possible_truncation)] // less than the length of a list
+fn pick(ends: &[u64], number: u64) -> u64 {
+    ends[(number % ends.len() as u64) as usize]
+}
+
+/// The corners that differ from the first one on one axis.
+fn one_at_a_time(ends: &[Vec<u64>]) -> impl Iterator<Item = Vec<u64>> {
+    let first: Vec<u64> = ends.iter().map(|ends| ends[0]).collect();
+    ends.iter().enumerate().flat_map(move |(axis, ends)| {
+        let first = first.clone();
+        ends.iter().map(move |place| {
+            let mut places = first.clone();
+            places[axis] = *place;
+            places
+        })
+    })
+}
+
+/// A corner by chance, the same in every run: each axis has its own stream of random numbers.
+fn sampled(ends: &[Vec<u64>], number: u64) -> Vec<u64> {
+    (0..).zip(ends).map(|(axis, ends)| pick(ends, mixed(number * 64 + axis))).collect()
+}
+
+/// A number that looks random (SplitMix64, Steele, Lea and Flood 2014).
+fn mixed(number: u64) -> u64 {
+    let step = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let one = (step ^ (step >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let two = (one ^ (one >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    two ^ (two >> 31)
 }
 
 /// The places of the smallest and the largest value of an axis, or of all its words.

@@ -1,7 +1,5 @@
 //! The columns of a table in any format: where the values of each column come from.
 
-use super::evaluator::Failure;
-use crate::impact::Essentials;
 use crate::plan::axis::{Setting, Values, Word};
 use crate::plan::{Cases, Plan};
 use crate::scene::results::Column as ResultColumn;
@@ -40,12 +38,4 @@ pub(super) fn columns(plan: &Plan) -> Vec<Column> {
     }
     let results = plan.results().into_iter().map(Column::Result);
     std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
-}
-
-/// The status of a row with a result.
-pub(super) const OK: &str = "ok";
-
-/// The status of a row.
-pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
-    result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
 }

@@ -1,7 +1,9 @@
 //! How rows are counted: as results, as rows outside the range of a law, or as failures.
 
 use super::evaluator::Failure;
+use super::statistics::Statistics;
 use crate::impact::Essentials;
+use crate::plan::Plan;
 
 /// How a row counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,10 +27,59 @@ impl Count {
             Err(failure) => (*failure).into(),
         }
     }
+
+    /// How a written row counts, by its status and its e, which is `None` where the field is empty.
+    pub(super) fn of_row(status: &str, restitution: Option<f64>) -> Option<Self> {
+        if status != OK {
+            return Failure::from_name(status).map(Self::from);
+        }
+        Some(restitution.map_or(Self::AtRest, Self::Restitution))
+    }
 }
 
 impl From<Failure> for Count {
     fn from(failure: Failure) -> Self {
         if failure == Failure::OutsideLaw { Self::OutsideLaw } else { Self::Failure }
+    }
+}
+
+/// The status of a row with a result.
+pub(super) const OK: &str = "ok";
+
+/// The status of a row.
+pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
+    result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
+}
+
+/// Counts of rows, and the statistics of e.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    /// Rows.
+    pub rows: u64,
+    /// Rows without a result.
+    pub failures: u64,
+    /// Rows outside the range of the law.
+    pub outside_law: u64,
+    /// Whether values are random; only then e goes into the statistics.
+    is_random: bool,
+    /// Statistics of e; empty if the values are not random.
+    pub statistics: Statistics,
+}
+
+impl Tally {
+    /// No rows of this plan yet.
+    pub fn of(plan: &Plan) -> Self {
+        Self { is_random: plan.is_monte_carlo(), ..Self::default() }
+    }
+
+    /// Counts a row. The statistics depend on the order of the rows in their last digits.
+    pub fn push(&mut self, count: Count) {
+        self.rows += 1;
+        match count {
+            Count::Failure => self.failures += 1,
+            Count::OutsideLaw => self.outside_law += 1,
+            Count::Restitution(value) if self.is_random => self.statistics.push(value),
+            Count::Restitution(_) | Count::AtRest => {}
+        }
     }
 }

@@ -38,8 +38,8 @@ impl Failure {
     ];
 
     /// The failure of this name.
-    pub fn from_name(name: &[u8]) -> Option<Self> {
-        Self::ALL.into_iter().find(|failure| failure.name().as_bytes() == name)
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|failure| failure.name() == name)
     }
 
     /// The name in the column `status`.

@@ -1,176 +1,210 @@
-//! Writes a table as Parquet, in one file or in one file for every value of an axis. Row groups are encoded in memory,
-//! in parallel, and appended in order.
+//! A table as Parquet: batches of rows become Arrow data, which Arrow's writer encodes.
 
-mod columns;
-mod group;
-
-use std::collections::HashMap;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufWriter};
-use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::path::Path;
+use std::sync::Arc;
 
+use arrow_array::cast::AsArray as _;
+use arrow_array::types::{Float64Type, Int32Type};
+use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatch, StringArray};
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use parquet::arrow::ProjectionMask;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use parquet::arrow::arrow_writer::{ArrowWriter, ArrowWriterOptions};
 use parquet::errors::ParquetError;
-use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::file::writer::SerializedFileWriter;
-use parquet::record::Field;
-use parquet::schema::types::{SchemaDescriptor, Type};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::schema::types::ColumnPath;
 
-use self::columns::{BATCH, named, properties, schema};
-use self::group::{Chunk, Encoder};
-use super::SweepError;
-use super::column::OK;
-use super::count::Count;
-use super::evaluator::{Evaluator, Failure};
-use super::job::Job;
-use super::ordered::{Made, fill};
-use super::pace::Pace;
-use super::shard::{Layout, Shard};
-use super::sidecar::Tally;
-use crate::output::{NewFile, OutputDirectory, folder, remove_stale};
+use super::column::{Column, columns};
+use super::count::{Count, OK};
+use super::evaluator::{Failure, Rows};
+use super::form::{Form, Found};
+use crate::output::NewFile;
+use crate::plan::Plan;
+use crate::provenance::PROGRAM;
 
-/// The most rows of a row group. A group takes a few megabytes, and each thread holds at most two groups.
-const ROW_GROUP: u64 = 65_536;
-
+/// Rows encoded at a time, and of a page: few enough for the cache.
+const BATCH: usize = 4096;
+/// The most rows of a row group, which the writer keeps in memory.
+const ROW_GROUP: usize = 65_536;
 /// Bytes written to the file at a time.
 const WRITE: usize = 1 << 18;
+/// The entry of a file that says which table and which part it is.
+const OF: &str = "plm_impact_part";
 
-/// Short tables have smaller row groups, so that there is one for every thread.
-fn row_group(total: u64) -> u64 {
-    (total / 16).next_multiple_of(BATCH as u64).clamp(BATCH as u64, ROW_GROUP)
+/// Writes rows as Parquet.
+#[derive(Debug)]
+pub(super) struct Parquet {
+    columns: Vec<Column>,
+    /// The words of the columns that have words.
+    words: Vec<Option<Arc<StringArray>>>,
+    schema: SchemaRef,
+    /// What the table is of, for its files.
+    table: String,
 }
 
-/// Writes the table of a job; its files appear when all of them are complete. A Parquet file ends with its table of
-/// contents, so an unfinished file cannot be resumed.
-pub(super) fn write(job: &Job, table: &Path) -> Result<Tally, SweepError> {
-    let total = job.plan.count();
-    let unwritable = SweepError::file("cannot be written", table);
-    let failed = |error: ParquetError| unwritable(io::Error::other(error));
-    let (names, columns) = named(job.plan, job.partition.as_ref().map(|partition| partition.place));
-    let schema = schema(&names, &columns).map_err(failed)?;
-    let descriptor = SchemaDescriptor::new(schema.clone());
-    let properties = properties(&columns, &descriptor);
-    let _folders = folders(job)?;
-    let begin = |name: &String| {
-        let place = job.directory.path().join(name);
-        let file = remove_stale(&place).and_then(|()| NewFile::create(&place)).map_err(&unwritable)?;
-        let file = BufWriter::with_capacity(WRITE, file);
-        SerializedFileWriter::new(file, schema.clone(), properties.clone()).map_err(failed)
-    };
-    let mut writers = job.files().iter().map(begin).collect::<Result<Vec<_>, _>>()?;
-    let rows_of_file = total / writers.len() as u64;
-    let layout = |index| match &job.partition {
-        Some(partition) => partition.layout(total, index),
-        None => Layout::new(total, Shard::WHOLE),
-    };
-
-    let report = |rows| (job.progress)(rows, total);
-    let encoder = Encoder {
-        pace: Pace::new(job.is_cancelled, &report),
-        evaluator: Evaluator::new(job.plan),
-        columns: &columns,
-        descriptor: &descriptor,
-        properties: &properties,
-        uniform: Mutex::new(HashMap::new()),
-    };
-    let mut tally = Tally::of(job.plan);
-    // row numbers run on from file to file
-    let make = |rows: Range<u64>| {
-        let index = usize::try_from(rows.start / rows_of_file).unwrap_or(0);
-        let before = index as u64 * rows_of_file;
-        let made = encoder.group(&layout(index), rows.start - before..rows.end - before);
-        let Made { output, counts } = made.map_err(|error| Some(failed(error)))?.ok_or(None)?;
-        Ok(Made { output: (index, output), counts })
-    };
-    let mut begun = 0;
-    // a row group ends where its file ends
-    let length = || {
-        let length = row_group(total).min(rows_of_file - begun % rows_of_file);
-        begun += length;
-        length
-    };
-    let put = |(index, group): (usize, Vec<Chunk>)| append(&mut writers[index], &group).map_err(failed);
-    fill(&mut tally, total, length, make, put)?;
-    if tally.rows < total {
-        return Err(SweepError::Dropped);
+impl Parquet {
+    /// The table of a plan; `table` tells it from all others.
+    pub(super) fn new(plan: &Plan, table: String) -> Self {
+        let columns = columns(plan);
+        let words: Vec<_> = columns.iter().map(words).collect();
+        let fields = plan.column_names().into_iter().zip(&columns).map(|(name, column)| {
+            let of = match column {
+                Column::Case => DataType::Int64,
+                Column::Name(..) | Column::Status => {
+                    DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
+                }
+                _ => DataType::Float64,
+            };
+            Field::new(name, of, matches!(column, Column::Result(_)))
+        });
+        let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
+        Self { columns, words, schema, table }
     }
-    let end = |writer: SerializedFileWriter<BufWriter<NewFile>>| {
-        let file = writer.into_inner().map_err(failed)?.into_inner();
-        file.map_err(|error| unwritable(error.into_error()))
-    };
-    let files = writers.into_iter().map(end).collect::<Result<Vec<_>, _>>()?;
-    job.directory.put_table(files)?;
-    Ok(tally)
-}
 
-/// Makes the folders of a divided table that do not exist yet: those of the values, and last the one that they are in.
-/// Dropping them removes those that stayed empty.
-fn folders(job: &Job) -> Result<Vec<OutputDirectory>, SweepError> {
-    if job.partition.is_none() {
-        return Ok(Vec::new());
-    }
-    let table = job.directory.path().join(job.name());
-    if let Some(stray) = stray(job).map_err(SweepError::file("cannot be read", &table))? {
-        return Err(SweepError::Stray(stray));
-    }
-    let table = OutputDirectory::shared(&table)?;
-    let of_value = |file: &String| OutputDirectory::shared(folder(&job.directory.path().join(file)));
-    let mut folders = job.files().iter().map(of_value).collect::<Result<Vec<_>, _>>()?;
-    folders.push(table);
-    Ok(folders)
-}
-
-/// A file in the folder of a divided table that does not belong to it: of a value that the axis had in an earlier run,
-/// or any other file.
-fn stray(job: &Job) -> io::Result<Option<PathBuf>> {
-    let files: Vec<PathBuf> = job.files().iter().map(|name| job.directory.path().join(name)).collect();
-    let mut folders = vec![job.directory.path().join(job.name())];
-    while let Some(folder) = folders.pop().filter(|folder| folder.exists()) {
-        for entry in fs::read_dir(folder)? {
-            let entry = entry?;
-            if entry.file_type()?.is_dir() {
-                folders.push(entry.path());
-            } else if !entry.file_name().as_encoded_bytes().starts_with(b".") && !files.contains(&entry.path()) {
-                return Ok(Some(entry.path()));
-            }
+    /// Numbers hardly repeat, so only words have dictionaries. A page holds the rows of one batch.
+    fn properties(&self, first: u64) -> WriterProperties {
+        let of = KeyValue::new(OF.to_owned(), self.of(first));
+        let mut builder = WriterProperties::builder()
+            .set_created_by(PROGRAM.to_owned())
+            .set_key_value_metadata(Some(vec![of]))
+            .set_write_batch_size(BATCH)
+            .set_data_page_row_count_limit(BATCH)
+            .set_max_row_group_row_count(Some(ROW_GROUP))
+            .set_dictionary_enabled(false)
+            .set_statistics_enabled(EnabledStatistics::Chunk);
+        for (field, _) in self.schema.fields().iter().zip(&self.words).filter(|(_, words)| words.is_some()) {
+            builder = builder.set_column_dictionary_enabled(ColumnPath::from(field.name().as_str()), true);
         }
+        builder.build()
     }
-    Ok(None)
-}
 
-/// Counts the rows of a complete file into `tally`.
-pub(super) fn count(table: &Path, tally: &mut Tally) -> Result<(), SweepError> {
-    let unreadable = SweepError::file("cannot be read", table);
-    let failed = |error: ParquetError| unreadable(io::Error::other(error));
-    let reader = SerializedFileReader::new(File::open(table).map_err(&unreadable)?).map_err(failed)?;
-    let fields = reader.metadata().file_metadata().schema().get_fields().iter();
-    let wanted = fields.filter(|field| ["restitution", "status"].contains(&field.name())).map(Arc::clone).collect();
-    let projection = Type::group_type_builder("table").with_fields(wanted).build().map_err(failed)?;
-    for row in reader.get_row_iter(Some(projection)).map_err(failed)? {
-        let (mut restitution, mut is_ok, mut is_outside) = (None, false, false);
-        for (_, field) in row.map_err(failed)?.get_column_iter() {
-            match field {
-                Field::Double(value) => restitution = Some(*value),
-                Field::Str(status) => (is_ok, is_outside) = (status == OK, status == Failure::OutsideLaw.name()),
-                _ => {}
-            }
-        }
-        let count = match restitution {
-            Some(value) if is_ok => Count::Restitution(value),
-            None if is_ok => Count::AtRest,
-            _ if is_outside => Count::OutsideLaw,
-            _ => Count::Failure,
+    fn of(&self, first: u64) -> String {
+        format!("{} from case {first}", self.table)
+    }
+
+    /// Rows as Arrow data.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap)] // places, cases < 2^63
+    fn record_batch(&self, rows: &Rows) -> Result<RecordBatch, ParquetError> {
+        let n_swept = if rows.cases.is_empty() { 1 } else { (rows.swept.len() / rows.cases.len()).max(1) };
+        let swept = |place: usize| rows.swept.chunks_exact(n_swept).map(move |row| row[place]);
+        let array = |(column, words): (&Column, &Option<Arc<StringArray>>)| -> Result<ArrayRef, ParquetError> {
+            let coded = |codes: Int32Array| {
+                let words = words.clone().unwrap_or_else(|| Arc::new(StringArray::from(Vec::<&str>::new())));
+                DictionaryArray::<Int32Type>::try_new(codes, words)
+            };
+            Ok(match column {
+                Column::Case => Arc::new(rows.cases.iter().map(|case| *case as i64).collect::<Int64Array>()),
+                Column::Plain(place) => Arc::new(Float64Array::from_iter_values(swept(*place))),
+                Column::Number(place, values) => {
+                    Arc::new(Float64Array::from_iter_values(swept(*place).map(|place| values.at(place as u64))))
+                }
+                Column::Result(column) => {
+                    let value = |row: &Result<_, _>| row.as_ref().ok().and_then(column.value);
+                    Arc::new(rows.results.iter().map(value).collect::<Float64Array>())
+                }
+                Column::Name(place, _) => {
+                    Arc::new(coded(Int32Array::from_iter_values(swept(*place).map(|place| place as i32)))?)
+                }
+                Column::Status => Arc::new(coded(Int32Array::from_iter_values(rows.results.iter().map(code)))?),
+            })
         };
-        tally.push(count);
+        let arrays = self.columns.iter().zip(&self.words).map(array).collect::<Result<_, _>>()?;
+        Ok(RecordBatch::try_new(self.schema.clone(), arrays)?)
     }
-    Ok(())
 }
 
-fn append(writer: &mut SerializedFileWriter<BufWriter<NewFile>>, group: &[Chunk]) -> Result<(), ParquetError> {
-    let mut row_group = writer.next_row_group()?;
-    for (bytes, close) in group {
-        row_group.append_column(bytes, close.clone())?;
+/// Counts the rows of a file; whether there are so many, and all are whole.
+fn count_rows(file: File, rows: u64, count: &mut dyn FnMut(Count)) -> Result<bool, ParquetError> {
+    let reader = ParquetRecordBatchReaderBuilder::try_new(file)?;
+    if u64::try_from(reader.metadata().file_metadata().num_rows()).ok() != Some(rows) {
+        return Ok(false);
     }
-    row_group.close().map(|_| ())
+    let mask = ProjectionMask::columns(reader.parquet_schema(), ["restitution", "status"]);
+    for batch in reader.with_projection(mask).build()? {
+        let batch = batch?;
+        let columns = batch.column_by_name("restitution").zip(batch.column_by_name("status"));
+        let Some((values, states)) = columns else { return Ok(false) };
+        let (Some(values), Some(states)) = (values.as_primitive_opt::<Float64Type>(), states.as_string_opt::<i32>())
+        else {
+            return Ok(false);
+        };
+        for (value, state) in values.iter().zip(states.iter()) {
+            let Some(one) = Count::of_row(state.unwrap_or_default(), value) else { return Ok(false) };
+            count(one);
+        }
+    }
+    Ok(true)
+}
+
+/// The words of a column; `None` for one of numbers.
+fn words(column: &Column) -> Option<Arc<StringArray>> {
+    match column {
+        Column::Name(_, names) => Some(Arc::new(StringArray::from(names.clone()))),
+        Column::Status => {
+            let all: Vec<&str> = [OK].into_iter().chain(Failure::ALL.map(Failure::name)).collect();
+            Some(Arc::new(StringArray::from(all)))
+        }
+        _ => None,
+    }
+}
+
+/// The place of a row's status among the words of that column.
+fn code<T>(result: &Result<T, Failure>) -> i32 {
+    let failure = |failure: &Failure| (1..).zip(Failure::ALL).find(|(_, known)| known == failure);
+    result.as_ref().err().and_then(failure).map_or(0, |(code, _)| code)
+}
+
+impl Form for Parquet {
+    type Piece = RecordBatch;
+    type Writer = ArrowWriter<BufWriter<NewFile>>;
+
+    const BATCH: u64 = BATCH as u64;
+
+    fn header(&self) -> &[u8] {
+        b"PAR1"
+    }
+
+    fn encode(&self, rows: &Rows) -> io::Result<RecordBatch> {
+        self.record_batch(rows).map_err(io::Error::other)
+    }
+
+    fn begin(&self, file: NewFile, first: u64) -> io::Result<Self::Writer> {
+        // the columns of words are plain strings to those who read the file
+        let options = ArrowWriterOptions::new().with_properties(self.properties(first)).with_skip_arrow_metadata(true);
+        let file = BufWriter::with_capacity(WRITE, file);
+        ArrowWriter::try_new_with_options(file, self.schema.clone(), options).map_err(error)
+    }
+
+    fn append(&self, writer: &mut Self::Writer, piece: &RecordBatch) -> io::Result<()> {
+        writer.write(piece).map_err(error)
+    }
+
+    fn end(&self, writer: Self::Writer) -> io::Result<NewFile> {
+        writer.into_inner().map_err(error)?.into_inner().map_err(io::IntoInnerError::into_error)
+    }
+
+    fn read(&self, path: &Path, ends: &Rows, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
+        let file = File::open(path)?;
+        let Ok(reader) = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?) else { return Ok(Found::Torn) };
+        let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+        let of = entries.into_iter().find(|entry| entry.key == OF).and_then(|entry| entry.value);
+        if of != ends.cases.first().map(|first| self.of(*first)) {
+            return Ok(Found::Foreign);
+        }
+        Ok(if count_rows(file, rows, count).unwrap_or(false) { Found::Whole } else { Found::Torn })
+    }
+}
+
+/// The error of the file system in an error of the writer, if there is one.
+fn error(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(source) => match source.downcast::<io::Error>() {
+            Ok(source) => *source,
+            Err(source) => io::Error::other(source),
+        },
+        other => io::Error::other(other),
+    }
 }

@@ -6,12 +6,9 @@ use std::time::Instant;
 use rayon::prelude::*;
 
 use super::SweepError;
-use super::driver::compute;
-use super::evaluator::Evaluator;
+use super::evaluator::{Evaluator, Rows};
+use super::form::Format;
 use super::job::Job;
-use super::pace::{LONGEST, Pace};
-use super::shard::{Layout, Shard};
-use super::table::Format;
 use crate::output::OutputDirectory;
 use crate::plan::{Plan, Source};
 
@@ -40,19 +37,20 @@ pub fn throughput(plan: &Plan, directory: &OutputDirectory, rounds: u32) -> Resu
     Ok(best)
 }
 
+/// Rows computed at a time.
+const LONGEST: u64 = 4096;
+
 /// Rows per second of computing only.
 #[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count();
     let started = Instant::now();
-    let layout = Layout::new(total, Shard::WHOLE);
     let evaluator = Evaluator::new(plan);
-    let is_cancelled = AtomicBool::new(false);
-    let pace = Pace::new(&is_cancelled, &|_| ());
     let sum: f64 = (0..total.div_ceil(LONGEST))
         .into_par_iter()
         .map(|chunk| {
-            let rows = compute(&evaluator, &layout, chunk * LONGEST..total.min((chunk + 1) * LONGEST), &pace);
+            let mut rows = Rows::with_capacity(LONGEST, evaluator.n_swept());
+            evaluator.rows(chunk * LONGEST..total.min((chunk + 1) * LONGEST), &mut rows);
             rows.results.iter().flatten().map(|row| row.restitution).sum::<f64>()
         })
         .sum();
@@ -68,13 +66,12 @@ fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Resul
         plan,
         shard: None,
         format,
-        partition: None,
+        rows_per_part: None,
         directory,
         source: &Source::default(),
         progress: &|_, _| (),
         is_cancelled: &AtomicBool::new(false),
     };
     let written = job.run()?;
-    written.close()?;
     Ok(written.tally.rows as f64 / started.elapsed().as_secs_f64())
 }

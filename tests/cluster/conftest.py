@@ -49,6 +49,6 @@ class Desk:
         return done.stdout
 
     def is_whole(self) -> bool:
-        """Whether the merged table has the bytes of an undivided run."""
+        """Whether the table of the shards has the bytes of one run."""
         self.run("plm-impact run big.toml --out whole --quiet")
-        return (self.folder / "table.csv").read_bytes() == (self.folder / "whole" / "table.csv").read_bytes()
+        return (self.folder / "big" / "table.csv").read_bytes() == (self.folder / "whole" / "table.csv").read_bytes()

@@ -117,27 +117,24 @@ PartitionName=all Nodes=ALL Default=YES State=UP
 
 
 def test_an_array_with_a_task_that_is_cancelled_and_requeued_gives_the_bytes_of_one_run(slurm: Desk) -> None:
-    submit, merge = recipe("sbatch").rstrip("\n").rsplit("\n", 1)
-    assert merge == "plm-impact merge shards --out table.csv"
+    submit, whole = recipe("sbatch").rstrip("\n").rsplit("\n", 1)
+    assert whole == "plm-impact run big.toml --out big"
     job = slurm.run(submit.replace("sbatch ", "sbatch --parsable ", 1)).strip()
-    shards = slurm.folder / "shards"
-    part = shards / "table-1-of-16.csv.part"
+    parts = slurm.folder / "big" / "parts"
 
     def state(task: str) -> str:
         return slurm.run(f"squeue --noheader --states all --jobs {task} --format %T").strip()
 
-    wait("rows of shard 1", lambda: part.exists() and part.stat().st_size > 1000)
+    # part 1 is the first of shard 1
+    wait("a part of shard 1", (parts / "part-00001.csv").exists)
     slurm.run(f"scancel {job}_1")
     wait("the end of task 1", lambda: state(f"{job}_1") == "CANCELLED")
-    rows = part.read_bytes().count(b"\n")
-    assert rows > 1, "the cancelled task left no rows"
-    assert not (shards / "table-1-of-16.csv").exists()
-    kept = part.stat().st_ino
+    kept = (parts / "part-00001.csv").stat().st_ino
     slurm.run(f"scontrol requeue {job}_1")
     slurm.run(f"scontrol update jobid={job}_1 starttime=now")
     wait("the end of the array", lambda: not slurm.run(f"squeue --noheader --jobs {job}").strip(), seconds=120)
-    assert (shards / "table-1-of-16.csv").stat().st_ino == kept, "the task began a new file"
-    slurm.run(merge)
+    assert (parts / "part-00001.csv").stat().st_ino == kept, "the task computed a part anew"
+    slurm.run(whole)
     assert slurm.is_whole()
     for output in slurm.folder.glob("slurm-*.out"):
         text = output.read_text()

@@ -29,11 +29,11 @@ impl Desk {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// The sorted names of the files in a directory, without the list that the program keeps there.
+    /// The sorted names of the files in a directory.
     pub fn files(&self, directory: &str) -> Vec<String> {
         let entries = fs::read_dir(self.path(directory)).unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
-        let mut names: Vec<String> = names.filter(|name| name != ".plm-impact.json").collect();
+        let mut names: Vec<String> = names.collect();
         names.sort();
         names
     }

@@ -108,7 +108,6 @@ pub fn all() -> Vec<Run> {
         let file = ours.join(format!("{scenario}.toml"));
         runs.extend(products(groups).iter().filter(|keys| !keys.is_empty()).map(|keys| run("", &file, keys)));
     }
-    runs.push(as_json(&ours.join("viscous.toml")));
     runs.push(validate());
     runs.push(fit());
     runs
@@ -146,14 +145,6 @@ fn run(folder: &str, file: &Path, keys: &[&str]) -> Run {
     let settings = keys.iter().flat_map(|key| ["--set", key]);
     let arguments = ["run", &path, "--out", "out", "--quiet", "--pictures", "none"].into_iter().chain(settings);
     Run { name, arguments: arguments.map(str::to_owned).collect() }
-}
-
-/// A run that writes the table of a scenario as JSON.
-fn as_json(file: &Path) -> Run {
-    let mut run = run("", file, &[]);
-    run.name += " as JSON";
-    run.arguments.extend(["--format", "json"].map(str::to_owned));
-    run
 }
 
 fn validate() -> Run {

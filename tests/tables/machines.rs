@@ -88,7 +88,7 @@ fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
         (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     let shard = |part| ["run", "s.toml", "--out", "shards", "--quiet", "--shard", part];
-    let merge = ["merge", "shards", "--out", "merged/table.csv"];
+    let whole = ["run", "s.toml", "--out", "shards", "--quiet"];
     let machine = "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
     let swept = "\"solver.method\" = [\"closed_form\", \"dop853\"]";
     for (method, axis, is_exact) in [("rk8", "", true), ("dopri5", "", false), ("rk8", swept, false)] {
@@ -97,24 +97,20 @@ fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
         let method = if axis.is_empty() { format!("[solver]\nmethod = \"{method}\"\n") } else { String::new() };
         let desk = Desk::with(format!("{STEEL}{method}[sweep]\n\"sphere.radius\" = [0.001, 0.002]\n{axis}\n"));
         assert_eq!(call(&desk, None, &shard("0/2")).0, 0);
-        assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard("1/2")).0, 0);
-        let (again, resumed) = call(&desk, Some(PLAIN_GLIBC), &shard("0/2"));
-        let (code, merged) = call(&desk, None, &merge);
+        let (code, message) = call(&desk, Some(PLAIN_GLIBC), &shard("1/2"));
         if is_mixed {
-            assert_eq!((again, code), (0, 0), "{resumed}{merged}");
+            assert_eq!((code, call(&desk, Some(PLAIN_GLIBC), &whole).0), (0, 0), "{message}");
             continue;
         }
-        assert_eq!((again, code), (2, 2), "{resumed}{merged}");
-        assert!(resumed.contains(&format!("holds a shard of {machine}")), "{resumed}");
-        assert!(merged.contains("table-1-of-2.csv: foreign") && merged.contains(machine), "{merged}");
-        assert!(!desk.path("merged/table.csv").exists());
-        // with the same variant, shards are resumed and merged
+        assert_eq!(code, 2, "{message}");
+        assert!(message.contains(&format!("these parts are of {machine}")), "{message}");
+        assert!(!desk.path("shards/table.csv").exists());
+        // with the same variant, shards make a table
         std::fs::remove_dir_all(desk.path("shards")).unwrap();
         for part in ["0/2", "1/2", "0/2"] {
             assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard(part)).0, 0);
         }
-        let (code, merged) = call(&desk, None, &merge);
-        assert_eq!(code, 0, "{merged}");
+        assert_eq!(call(&desk, Some(PLAIN_GLIBC), &whole).0, 0);
     }
 }
 

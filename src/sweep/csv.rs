@@ -1,0 +1,169 @@
+//! A table as CSV, written directly into a buffer. No field needs quotes: all are numbers or names without commas.
+
+use std::fs::File;
+use std::io::{self, BufRead as _, BufReader, Write as _};
+use std::path::Path;
+
+use super::column::{Column, columns};
+use super::count::{Count, status};
+use super::evaluator::Rows;
+use super::form::{Form, Found};
+use crate::output::NewFile;
+use crate::plan::Plan;
+use crate::plan::axis::Values;
+
+/// Writes rows as lines of text.
+#[derive(Debug)]
+pub struct Csv {
+    header: Vec<u8>,
+    fields: Vec<Field>,
+    /// Place of e among the fields; every table has it.
+    restitution: usize,
+}
+
+/// How the values of a column are written.
+#[derive(Debug)]
+enum Field {
+    /// Case numbers, results, plain numbers and the status: converted to text in every row.
+    Plain(Column),
+    /// Values of an axis, converted to text once: the place of the axis, and the texts.
+    Rendered(usize, Vec<Vec<u8>>),
+    /// Values of a longer axis, converted to text when they change: the place of the axis, and the values.
+    Long(usize, Values),
+}
+
+/// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
+const RENDERED: usize = 1 << 15;
+
+impl Field {
+    fn of(column: Column) -> Self {
+        let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
+        match column {
+            Column::Name(place, names) => Self::Rendered(place, names.into_iter().map(String::into_bytes).collect()),
+            Column::Number(place, Values::List(values)) if values.len() <= RENDERED => {
+                Self::Rendered(place, values.iter().map(render).collect())
+            }
+            Column::Number(place, values) => Self::Long(place, values),
+            plain => Self::Plain(plain),
+        }
+    }
+}
+
+impl Csv {
+    /// The table of a plan.
+    pub fn new(plan: &Plan) -> Self {
+        let names = plan.column_names();
+        let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
+        let header = (names.join(",") + "\n").into_bytes();
+        Self { header, fields: columns(plan).into_iter().map(Field::of).collect(), restitution }
+    }
+
+    /// Appends rows.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
+    pub fn write(&self, rows: &Rows, text: &mut Vec<u8>) {
+        let n_swept = if rows.cases.is_empty() { 0 } else { rows.swept.len() / rows.cases.len() };
+        let mut integers = itoa::Buffer::new();
+        let mut floats = zmij::Buffer::new();
+        // the last place and text of each long axis: the place of a slow axis stays the same for many rows
+        let mut last: Vec<(u64, String)> = vec![(u64::MAX, String::new()); n_swept];
+        for (row, (case, result)) in rows.cases.iter().zip(&rows.results).enumerate() {
+            let swept = &rows.swept[row * n_swept..];
+            for (place, field) in self.fields.iter().enumerate() {
+                if place > 0 {
+                    text.push(b',');
+                }
+                match field {
+                    Field::Plain(Column::Result(column)) => {
+                        if let Some(value) = result.as_ref().ok().and_then(column.value) {
+                            text.extend_from_slice(floats.format(value).as_bytes());
+                        }
+                    }
+                    Field::Rendered(place, texts) => text.extend_from_slice(&texts[swept[*place] as usize]),
+                    Field::Long(place, values) => {
+                        let (at, last) = (swept[*place] as u64, &mut last[*place]);
+                        if last.0 != at {
+                            last.0 = at;
+                            last.1.clear();
+                            last.1.push_str(floats.format(values.at(at)));
+                        }
+                        text.extend_from_slice(last.1.as_bytes());
+                    }
+                    Field::Plain(Column::Case) => text.extend_from_slice(integers.format(*case).as_bytes()),
+                    Field::Plain(Column::Plain(place)) => {
+                        text.extend_from_slice(floats.format(swept[*place]).as_bytes());
+                    }
+                    Field::Plain(_) => text.extend_from_slice(status(result).as_bytes()),
+                }
+            }
+            text.push(b'\n');
+        }
+    }
+
+    /// How a row counts; `None` if it is not whole.
+    fn count(&self, line: &[u8]) -> Option<Count> {
+        let line = std::str::from_utf8(line).ok()?;
+        let (before, status) = line.rsplit_once(',')?;
+        let restitution = before.split(',').nth(self.restitution)?;
+        let restitution = if restitution.is_empty() { None } else { Some(restitution.parse().ok()?) };
+        Count::of_row(status, restitution)
+    }
+}
+
+impl Form for Csv {
+    type Piece = Vec<u8>;
+    type Writer = NewFile;
+
+    /// Few enough for the cache.
+    const BATCH: u64 = 1024;
+
+    fn header(&self) -> &[u8] {
+        &self.header
+    }
+
+    fn encode(&self, rows: &Rows) -> io::Result<Vec<u8>> {
+        // numbers take up to 24 characters
+        let mut lines = Vec::with_capacity(rows.cases.len() * 192);
+        self.write(rows, &mut lines);
+        Ok(lines)
+    }
+
+    fn begin(&self, mut file: NewFile, _first: u64) -> io::Result<NewFile> {
+        file.write_all(&self.header)?;
+        Ok(file)
+    }
+
+    fn append(&self, writer: &mut NewFile, piece: &Vec<u8>) -> io::Result<()> {
+        writer.write_all(piece)
+    }
+
+    fn end(&self, writer: NewFile) -> io::Result<NewFile> {
+        Ok(writer)
+    }
+
+    fn read(&self, path: &Path, ends: &Rows, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
+        let mut wanted = self.header.clone();
+        self.write(ends, &mut wanted);
+        let wanted: Vec<&[u8]> = wanted.split_inclusive(|byte| *byte == b'\n').collect();
+        let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
+        let (mut line, mut read) = (Vec::new(), 0);
+        // the line of the header is number 0
+        while reader.read_until(b'\n', &mut line)? > 0 {
+            let expected = if read <= 1 { wanted.get(usize::from(read == 1)) } else { None };
+            if let Some(expected) = expected.filter(|expected| **expected != line) {
+                return Ok(if expected.starts_with(&line) { Found::Torn } else { Found::Foreign });
+            }
+            let complete = line.strip_suffix(b"\n");
+            match complete.filter(|_| read > 0).map(|line| self.count(line)) {
+                Some(Some(one)) => count(one),
+                None if read == 0 => {}
+                _ => return Ok(Found::Torn),
+            }
+            if read == rows && wanted.last() != Some(&line.as_slice()) {
+                return Ok(Found::Torn);
+            }
+            read += 1;
+            line.clear();
+        }
+        Ok(if read == rows + 1 { Found::Whole } else { Found::Torn })
+    }
+}

@@ -1,0 +1,74 @@
+//! The forms that a table is written in, and what one of them has to do.
+
+use std::io;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::count::Count;
+use super::evaluator::Rows;
+use crate::output::NewFile;
+
+/// The file format of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Format {
+    /// Comma-separated values with one header line.
+    Csv,
+    /// Parquet; needs the cargo feature `parquet`.
+    Parquet,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 2] = [Self::Csv, Self::Parquet];
+
+    /// The file name extension, which is also the word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Parquet => "parquet",
+        }
+    }
+}
+
+/// What a file turned out to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// All rows of the part are there.
+    Whole,
+    /// It begins as the part does, and then rows are missing.
+    Torn,
+    /// It begins otherwise.
+    Foreign,
+}
+
+/// How rows become a file.
+pub(super) trait Form: Sync + Send {
+    /// Encoded rows.
+    type Piece: Send;
+    /// A file that is being written.
+    type Writer: Send;
+
+    /// The most rows that are encoded at a time.
+    const BATCH: u64;
+
+    /// What every file begins with.
+    fn header(&self) -> &[u8];
+
+    /// Encodes rows; many threads do so at a time.
+    fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
+
+    /// Begins a file whose first row is that of this case.
+    fn begin(&self, file: NewFile, first: u64) -> io::Result<Self::Writer>;
+
+    /// Appends the next rows.
+    fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
+
+    /// Ends the file.
+    fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
+
+    /// Reads a file that ought to have so many rows; `ends` are the first and the last of them. Counts the rows until it
+    /// finds that the file is not whole.
+    fn read(&self, path: &Path, ends: &Rows, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found>;
+}

@@ -1,0 +1,378 @@
+//! Tables in parts: kills, shards, two writers, a full disk, parts that are torn or of another table. Tested with processes.
+
+#![cfg(unix)]
+use std::fs;
+use std::os::unix::fs::MetadataExt as _;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::common::STEEL;
+use crate::common::command::{Desk, text};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
+/// Tables of these tests are small, and so are their parts.
+const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
+
+/// 12 000 rows under three laws, one of which has a name with blanks.
+fn grid() -> String {
+    let laws = r#"law = ["plm", "jackson_green + brake", "thornton"]"#;
+    let speeds = r#""impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = 4000 }"#;
+    format!("{STEEL}[sweep]\n{laws}\n{speeds}\n")
+}
+
+/// 12 000 random rows, some of them without restitution.
+fn random() -> String {
+    let strength = r#""half_space.yield_strength" = { lognormal = { mean = "345 MPa", sd = "60 MPa" } }"#;
+    format!("{STEEL}[monte_carlo]\nsamples = 12000\nseed = 11\n{strength}\n")
+}
+
+/// The command on this scenario, with parts of so many rows.
+fn run(desk: &Desk, out: &str, rows_per_part: Option<u32>, more: &[&str]) -> Command {
+    let mut command = Command::new(PROGRAM);
+    command
+        .current_dir(desk.path(""))
+        .args(["run", "s.toml", "--quiet", "--pictures", "none", "--out", out])
+        .args(more);
+    command.stdout(Stdio::null()).stderr(Stdio::piped());
+    command.envs(rows_per_part.map(|rows| (ROWS_PER_PART, rows.to_string())));
+    command
+}
+
+#[track_caller]
+fn ends(mut command: Command, want: i32) -> String {
+    let output = command.output().unwrap();
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(want), "{command:?}: {message}");
+    message
+}
+
+/// The bytes of all files of a table: of the one file, or of the parts.
+fn bytes(desk: &Desk, out: &str) -> Vec<u8> {
+    let parts = desk.path(out).join("parts");
+    if !parts.exists() {
+        let file = |name: &str| fs::read(desk.path(out).join(name)).unwrap_or_default();
+        return [file("table.csv"), file("table.parquet")].concat();
+    }
+    let names = desk.files(&format!("{out}/parts")).into_iter().filter(|name| !name.starts_with('.'));
+    names.flat_map(|name| fs::read(parts.join(name)).unwrap()).collect()
+}
+
+/// `summary.json` without the command line.
+fn summary(desk: &Desk, out: &str) -> serde_json::Value {
+    let mut summary: serde_json::Value = serde_json::from_str(&desk.read(&format!("{out}/summary.json"))).unwrap();
+    summary["provenance"].as_object_mut().unwrap().remove("command").unwrap();
+    summary
+}
+
+/// The formats of this build.
+fn formats() -> &'static [&'static str] {
+    if cfg!(feature = "parquet") { &["csv", "parquet"] } else { &["csv"] }
+}
+
+#[test]
+fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
+    for scenario in [grid(), random()] {
+        let desk = Desk::with(&scenario);
+        ends(run(&desk, "whole", None, &[]), 0);
+        for (threads, rows) in [("1", 300), ("2", 300), ("7", 301)] {
+            ends(run(&desk, threads, Some(rows), &["--threads", threads]), 0);
+            assert!(bytes(&desk, threads) == bytes(&desk, "whole"), "{threads} threads");
+            assert_eq!(summary(&desk, threads), summary(&desk, "whole"));
+        }
+        for format in formats() {
+            let whole = format!("whole-{format}");
+            ends(run(&desk, &whole, Some(300), &["--format", format]), 0);
+            for (out, order) in [("a", ["0/3", "1/3", "2/3"]), ("b", ["2/3", "0/3", "1/3"])] {
+                let out = format!("{out}-{format}");
+                for shard in order {
+                    let message = ends(run(&desk, &out, Some(300), &["--format", format, "--shard", shard]), 0);
+                    assert_eq!(message, "");
+                    assert!(!desk.path(&out).join("summary.json").exists());
+                }
+                ends(run(&desk, &out, Some(300), &["--format", format]), 0);
+                assert!(bytes(&desk, &out) == bytes(&desk, &whole), "{order:?}, {format}");
+                assert_eq!(summary(&desk, &out), summary(&desk, &whole));
+                assert_eq!(desk.files(&out), desk.files(&whole));
+            }
+        }
+    }
+}
+
+/// A child that is killed after this time; whether it was still at work.
+fn killed(mut child: Child, after: Duration) -> bool {
+    std::thread::sleep(after);
+    let is_at_work = child.try_wait().unwrap().is_none();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    is_at_work
+}
+
+/// Kills thirty runs, at all phases of a run; every run goes on with what the one before has left, until one is through.
+fn thirty_kills(rows_per_part: Option<u32>, runs: &[&[&str]]) {
+    let desk = Desk::with(random());
+    let format: &[&str] = if runs[0].contains(&"--format") { &runs[0][..2] } else { &[] };
+    let begun = Instant::now();
+    ends(run(&desk, "alone", rows_per_part, format), 0);
+    let time = begun.elapsed();
+    let mut kills = 0;
+    for k in 0..30 {
+        let children: Vec<Child> =
+            runs.iter().map(|more| run(&desk, "out", rows_per_part, more).spawn().unwrap()).collect();
+        let after = time * (k * 7 % 30) / 30;
+        let at_work: Vec<bool> =
+            children.into_iter().map(|child| killed(child, after / u32::try_from(runs.len()).unwrap())).collect();
+        kills += u32::from(at_work.contains(&true));
+        if !at_work.contains(&true) {
+            ends(run(&desk, "out", rows_per_part, format), 0);
+            assert!(bytes(&desk, "out") == bytes(&desk, "alone"));
+            fs::remove_dir_all(desk.path("out")).unwrap();
+        }
+    }
+    ends(run(&desk, "out", rows_per_part, format), 0);
+    assert!(bytes(&desk, "out") == bytes(&desk, "alone"));
+    assert_eq!(summary(&desk, "out"), summary(&desk, "alone"));
+    assert!(kills > 5, "{kills}");
+}
+
+#[test]
+fn after_thirty_kills_the_same_command_makes_the_same_table() {
+    thirty_kills(None, &[&[]]);
+    thirty_kills(Some(400), &[&[]]);
+    thirty_kills(Some(400), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
+    if cfg!(feature = "parquet") {
+        thirty_kills(None, &[&["--format", "parquet"]]);
+        thirty_kills(Some(400), &[&["--format", "parquet"]]);
+        thirty_kills(
+            Some(200),
+            &[&["--format", "parquet", "--shard", "0/2"], &["--format", "parquet", "--shard", "1/2"]],
+        );
+    }
+}
+
+#[test]
+fn of_two_writers_none_is_refused_and_nothing_is_lost() {
+    let desk = Desk::with(random());
+    let kinds: Vec<(Option<u32>, Vec<&str>)> =
+        formats().iter().flat_map(|format| [None, Some(200)].map(|rows| (rows, vec!["--format", *format]))).collect();
+    for (rows, more) in &kinds {
+        ends(run(&desk, "alone", *rows, more), 0);
+        for _ in 0..20 / kinds.len() {
+            let pair = [(); 2].map(|()| run(&desk, "out", *rows, more).spawn().unwrap());
+            for child in pair {
+                let output: Output = child.wait_with_output().unwrap();
+                assert_eq!(output.status.code(), Some(0), "{rows:?} {more:?}: {}", text(&output.stderr));
+            }
+            assert!(bytes(&desk, "out") == bytes(&desk, "alone"), "{rows:?} {more:?}");
+            assert_eq!(summary(&desk, "out"), summary(&desk, "alone"));
+            assert_eq!(desk.files("out"), desk.files("alone"));
+            fs::remove_dir_all(desk.path("out")).unwrap();
+        }
+        fs::remove_dir_all(desk.path("alone")).unwrap();
+    }
+}
+
+/// A limit on the size of files acts as a full disk for a table of one file. Its signal is ignored, so that writing fails
+/// with an error.
+#[test]
+fn a_file_that_cannot_grow_ends_with_1_and_leaves_nothing() {
+    let desk = Desk::with(random());
+    let script = "trap '' XFSZ; ulimit -f 400; exec \"$0\" run s.toml --out out --quiet";
+    let mut command = Command::new("bash");
+    let output = command.args(["-c", script, PROGRAM]).current_dir(desk.path("")).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("free space"), "{}", text(&output.stderr));
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
+    for format in formats() {
+        let desk = Desk::with(random().replace("12000", "90000"));
+        fs::create_dir(desk.path("disk")).unwrap();
+        let mount = |options: &str| {
+            Command::new("mount").args(["-t", "tmpfs", "-o", options, "tmpfs"]).arg(desk.path("disk")).output()
+        };
+        if !mount("size=4m").is_ok_and(|done| done.status.success()) {
+            eprintln!("skipped: a disk of 4 MB cannot be mounted here");
+            return;
+        }
+        let more = ["--format", format];
+        let message = ends(run(&desk, "disk/out", Some(1000), &more), 1);
+        assert!(message.contains("No space left") && message.contains("free space"), "{message}");
+        let parts = desk.files("disk/out/parts").len();
+        assert!(mount("remount,size=64m").unwrap().status.success());
+        ends(run(&desk, "disk/out", Some(1000), &more), 0);
+        ends(run(&desk, "alone", Some(1000), &more), 0);
+        let is_same = bytes(&desk, "disk/out") == bytes(&desk, "alone");
+        assert!(Command::new("umount").arg(desk.path("disk")).status().unwrap().success());
+        assert!(is_same && parts > 10, "{parts}");
+    }
+}
+
+#[test]
+fn a_torn_part_is_computed_anew_and_one_of_another_table_is_refused() {
+    for format in formats() {
+        let more = ["--format", format];
+        let desk = Desk::with(grid());
+        let shard = |out: &str, set: &[&str]| {
+            ends(run(&desk, out, Some(500), &[&more[..], &["--shard", "0/2"], set].concat()), 0);
+        };
+        let part = |out: &str, k: u32| desk.path(&format!("{out}/parts/part-{k:05}.{format}"));
+        ends(run(&desk, "whole", Some(500), &more), 0);
+        shard("out", &[]);
+        let good = fs::read(part("out", 2)).unwrap();
+        let first_lines: usize = good.split_inclusive(|byte| *byte == b'\n').take(9).map(<[u8]>::len).sum();
+        for length in [good.len() - 1, good.len() - 20, good.len() / 2, first_lines, 30, 0] {
+            fs::write(part("out", 2), &good[..length]).unwrap();
+            shard("out", &[]);
+            assert!(fs::read(part("out", 2)).unwrap() == good, "{length} bytes are left");
+        }
+        // a part of a table with other values, and another part of this one
+        shard("other", &["--set", "sphere.radius=\"4 mm\""]);
+        for foreign in [part("other", 2), part("out", 4)] {
+            fs::copy(foreign, part("out", 2)).unwrap();
+            let message = ends(run(&desk, "out", Some(500), &more), 2);
+            assert!(message.contains(&format!("part-00002.{format}: is no part of this table")), "{message}");
+        }
+        fs::remove_file(part("out", 2)).unwrap();
+        // parts of shards from separate disks are copied into one folder
+        ends(run(&desk, "out-1", Some(500), &[&more[..], &["--shard", "1/2"]].concat()), 0);
+        for name in desk.files("out-1/parts") {
+            fs::rename(desk.path("out-1/parts").join(&name), desk.path("out/parts").join(&name)).unwrap();
+        }
+        ends(run(&desk, "out", Some(500), &more), 0);
+        assert!(bytes(&desk, "out") == bytes(&desk, "whole"));
+    }
+}
+
+#[test]
+fn parts_of_another_table_are_refused_with_the_difference() {
+    let desk = Desk::with(grid());
+    ends(run(&desk, "out", Some(500), &["--shard", "0/2"]), 0);
+    let refused = |rows: u32, more: &[&str], wanted: &str| {
+        let message = ends(run(&desk, "out", Some(rows), more), 2);
+        assert!(message.contains("out/parts: these parts are") && message.contains(wanted), "{message}");
+        assert!(message.contains("name another --out, or start over with --force"), "{message}");
+    };
+    refused(500, &["--set", "sphere.radius=0.004"], "other overrides: none in place of --set sphere.radius=0.004");
+    refused(400, &[], "of 12000 rows in parts of 500");
+    if cfg!(feature = "parquet") {
+        refused(500, &["--format", "parquet"], "written as csv");
+    }
+    fs::write(desk.path("s.toml"), grid().replace("345 MPa", "346 MPa")).unwrap();
+    refused(500, &["--shard", "1/2"], "line 10 is `yield_strength = \"345 MPa\"` in place of");
+    fs::write(desk.path("s.toml"), grid()).unwrap();
+    let identity = desk.read("out/_table.json");
+    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    for (from, to, wanted) in [
+        (version.as_str(), "\"version\": \"0.0.1\"", "of version 0.0.1"),
+        ("\"numbers\": ", "\"numbers\": 7000", "table numbers 7000"),
+    ] {
+        fs::write(desk.path("out/_table.json"), identity.replacen(from, to, 1)).unwrap();
+        refused(500, &[], wanted);
+    }
+    fs::write(desk.path("out/_table.json"), "no").unwrap();
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("does not say which table this is"));
+    fs::remove_file(desk.path("out/_table.json")).unwrap();
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("no _table.json says of which table"));
+    ends(run(&desk, "out", Some(400), &["--force"]), 0);
+    ends(run(&desk, "whole", None, &[]), 0);
+    assert!(bytes(&desk, "out") == bytes(&desk, "whole"));
+}
+
+#[test]
+fn a_table_that_was_put_together_is_kept() {
+    let desk = Desk::with(random());
+    ends(run(&desk, "out", Some(500), &[]), 0);
+    assert_eq!(desk.files("out"), ["_table.json", "summary.json", "table.csv"]);
+    let table = || fs::metadata(desk.path("out/table.csv")).unwrap().ino();
+    let (made, of_first) = (table(), summary(&desk, "out"));
+    // as after a kill before the summary was written
+    fs::remove_file(desk.path("out/summary.json")).unwrap();
+    let mut again = Command::new(PROGRAM);
+    again.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out"]).env(ROWS_PER_PART, "500");
+    assert!(ends(again, 0).contains("12000 of these rows were there"));
+    assert_eq!((table(), summary(&desk, "out")), (made, of_first));
+    // a table that lost its end is made anew
+    let whole = fs::read(desk.path("out/table.csv")).unwrap();
+    fs::write(desk.path("out/table.csv"), &whole[..whole.len() - 10]).unwrap();
+    ends(run(&desk, "out", Some(500), &[]), 0);
+    assert!(fs::read(desk.path("out/table.csv")).unwrap() == whole);
+    // an edited scenario takes the place of a finished table
+    let mut edited = Command::new(PROGRAM);
+    edited.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--set", "sphere.radius=0.004"]);
+    assert!(ends(edited, 0).contains("out: replaces the results of s.toml as it was"));
+    assert!(fs::read(desk.path("out/table.csv")).unwrap() != whole);
+    assert!(!desk.path("out/_table.json").exists());
+}
+
+#[test]
+fn shards_that_cannot_be_are_refused() {
+    let desk = Desk::with(grid());
+    for (shard, wanted) in
+        [("3/2", "counted from 0"), ("0/0", "no shards of 0"), ("0/1000000000", "100000"), ("x", "i/n")]
+    {
+        assert!(ends(run(&desk, "out", None, &["--shard", shard]), 2).contains(wanted));
+    }
+    assert!(ends(run(&desk, "out", None, &["--shard-env", "NO_TASK/3"]), 2).contains("NO_TASK is not set"));
+    assert!(!desk.path("out").exists());
+    let mut task = run(&desk, "out", Some(500), &["--shard-env", "TASK/3"]);
+    task.env("TASK", "1");
+    ends(task, 0);
+    assert_eq!(desk.files("out/parts").len(), 8);
+}
+
+/// On many clusters the file system knows no locks, and a summary says that the files beside it are of the same run.
+#[test]
+fn nothing_is_locked_and_the_summary_comes_last() {
+    let desk = Desk::with(STEEL);
+    let trace = |arguments: &[&str]| {
+        let mut command = Command::new("strace");
+        command
+            .args(["-f", "-e", "trace=flock,fcntl,rename,renameat,renameat2", "-o", "calls", PROGRAM])
+            .args(arguments);
+        command.current_dir(desk.path("")).output()
+    };
+    if !trace(&["run", "s.toml", "--out", "out"]).is_ok_and(|done| done.status.success()) {
+        eprintln!("skipped: no strace here");
+        return;
+    }
+    let calls = desk.read("calls");
+    assert!(!calls.contains("flock(") && !calls.contains("F_SETLK"), "{calls}");
+    let renamed: Vec<&str> = calls.lines().filter(|line| line.contains("rename")).collect();
+    assert!(renamed.len() > 3 && renamed.last().unwrap().contains("summary.json\""), "{calls}");
+    fs::write(desk.path("s.toml"), grid()).unwrap();
+    assert!(trace(&["run", "s.toml", "--out", "table", "--shard", "0/1"]).unwrap().status.success());
+    assert!(!desk.read("calls").contains("flock("));
+}
+
+/// Rows that take milliseconds each: velocity Verlet with very many steps.
+#[test]
+fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
+    let slow = |points: u32| {
+        format!(
+            "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
+        )
+    };
+    for format in formats() {
+        // in one file, and in parts
+        for (points, says) in [(256, "the same command starts anew"), (20_000, "goes on from the parts that are whole")]
+        {
+            let desk = Desk::with(slow(points));
+            for (name, want) in [("-INT", 130), ("-TERM", 143)] {
+                let child = run(&desk, "out", None, &["--format", format]).spawn().unwrap();
+                std::thread::sleep(Duration::from_millis(300));
+                assert!(Command::new("kill").arg(name).arg(child.id().to_string()).status().unwrap().success());
+                let begun = Instant::now();
+                let output = child.wait_with_output().unwrap();
+                let message = text(&output.stderr);
+                // a slow machine may have given the signal before it was listened to
+                if output.status.code().is_some() {
+                    assert_eq!(output.status.code(), Some(want), "{format}: {message}");
+                    assert!(message.contains("interrupted") && message.contains(says), "{message}");
+                }
+                assert!(begun.elapsed() < Duration::from_secs(20));
+            }
+        }
+    }
+}
