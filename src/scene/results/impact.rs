@@ -108,7 +108,8 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
             of.forced(|under| under.stored_at_separation).flatten();
         /// Work of gravity since first touch.
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
-        /// Largest error of the energy balance on the way, as a share of the kinetic energy at first touch.
+        /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
+        /// with gravity the work of the weight down to the peak.
         "energy.drift" in Error as "drift {}": of.impact.energy.drift;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
         "accuracy.closed_form_restitution" as "closed form": of.impact.accuracy.closed_form_restitution;
