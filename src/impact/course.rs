@@ -125,8 +125,10 @@ pub fn integrate<I: Integrator>(
         }
     }
     let State { time, distance, speed, loss } = at;
+    // nothing was lost, so what is above 1 is the error of the run
+    let limit = if drag == Drag::NONE && law.plastic(&unloading) == 0.0 { 1.0 } else { f64::INFINITY };
     let outcome = Outcome {
-        restitution: if fate == Fate::Captured { 0.0 } else { -speed / q },
+        restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
         loading_time,
         contact_time: time,
         fate,

@@ -111,9 +111,12 @@ pub fn run(
         (Method::Dopri5, _) => with(Library::new(Scheme::Dopri5, tolerance), law, q, forces, recorder),
         (Method::Dop853, _) => with(Library::new(Scheme::Dop853, tolerance), law, q, forces, recorder),
         (Method::Verlet, _) => {
-            // without a closed form, the step is a part of the undamped contact
-            let undamped = || closed_form::solve_with(law, q, &ScaledForces { damping: None, ..*forces });
-            let duration = exact.copied().or_else(undamped).map_or(1.0, |exact| exact.contact_time);
+            // without a closed form, the step is a part of the undamped contact, and on a formula under gravity that is a run
+            let undamped = ScaledForces { damping: None, ..*forces };
+            let duration = match exact.copied().or_else(|| closed_form::solve_with(law, q, &undamped)) {
+                Some(exact) => exact.contact_time,
+                None => with(Rk8::new(tolerance), law, q, &undamped, None)?.outcome.contact_time,
+            };
             let steps = u64::from(solver.steps_per_contact.max(1));
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * steps + 10;

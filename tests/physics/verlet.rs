@@ -1,9 +1,10 @@
 //! Velocity Verlet in fixed steps: the errors of its times, the times as a code with these steps observes them, and the
 //! energy ledger.
 
-use plm_impact::impact::{Damping, Forces, Impact, Method, Solver};
+use plm_impact::impact::{Contact, Damping, Forces, Impact, Method, Solver};
+use plm_impact::law::LawChoice;
 
-use crate::common::{Scene, off, solver};
+use crate::common::{STEPPING, Scene, off, solver};
 
 /// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
@@ -114,5 +115,34 @@ fn the_ledger_at_the_end_is_that_of_the_energies() {
 fn other_methods_have_no_steps_to_tell_of() {
     for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::ClosedForm] {
         assert_eq!(Scene::steel().impact(0.5, method, 1e-10, None).in_fixed_steps, None);
+    }
+}
+
+/// Without a closed form, as under gravity on a law that is a formula, the number of steps was once that of another time: 104,
+/// 65, 47 and 38 in place of 50 at these speeds.
+#[test]
+fn the_steps_per_contact_are_kept_on_a_formula_under_gravity() {
+    let law = LawChoice::from_name("jackson_green").unwrap();
+    let steel = Scene::steel().contact();
+    let contact = Contact::try_new(*steel.sphere(), steel.half_space().clone(), law.get()).unwrap();
+    let contact = contact.with_forces(Forces { gravity: Some(9.81), damping: None });
+    for speed in [0.05, 0.5, 3.0, 50.0] {
+        let steps = contact.impact(speed, &verlet(50), None).unwrap().work.steps;
+        assert!((49..=54).contains(&steps), "{speed}: {steps}");
+    }
+}
+
+/// Where nothing is lost e is 1, and no rounding or error of a run makes it more.
+#[test]
+fn restitution_is_never_above_one_where_nothing_is_lost() {
+    for share in [0.1, 0.5, 0.9, 0.99, 0.9999, 1.0] {
+        for scene in [Scene::steel(), Scene::case_3()] {
+            for (method, _) in STEPPING.into_iter().chain([(Method::ClosedForm, 1.0)]) {
+                for samples in [None, Some(20)] {
+                    let e = scene.impact(share * scene.yield_speed(), method, 1e-8, samples).restitution;
+                    assert!(e <= 1.0 && e > 1.0 - 1e-6, "{share} {}: {e:e}", method.name());
+                }
+            }
+        }
     }
 }
