@@ -24,7 +24,7 @@ use std::path::Path;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
-use plm_impact::scene::schema::schema;
+use plm_impact::scenario::schema::schema;
 use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.

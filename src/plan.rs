@@ -9,8 +9,8 @@ use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
-use crate::scene::{EITHER, Key, Scene};
-use axis::{Axis, Word};
+use crate::scene::{EITHER, Input, Key, Scene};
+use axis::{Axis, Setting, Word};
 use random::Variable;
 pub use source::Source;
 
@@ -26,7 +26,9 @@ pub enum Cases {
 /// A sweep: a scene and what is changed in it.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// The scene with the first value of every axis.
+    /// What all cases have in common, with a value for every key that varies.
+    pub input: Input,
+    /// The scene with the first value of every axis, or with the medians of random keys.
     pub scene: Scene,
     /// The cases.
     pub cases: Cases,
@@ -43,6 +45,23 @@ pub const HARDNESS: &str = "half_space.hardness";
 pub const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
+    /// These cases of an input. A key that varies takes away the key in place of which it stands.
+    pub fn new(mut input: Input, cases: Cases) -> Self {
+        let mut plan = Self { scene: input.resolve(), input: Input::default(), cases, columns: None };
+        for axis in plan.axes() {
+            match &axis.setting {
+                Setting::Number { key, values } => key.put(&mut input, values.at(0)),
+                Setting::Words { .. } => {}
+            }
+        }
+        if let Cases::MonteCarlo { variables, .. } = &plan.cases {
+            variables.iter().for_each(|variable| variable.key.put(&mut input, variable.middle()));
+        }
+        plan.input = input;
+        plan.scene = plan.scene_at(&vec![0; plan.axes().len()]);
+        plan
+    }
+
     /// The axes; none for random cases.
     pub fn axes(&self) -> &[Axis] {
         if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
@@ -57,12 +76,16 @@ impl Plan {
         }
     }
 
-    /// The scene of the case at these places of the axes. It is made anew from the scene of the first case, so that nothing of
-    /// another case stays in it.
+    /// The input of the case at these places of the axes.
+    pub fn input_at(&self, places: &[u64]) -> Input {
+        let mut input = self.input.clone();
+        put(self.axes(), places, &mut input);
+        input
+    }
+
+    /// The scene of that case.
     pub fn scene_at(&self, places: &[u64]) -> Scene {
-        let mut scene = self.scene.clone();
-        put(self.axes(), places, &mut scene);
-        scene
+        self.input_at(places).resolve()
     }
 
     /// The columns of the swept values, and of a yield strength that follows from them.
@@ -148,12 +171,12 @@ impl Plan {
 
     /// Whether a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
-        let mut scene = self.scene.clone();
+        let mut input = self.input.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
             // a swept damping may begin at 0
-            (key.set)(&mut scene, 1.0);
+            (key.set)(&mut input, Some(1.0));
         }
-        !scene.forces.have_closed_form() && self.methods().contains(&Method::ClosedForm)
+        !input.resolve().forces.have_closed_form() && self.methods().contains(&Method::ClosedForm)
     }
 
     /// Whether the last digits of the table depend on the machine, as they do for methods of another library.
@@ -227,12 +250,11 @@ fn is_of_damping(path: &str) -> bool {
     path.starts_with("damping.")
 }
 
-/// Puts values of all axes into a scene, whatever the order of the axes: first the law, then materials, which bring numbers of
-/// their own, then the numbers that take the place of those.
-pub fn put(axes: &[Axis], places: &[u64], scene: &mut Scene) {
-    for rank in 0..=2 {
-        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.rank() == rank) {
-            axis.put(*place, scene);
+/// Puts values of all axes into an input: words first, as a law and a material bring numbers that others replace.
+pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
+    for is_word in [true, false] {
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.words().is_empty() != is_word) {
+            axis.put(*place, input);
         }
     }
 }

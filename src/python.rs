@@ -80,6 +80,6 @@ mod _core {
     /// The JSON Schema of a scenario, as a dict.
     #[pyfunction]
     fn schema(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        from_json(py, &crate::scene::schema::schema())
+        from_json(py, &crate::scenario::schema::schema())
     }
 }

@@ -26,10 +26,10 @@ pub mod calibrate;
 mod columns;
 mod compare;
 mod document;
-mod entries;
 mod error;
 mod explain;
 mod extreme;
+mod file;
 mod flow;
 mod forces;
 pub mod indentation;
@@ -38,22 +38,26 @@ mod law;
 mod material;
 mod overrides;
 mod place;
+pub mod reference;
 mod repeat;
+pub mod schema;
 mod source;
 mod sweep;
 mod template;
-mod values;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::impact::{Solver, Warning};
+use crate::impact::Warning;
 use crate::material::{HalfSpace, Material};
+use crate::plan::axis::Setting;
+use crate::scene::field::{Fault, Given, Reader, Table};
 use crate::scene::taken::Taken;
-use crate::scene::{DEFAULT_SAMPLES, EITHER, KEYS, Scene};
+use crate::scene::{EITHER, Input, KEYS, Key, Scene};
 pub use document::{Document, LARGEST_SCENARIO, read_text, text_of};
-use entries::Entries;
 pub use error::ScenarioError;
+use file::File;
+pub use file::{every_key, list_of};
 pub use kind::Kind;
 pub use place::{Place, Refusal};
 pub use template::template;
@@ -63,14 +67,18 @@ pub use template::template;
 pub struct Scenario {
     /// Its text, in which the place of a value can be found.
     pub document: Document,
-    /// The values of its keys.
-    entries: Entries,
+    /// Its tables.
+    tables: File,
+    /// Those of one impact, with what the bodies take from their materials.
+    input: Input,
     /// The values that its bodies take from named materials.
     pub taken: Vec<Taken>,
+    /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
+    files: BTreeMap<String, (PathBuf, String)>,
+    /// Measurements that are known without the file of them.
+    data: Option<String>,
     /// The folder of the files that it names.
     directory: PathBuf,
-    /// Texts of such files by their keys.
-    texts: BTreeMap<&'static str, String>,
 }
 
 /// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
@@ -120,31 +128,61 @@ impl Scenario {
         Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
     }
 
+    /// `texts` are those of files by their keys, where they are known without the files.
     fn new(
         name: String,
         text: String,
         overrides: &[String],
         directory: PathBuf,
-        texts: BTreeMap<&'static str, String>,
+        mut texts: BTreeMap<String, String>,
     ) -> Result<Self, ScenarioError> {
         let document = Document::new(name, text, overrides)?;
-        let (entries, taken) = document.entries()?;
-        let mut scenario = Self { document, entries, taken, directory, texts };
+        let mut files = BTreeMap::new();
+        let mut read = |key: &str, name: &str| {
+            let path = directory.join(name);
+            let text = match texts.remove(key) {
+                Some(text) => text,
+                None => document::read_text(&path, LARGEST_SCENARIO).map_err(|error| error.to_string())?,
+            };
+            files.insert(key.to_owned(), (path.clone(), text.clone()));
+            Ok([path.display().to_string(), text])
+        };
+        let mut reader = Reader::new(&mut read);
+        let mut tables = File::default();
+        let read: Result<(), Fault> = tables.take(&document.root, &mut reader);
+        let refused = reader.refused.into_iter().chain(read.err().map(|fault| (String::new(), fault)));
+        if let Some(refusal) = document.refused(refused.collect()) {
+            return Err(refusal);
+        }
+        let taken = tables.take_materials(&document)?;
+        let mut input = tables.input();
+        taken.iter().for_each(|taken| input.take(taken));
+        let scenario = Self { document, tables, input, taken, files, data: None, directory };
         scenario.check_tables()?;
-        scenario.read_files()?;
         Ok(scenario)
+    }
+
+    /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
+    fn has(&self, path: &str) -> bool {
+        let is_taken = || self.taken.iter().flat_map(Taken::values).any(|(taken, _)| taken == path);
+        self.document.has(path) || is_taken()
+    }
+
+    /// Whether a key varies over the cases of a table, or is to be found.
+    fn varies(&self, path: &str) -> bool {
+        self.tables.varied().contains(&path)
     }
 
     /// Checks what every kind of scene needs: a sphere, and no two keys in place of each other.
     fn check_tables(&self) -> Result<(), ScenarioError> {
         for [one, other] in EITHER {
-            if self.entries.has(one) && self.entries.has(other) {
+            if self.has(one) && self.has(other) {
                 return Err(self.document.one_key(one, other));
             }
         }
         for table in ["gravity", "damping"] {
-            if self.entries.has(table) && self.entries.keys_in(table).next().is_none() {
-                let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+            let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+            if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
                 return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
             }
         }
@@ -157,14 +195,14 @@ impl Scenario {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
-        let is_there = |path: &&str| self.entries.has(path) || self.entries.varies(path);
+        let is_there = |path: &&str| self.has(path) || self.varies(path);
         let Some(group) = keys.iter().map(group).find(|group| !group.iter().any(is_there)) else {
             return Ok(());
         };
         let (table, _) = group[0].split_once('.').unwrap_or_default();
         // a body needs more keys than the one that varies, and so its table
         let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-        if !self.entries.has(table) && !self.entries.varied().any(|path| table == "impact" && in_table(&path)) {
+        if !self.has(table) && !self.tables.varied().iter().any(|path| table == "impact" && in_table(path)) {
             return Err(self.document.missing("", table));
         }
         Err(self.document.missing_one_of(table, &group, ""))
@@ -176,64 +214,84 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
     pub fn resolve(&self) -> Result<Scene, ScenarioError> {
-        let shot = self.first_of_speeds()?;
-        let mut scene = self.put_together(if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() })?;
-        if let Some(speed) = shot {
-            scene.set_speed(speed);
-        }
+        let input = self.first_impact()?;
+        let mut scene = self.scene_of(&input);
         scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
         Ok(scene)
     }
 
     /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
     pub fn resolve_bodies(&self) -> Result<Scene, ScenarioError> {
-        self.put_together(NEEDED.len() - 1)
+        self.checked(NEEDED.len() - 1).map(|input| self.scene_of(&input))
     }
 
-    /// The scene of the keys; the first `needed` of [`NEEDED`] must be given.
-    fn put_together(&self, needed: usize) -> Result<Scene, ScenarioError> {
+    /// The input of the first impact.
+    fn first_impact(&self) -> Result<Input, ScenarioError> {
+        let shot = self.first_of_speeds()?;
+        let mut input = self.checked(if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() })?;
+        if let (Some(speed), Some(key)) = (shot, Key::find("impact.speed")) {
+            key.put(&mut input, speed);
+        }
+        Ok(input)
+    }
+
+    /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
+    fn checked(&self, needed: usize) -> Result<Input, ScenarioError> {
         self.need(&NEEDED[..needed])?;
-        let mut scene = self.blank()?;
-        for key in KEYS {
-            if let Some(value) = self.entries.number(key.path).or_else(|| self.entries.first(key.path)) {
-                (key.set)(&mut scene, value);
+        self.check_law()?;
+        let input = self.first_case();
+        self.check_flow(&input)?;
+        self.needs_gravity()?;
+        let scene = input.resolve();
+        self.refuse_waves(&scene)?;
+        let flow = input.half_space.flow_stress.curve();
+        self.check_strength(flow, &scene.law, Some(&scene.half_space))?;
+        Ok(input)
+    }
+
+    /// The input with the first value of every key that varies: of its axis or range, or the median of its distribution.
+    fn first_case(&self) -> Input {
+        let mut input = self.input.clone();
+        for axis in self.tables.sweep.iter().flatten() {
+            if let Setting::Number { key, values } = &axis.setting {
+                key.put(&mut input, values.at(0));
             }
         }
-        self.needs_gravity()?;
-        self.refuse_waves(&scene)?;
-        self.check_strength(&scene.law, Some(&scene.half_space))?;
-        Ok(scene)
+        for variable in self.tables.monte_carlo.iter().flat_map(|random| &random.variables) {
+            variable.key.put(&mut input, variable.middle());
+        }
+        for free in self.tables.calibrate.iter().flat_map(|calibrate| &calibrate.free).flatten() {
+            free.key.put(&mut input, free.from);
+        }
+        input
     }
 
-    /// The scene before its numeric keys are set: law, method, counts and materials.
-    fn blank(&self) -> Result<Scene, ScenarioError> {
-        let defaults = Solver::default();
-        Ok(Scene {
-            solver: Solver {
-                method: self.method().unwrap_or(defaults.method),
-                steps_per_contact: self.entries.count("solver.steps_per_contact").unwrap_or(defaults.steps_per_contact),
-                ..defaults
-            },
-            samples: self.samples(),
-            materials: self.taken.clone(),
-            ..Scene::of_law(self.law()?)
-        })
+    /// The scene of an input, with the materials that the scenario names.
+    fn scene_of(&self, input: &Input) -> Scene {
+        Scene { materials: self.taken.clone(), ..input.resolve() }
+    }
+
+    /// What the scenario gives for a numeric key, itself or by a material.
+    pub fn given(&self, path: &str) -> Option<Given> {
+        (Key::find(path)?.get)(&self.input).filter(|_| self.has(path))
     }
 
     /// A numeric key that the scenario gives, in SI.
     pub fn number_of(&self, path: &str) -> Option<f64> {
-        self.entries.number(path)
+        match self.given(path)? {
+            Given::Number(value) => Some(value),
+            Given::Word => None,
+        }
     }
 
     /// The sphere's radius \[m\], by its radius or its diameter.
     pub fn sphere_radius(&self) -> Option<f64> {
-        let diameter = || Some(0.5 * self.entries.number("sphere.diameter")?);
-        self.entries.number("sphere.radius").or_else(diameter)
+        self.input.radius()
     }
 
     /// Rows of a trace.
     pub fn samples(&self) -> usize {
-        self.entries.count("output.samples").unwrap_or(DEFAULT_SAMPLES)
+        self.input.resolve().samples
     }
 
     /// The sphere's radius \[m\].
@@ -241,31 +299,25 @@ impl Scenario {
         self.sphere_radius().ok_or_else(|| self.document.missing("sphere", "radius"))
     }
 
-    /// A number that the scene needs.
-    fn number(&self, path: &str) -> Result<f64, ScenarioError> {
-        let (table, name) = path.rsplit_once('.').unwrap_or(("", path));
-        self.entries.number(path).ok_or_else(|| self.document.missing(table, name))
-    }
-
     /// The sphere's material.
     fn sphere_material(&self) -> Result<Material, ScenarioError> {
-        Ok(Material {
-            youngs_modulus: self.number("sphere.youngs_modulus")?,
-            poissons_ratio: self.number("sphere.poissons_ratio")?,
-        })
+        self.needs_all("sphere", &["youngs_modulus", "poissons_ratio"])?;
+        Ok(self.input.resolve().sphere.material)
     }
 
-    /// A half-space whose keys stand in this table.
-    fn half_space_in(&self, table: &str) -> Result<HalfSpace, ScenarioError> {
-        let path = |name: &str| format!("{table}.{name}");
-        Ok(HalfSpace {
-            material: Material {
-                youngs_modulus: self.number(&path("youngs_modulus"))?,
-                poissons_ratio: self.number(&path("poissons_ratio"))?,
-            },
-            yield_strength: self.strength_in(table)?,
-            density: self.entries.number(&path("density")),
-        })
+    /// The half-space of a scene without an impact.
+    fn half_space(&self) -> Result<HalfSpace, ScenarioError> {
+        self.needs_all("half_space", &["youngs_modulus", "poissons_ratio"])?;
+        self.check_flow(&self.input)?;
+        Ok(self.input.resolve().half_space)
+    }
+
+    /// Refuses a table in which one of these keys is missing.
+    fn needs_all(&self, table: &str, names: &[&str]) -> Result<(), ScenarioError> {
+        match names.iter().find(|name| !self.has(&format!("{table}.{name}"))) {
+            Some(name) => Err(self.document.missing(table, name)),
+            None => Ok(()),
+        }
     }
 
     /// Warnings about keys of a law, which an elastic half-space does not use.
@@ -274,7 +326,7 @@ impl Scenario {
         if !is_elastic {
             return Vec::new();
         }
-        let of_plm = OF_PLM.into_iter().filter(|path| self.entries.has(path));
+        let of_plm = OF_PLM.into_iter().filter(|path| self.has(path));
         let law = self.law_name().filter(|law| !matches!(*law, "plm" | "hertz")).map(|_| "law");
         of_plm.chain(law).map(|key| Warning::UnusedKey { key, reason: ELASTIC }).collect()
     }

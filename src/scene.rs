@@ -1,22 +1,23 @@
-//! The scene of an impact in plain numbers, and the registry of the keys that give these numbers.
+//! The scene of an impact in plain numbers, and the tables of a scenario that give these numbers.
 
-pub(crate) mod key;
+pub(crate) mod field;
+pub mod input;
+pub mod key;
 pub mod keys;
-mod material;
-pub mod other_keys;
+pub mod laws;
 pub mod quantity;
-pub mod reference;
+mod resolve;
 pub(crate) mod results;
-pub mod schema;
-pub(crate) mod strength;
 pub(crate) mod taken;
 pub mod words;
+pub(crate) mod written;
 
-use crate::impact::{Contact, Forces, ImpactError, Solver, Warning, drop_speed};
+use crate::impact::{Contact, Forces, ImpactError, Solver, Warning};
 use crate::law::LawChoice;
-use crate::material::{HalfSpace, Material, Sphere};
-pub use key::Key;
-pub use keys::{EITHER, KEYS};
+use crate::material::{HalfSpace, Sphere};
+pub use field::Given;
+pub use input::Input;
+pub use keys::{EITHER, KEYS, Key};
 use taken::Taken;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
@@ -50,25 +51,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A scene under this law. Its other numbers are not set yet.
-    pub fn of_law(law: LawChoice) -> Self {
-        let material = Material { youngs_modulus: f64::NAN, poissons_ratio: f64::NAN };
-        Self {
-            sphere: Sphere { radius: f64::NAN, material, density: f64::NAN, yield_strength: None },
-            half_space: HalfSpace { material, yield_strength: None, density: None },
-            mass: None,
-            hardness: None,
-            speed: f64::NAN,
-            law,
-            drop_height: None,
-            forces: Forces::default(),
-            solver: Solver::default(),
-            samples: DEFAULT_SAMPLES,
-            materials: Vec::new(),
-            warnings: Vec::new(),
-        }
-    }
-
     /// The bodies paired under the law.
     ///
     /// # Errors
@@ -79,24 +61,8 @@ impl Scene {
         Ok(contact.with_forces(self.forces))
     }
 
-    /// Sets gravity \[m/s²\]. The speed from a drop height follows.
-    pub fn set_gravity(&mut self, acceleration: f64) {
-        self.forces.gravity = Some(acceleration);
-        if let Some(height) = self.drop_height {
-            self.speed = drop_speed(acceleration, height);
-        }
-    }
-
-    /// Sets the drop height \[m\]. The speed follows if there is gravity.
-    pub fn set_drop_height(&mut self, height: f64) {
-        self.drop_height = Some(height);
-        if let Some(gravity) = self.forces.gravity {
-            self.speed = drop_speed(gravity, height);
-        }
-    }
-
-    /// Sets the impact speed \[m/s\], and removes a drop height.
-    pub fn set_speed(&mut self, speed: f64) {
-        (self.speed, self.drop_height) = (speed, None);
+    /// Whether more than a yield strength describes the flow stress, or the law does not use it.
+    pub fn has_flow(&self) -> bool {
+        self.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
     }
 }

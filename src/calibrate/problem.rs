@@ -11,7 +11,7 @@ use crate::indentation::{Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
 use crate::plan::axis::keeps_contact;
 use crate::plan::free::Free;
-use crate::scene::Scene;
+use crate::scene::{Input, Scene};
 
 /// Degrees of freedom of the likelihood with long tails.
 pub const TAILS: f64 = 4.0;
@@ -25,6 +25,8 @@ const CHUNK: usize = 512;
 pub struct Problem<'a> {
     /// The scene, with its law.
     pub scene: Scene,
+    /// The keys that give the scene.
+    input: Input,
     /// The keys that are wanted.
     pub free: &'a [Free],
     /// The measurements.
@@ -49,8 +51,13 @@ impl<'a> Problem<'a> {
             let range = &mut ranges[value.row];
             *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
         }
+        let mut input = Input::of(scene);
+        for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
+            // it takes away the key in place of which it stands
+            key.put(&mut input, 1.0);
+        }
         let (scene, pieces, counted) = (scene.clone(), Vec::new(), Vec::new());
-        Self { scene, free, data, deviations, is_robust, pieces, counted, ranges }.of_rows(0..data.rows.len())
+        Self { scene, input, free, data, deviations, is_robust, pieces, counted, ranges }.of_rows(0..data.rows.len())
     }
 
     /// The same keys and the same law with other data, only to predict: every standard deviation is 1.
@@ -96,14 +103,14 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// [`NoAnswer`] if a row has no result.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
-        let mut scene = self.scene.clone();
+        let mut input = self.input.clone();
         for (free, share) in self.free.iter().zip(shares) {
-            (free.key.set)(&mut scene, free.at(*share));
+            (free.key.set)(&mut input, Some(free.at(*share)));
         }
         let of = |piece: &Vec<usize>| {
-            let mut scene = scene.clone();
-            self.with_row(&mut scene, piece[0]);
-            if self.data.is_curve() { self.curve(&scene, piece) } else { self.impacts(scene, piece) }
+            let mut input = input.clone();
+            self.with_row(&mut input, piece[0]);
+            if self.data.is_curve() { self.curve(&input.resolve(), piece) } else { self.impacts(input, piece) }
         };
         let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
             self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(of).collect()
@@ -120,37 +127,39 @@ impl<'a> Problem<'a> {
 
     /// The impact speed of every row \[m/s\]; NaN if there is none.
     pub fn speeds(&self) -> Vec<f64> {
-        let mut scene = self.scene.clone();
+        let mut input = self.input.clone();
         let speed = |row| {
-            self.with_row(&mut scene, row);
-            scene.speed
+            self.with_row(&mut input, row);
+            input.speed()
         };
         (0..self.data.rows.len()).map(speed).collect()
     }
 
     /// The first value that is more than a rebound without loss would give, with that limit.
     pub fn beyond_elastic(&self) -> Option<(&Value, f64)> {
-        let mut scene = self.scene.clone();
+        let mut input = self.input.clone();
         self.data.values.iter().find_map(|value| {
-            self.with_row(&mut scene, value.row);
-            let limit = value.what.of_rebound(1.0, &scene)?;
+            self.with_row(&mut input, value.row);
+            let limit = value.what.of_rebound(1.0, &input.resolve())?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
 
-    /// Puts the keys of a row into a scene.
-    fn with_row(&self, scene: &mut Scene, row: usize) {
+    /// Puts the keys of a row into an input.
+    fn with_row(&self, input: &mut Input, row: usize) {
         for (key, value) in self.data.keys.iter().zip(&self.data.rows[row].keys) {
-            (key.set)(scene, *value);
+            (key.set)(input, Some(*value));
         }
     }
 
-    /// The predictions for rows of one contact. The scene has the keys of the first row.
-    fn impacts(&self, mut scene: Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+    /// The predictions for rows of one contact. The input has the keys of the first row.
+    fn impacts(&self, mut input: Input, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+        let mut scene = input.resolve();
         let contact = scene.contact()?;
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
-            self.with_row(&mut scene, *row);
+            self.with_row(&mut input, *row);
+            (scene.speed, scene.solver) = (input.speed(), input.solver());
             let result = contact.essentials_by(scene.speed, &scene.solver)?;
             for value in &self.data.values[self.ranges[*row].clone()] {
                 let found = value.what.predict(&result, &scene).filter(|value| value.is_finite());

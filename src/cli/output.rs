@@ -88,7 +88,7 @@ impl Output {
 
     /// The same, ready to be written to.
     pub fn prepare(&self, file: &Path, scenario: &Scenario) -> Result<OutputDirectory, Error> {
-        let hash = scenario.sha256()?;
+        let hash = scenario.sha256();
         let origin = Origin::File(file, &hash);
         let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force)?;
         if let Some(older) = directory.replaces() {

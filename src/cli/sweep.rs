@@ -79,7 +79,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     let directory = &output.prepare(file, scenario)?;
     let interrupt = Interrupt::listen()?;
     let bar = bar(output.quiet, "{human_pos}/{human_len} rows, {per_sec}, {eta} left");
-    let source = scenario.source()?;
+    let source = scenario.source();
     let job = Job {
         plan,
         shard,

@@ -51,7 +51,7 @@ impl Head<'_> {
         let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
         let mut about = vec![
             format!("{PROGRAM}: {}", self.command),
-            format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()?),
+            format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()),
             format!(
                 "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
             ),

@@ -4,7 +4,7 @@ use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::math::functions::{log10, pow};
 use crate::scene::taken::Taken;
-use crate::scene::{Key, Scene};
+use crate::scene::{Input, Key};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
 const TABULATED: u64 = 1 << 19;
@@ -164,24 +164,16 @@ impl Axis {
         keeps_contact(self.path())
     }
 
-    /// Axes of a lower rank are put into a scene before this one ([`super::put`]).
-    pub(super) fn rank(&self) -> usize {
-        match self.words() {
-            [Word::Law(_), ..] => 0,
-            [Word::Material(_), ..] => 1,
-            _ => 2,
-        }
-    }
-
-    /// Puts value `i` into a scene, in which nothing else has to change. For all axes there is [`super::put`].
+    /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is
+    /// [`super::put`].
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
-    pub fn put(&self, i: u64, scene: &mut Scene) {
+    pub fn put(&self, i: u64, input: &mut Input) {
         match &self.setting {
-            Setting::Number { key, values } => (key.set)(scene, values.at(i)),
+            Setting::Number { key, values } => (key.set)(input, Some(values.at(i))),
             Setting::Words { words, .. } => match &words[i as usize] {
-                Word::Method(method) => scene.solver.method = *method,
-                Word::Law(law) => scene.set_law(law.clone()),
-                Word::Material(taken) => scene.put_material(taken),
+                Word::Method(method) => input.solver.method = Some(*method),
+                Word::Law(law) => input.law.clone_from(law),
+                Word::Material(taken) => input.take(taken),
             },
         }
     }

@@ -161,11 +161,11 @@ fn notes(axes: &[Axis]) -> Vec<String> {
 
 /// The yield speed v_Y at a place of the second axis.
 fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
-    let mut scene = plan.scene.clone();
+    let mut input = plan.input.clone();
     if let Some(second) = axes.get(1) {
-        second.put(place, &mut scene);
+        second.put(place, &mut input);
     }
-    scene.contact().ok()?.yield_speed()
+    input.resolve().contact().ok()?.yield_speed()
 }
 
 fn map(plan: &Plan, axes: &[Axis]) -> Result<Chart, PlotError> {

@@ -200,7 +200,7 @@ impl Contact {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (String,)> {
-        let texts = serde_json::to_string(&slf.get().scenario.source().map_err(exception)?);
+        let texts = serde_json::to_string(&slf.get().scenario.source());
         Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(unexpected)?,)))
     }
 

@@ -202,7 +202,7 @@ pub fn exception(error: impl Into<Error>) -> PyErr {
 
 /// A scenario with `key=value` set.
 pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) -> Result<Scenario, ScenarioError> {
-    let mut source = scenario.source()?;
+    let mut source = scenario.source();
     source.overrides.extend(overrides);
     Scenario::from_source(scenario.document.name(), &source)
 }

@@ -161,7 +161,7 @@ fn run_table(py: Python<'_>, scenario: &Scenario, command: &str) -> PyResult<Out
     let table = Table::new(made.table(&plan, &plan.results(), swept));
     let made = interruptible(py, |_| {
         let tally = tally(&plan, &table, &status);
-        let provenance = Provenance::new(scenario.sha256()?, command);
+        let provenance = Provenance::new(scenario.sha256(), command);
         let files = table::files(&plan, &tally, &warnings, &provenance, Pictures::Png)?;
         Ok::<_, Error>((report::sweep::lines(&tally), files))
     });

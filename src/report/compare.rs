@@ -13,9 +13,9 @@ use crate::law::LawChoice;
 use crate::plan::YIELD_STRENGTH;
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
-use crate::scene::Key;
 use crate::scene::results::compare::{self as results, Row};
 use crate::scene::results::{Fields, fields};
+use crate::scene::{Given, Key};
 use crate::units::aligned::aligned;
 use crate::units::rounded::{number, quantity};
 
@@ -72,7 +72,7 @@ pub fn summary(
 pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
     let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
     let mut entries = given(scenario, &[SPHERE, half_space].concat());
-    let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, comparison.bodies.yield_strength));
+    let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, Given::Number(comparison.bodies.yield_strength)));
     entries.extend(strength);
     entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), None));
     entries.extend(of_materials(&scenario.taken));

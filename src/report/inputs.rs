@@ -24,9 +24,11 @@ impl Inputs {
         let adds_keys = |axis: &&Axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]);
         for axis in plan.axes().iter().filter(adds_keys) {
             for place in 0..axis.len() {
-                let mut scene = plan.scene.clone();
-                axis.put(place, &mut scene);
-                let new = of_scene(&scene).into_iter().filter(|entry| entries.iter().all(|old| old.key != entry.key));
+                let mut input = plan.input.clone();
+                axis.put(place, &mut input);
+                let new = of_scene(&input.resolve())
+                    .into_iter()
+                    .filter(|entry| entries.iter().all(|old| old.key != entry.key));
                 entries.extend(new.collect::<Vec<_>>());
             }
         }

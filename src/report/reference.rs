@@ -1,6 +1,6 @@
 //! The reference page: every key, every result, every material.
 
-use crate::scene::reference::{keys, materials};
+use crate::scenario::reference::{keys, materials};
 use crate::scene::results;
 
 /// A part of a page that the program writes: its name, and its text.

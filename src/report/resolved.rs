@@ -11,7 +11,7 @@ use crate::law::{LawChoice, Plm};
 use crate::plan::HARDNESS;
 use crate::scenario::Scenario;
 use crate::scene::taken::Taken;
-use crate::scene::{KEYS, Key, Scene};
+use crate::scene::{Given, Input, KEYS, Key, Scene};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
 
@@ -30,10 +30,12 @@ pub struct Entry {
 
 impl Entry {
     /// A number, or the word that stands in its place.
-    pub(super) fn of(key: &Key, value: f64) -> Self {
-        let entry = match key.word {
-            Some(word) if value.is_infinite() => Self::word(key.path, word),
-            _ => Self { value: value.into(), ..Self::word(key.path, describe(value, key.quantity.dimension)) },
+    pub(super) fn of(key: &Key, given: Given) -> Self {
+        let entry = match given {
+            Given::Word => Self::word(key.path, key.word.unwrap_or_default()),
+            Given::Number(value) => {
+                Self { value: value.into(), ..Self::word(key.path, describe(value, key.quantity.dimension)) }
+            }
         };
         Self { column: key.column(), ..entry }
     }
@@ -58,7 +60,8 @@ pub fn of_scene(scene: &Scene) -> Vec<Entry> {
     let can_yield = scene.half_space.yield_strength.is_some();
     // the diameter would repeat the radius, and an elastic half-space does not use the keys of the law
     let keys = KEYS.iter().filter(|key| key.path != "sphere.diameter" && (can_yield || !key.path.starts_with("law.")));
-    let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(scene)?))).collect();
+    let input = Input::of(scene);
+    let mut entries: Vec<Entry> = keys.filter_map(|key| Some(Entry::of(key, (key.get)(&input)?))).collect();
     entries.extend(words_of_strength(scene.hardness, scene.law.flow()));
     if can_yield {
         entries.push(Entry::word("law", scene.law.name()));
@@ -131,9 +134,9 @@ fn words_of_law(law: &LawChoice) -> Vec<Entry> {
 
 /// The law of a scene without an impact.
 pub(super) fn of_law(law: &LawChoice) -> Vec<Entry> {
-    let scene = Scene::of_law(law.clone());
+    let input = Input { law: law.clone(), ..Input::default() };
     let numbers = KEYS.iter().filter(|key| key.path.starts_with("law."));
-    numbers.filter_map(|key| Some(Entry::of(key, (key.get)(&scene)?))).chain(words_of_law(law)).collect()
+    numbers.filter_map(|key| Some(Entry::of(key, (key.get)(&input)?))).chain(words_of_law(law)).collect()
 }
 
 fn coefficients(plm: &Plm) -> Entry {
@@ -144,8 +147,8 @@ fn coefficients(plm: &Plm) -> Entry {
 /// The numeric keys that a scenario without an impact gives. A diameter counts as the radius.
 pub(super) fn given(scenario: &Scenario, paths: &[&str]) -> Vec<Entry> {
     let value = |path: &str| match path {
-        "sphere.radius" => scenario.sphere_radius(),
-        path => scenario.number_of(path),
+        "sphere.radius" => scenario.sphere_radius().map(Given::Number),
+        path => scenario.given(path),
     };
     let keys = KEYS.iter().filter(|key| paths.contains(&key.path));
     keys.filter_map(|key| Some(Entry::of(key, value(key.path)?))).collect()

@@ -20,7 +20,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let comparison = scenario.comparison()?;
     let inputs = Inputs(report::inputs(scenario, &comparison));
     let scenario_file = Some(scenario.document.name().to_owned());
-    let provenance = Provenance { scenario_file, ..Provenance::new(scenario.sha256()?, order.command) };
+    let provenance = Provenance { scenario_file, ..Provenance::new(scenario.sha256(), order.command) };
     let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);
     let mut files = vec![

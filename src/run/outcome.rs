@@ -70,7 +70,7 @@ pub(super) fn provenance(
         coefficients_source: coefficients.map(|table| table.source.clone()),
     };
     let scenario_file = Some(scenario.document.name().to_owned());
-    Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256()?, command) })
+    Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256(), command) })
 }
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.

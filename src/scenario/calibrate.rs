@@ -2,17 +2,17 @@
 
 use std::path::PathBuf;
 
+use super::file::{CalibrateInput, NoiseInput, numbers};
 use super::{Kind, NEEDED, Scenario, ScenarioError};
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
-use crate::scene::{Key, Scene};
+use crate::scene::field::Word;
+use crate::scene::words::Laws;
+use crate::scene::{Input, Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
-
-/// The key of the file of measurements.
-pub(super) const DATA: &str = "calibrate.data";
 
 /// Where the measurements are.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +56,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or something is missing.
     pub fn wanted(&self) -> Result<Wanted, ScenarioError> {
-        self.request(|scene| self.free(scene))
+        self.request(|given, input| self.free(given, input))
     }
 
     /// The same with nothing to find: the measurements are compared with the law.
@@ -64,55 +64,56 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys contradict each other or something is missing.
     pub fn compared(&self) -> Result<Wanted, ScenarioError> {
-        self.request(|_| Vec::new())
+        self.request(|_, _| Vec::new())
     }
 
-    fn request(&self, free: impl Fn(&Scene) -> Vec<Free>) -> Result<Wanted, ScenarioError> {
+    fn request(&self, free: impl Fn(&CalibrateInput, &Input) -> Vec<Free>) -> Result<Wanted, ScenarioError> {
         self.refuse_columns("a calibration")?;
         if self.kind()? != Kind::Calibrate {
             return Err(self.document.refuse("", NO_TABLE));
         }
-        let mut scene = self.put_together(BODIES)?;
-        if self.method().is_none() {
-            scene.solver.method = Method::Auto;
-        }
-        let free = free(&scene);
+        let Some(given) = &self.tables.calibrate else {
+            return Err(self.document.refuse("", NO_TABLE));
+        };
+        let mut input = self.checked(BODIES)?;
+        input.solver.method = input.solver.method.or(Some(Method::Auto));
+        let free = free(given, &input);
         for free in &free {
-            (free.key.set)(&mut scene, free.from);
+            free.key.put(&mut input, free.from);
         }
-        let own = |name: &String| match LawChoice::from_name(name) {
+        let scene = self.scene_of(&input);
+        let own = |word: &Word<Laws>| match LawChoice::from_name(&word.name) {
             Some(law) if law.name() != scene.law.name() => law,
             // the law of the scenario keeps the parameters that the scenario gives
             _ => scene.law.clone(),
         };
-        let laws: Vec<LawChoice> = self.entries.texts("calibrate.laws").unwrap_or_default().iter().map(own).collect();
-        if self.flow()?.is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
+        let laws: Vec<LawChoice> = given.laws.iter().flatten().map(own).collect();
+        if scene.law.flow().is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
             let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
-        let numbers = |table: &str| {
-            let number = |name: &str| Some((name.to_owned(), self.entries.number(&format!("{table}.{name}"))?));
-            self.entries.keys_in(table).filter_map(number).collect::<Vec<_>>()
+        let (model_error, deviations) = match &given.noise {
+            Some(NoiseInput::Given(noise)) => (noise.model, numbers(Some(noise))),
+            _ => (None, Vec::new()),
         };
-        let (model, deviations) = numbers("calibrate.noise").into_iter().partition(|(name, _)| name == "model");
-        let (model, deviations): (Vec<_>, Vec<_>) = (model, deviations);
         Ok(Wanted {
-            source: self.measurements(numbers("calibrate.measured"))?,
+            source: self.measurements(given)?,
             free,
-            deviations,
-            model_error: model.first().map_or(0.0, |(_, share)| *share),
-            is_estimated: self.entries.text("calibrate.noise").is_some(),
-            is_robust: self.entries.text("calibrate.robust") == Some("student-t"),
+            deviations: deviations.into_iter().filter(|(name, _)| name != "model").collect(),
+            model_error: model_error.map_or(0.0, f64::from),
+            is_estimated: matches!(given.noise, Some(NoiseInput::Estimate)),
+            is_robust: given.robust.as_ref().is_some_and(|robust| robust.name == "student-t"),
             laws,
             scene,
         })
     }
 
-    fn measurements(&self, measured: Vec<(String, f64)>) -> Result<Source, ScenarioError> {
-        match (self.entries.text(DATA), measured.is_empty()) {
-            (Some(path), true) => Ok(match self.texts.get(DATA) {
-                Some(text) => Source::Text(path.to_owned(), text.clone()),
-                None => Source::File(self.directory.join(path)),
+    fn measurements(&self, given: &CalibrateInput) -> Result<Source, ScenarioError> {
+        let measured = numbers(given.measured.as_ref());
+        match (&given.data, measured.is_empty()) {
+            (Some(path), true) => Ok(match &self.data {
+                Some(text) => Source::Text(path.0.clone(), text.clone()),
+                None => Source::File(self.directory.join(&path.0)),
             }),
             (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
@@ -124,12 +125,13 @@ impl Scenario {
     }
 
     /// The keys to find. If the scenario names none, it is the yield strength; or the hardness, if the scenario gives that.
-    fn free(&self, scene: &Scene) -> Vec<Free> {
-        if let Some(given) = &self.entries.free {
-            return given.clone();
+    fn free(&self, given: &CalibrateInput, input: &Input) -> Vec<Free> {
+        if let Some(free) = &given.free {
+            return free.clone();
         }
-        let (path, factor) = if self.entries.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };
-        let [from, to] = RANGE.map(|share| share * scene.half_space.material.youngs_modulus * factor);
+        let (path, factor) = if self.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };
+        let modulus = input.resolve().half_space.material.youngs_modulus;
+        let [from, to] = RANGE.map(|share| share * modulus * factor);
         let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
         Key::find(path).map(free).into_iter().collect()
     }
@@ -151,7 +153,7 @@ impl Scenario {
         let axis = |key: &'static Key, value: f64| Axis::of_number(key, Values::List(vec![value]));
         let axes = wanted.free.iter().map(|free| axis(free.key, free.from));
         let axes: Vec<Axis> = axes.chain(columns.iter().map(|key| axis(key, 1.0))).collect();
-        let plan = Plan { scene: wanted.scene.clone(), cases: Cases::Grid(axes), columns: None };
+        let plan = Plan { scene: wanted.scene.clone(), ..Plan::new(Input::of(&wanted.scene), Cases::Grid(axes)) };
         let paths = plan.paths();
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
             return refuse(

@@ -10,17 +10,17 @@ const RESTITUTION: &str = "restitution";
 impl Scenario {
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
     pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), ScenarioError> {
-        let Some(names) = self.entries.texts("output.columns") else {
+        let Some(names) = &self.tables.output.columns else {
             return Ok(());
         };
         let refuse = |message: String| Err(self.document.refuse("output.columns", message));
         let mut chosen = vec![RESTITUTION];
-        for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
+        for column in columns().iter().filter(|column| names.iter().any(|word| word.name == column.name)) {
             let name = column.name;
             if let Some(reason) = column.missing(&plan.scene) {
                 return refuse(format!("\"{name}\" is not there: {reason}"));
             }
-            if names.iter().filter(|other| other.as_str() == name).count() > 1 {
+            if names.iter().filter(|other| other.name == name).count() > 1 {
                 return refuse(format!("\"{name}\" is named twice"));
             }
             chosen.push(column.name);
@@ -31,7 +31,7 @@ impl Scenario {
 
     /// Refuses columns for `scene`, which is no table.
     pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), ScenarioError> {
-        if !self.entries.has("output.columns") {
+        if self.tables.output.columns.is_none() {
             return Ok(());
         }
         let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");

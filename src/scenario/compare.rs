@@ -1,5 +1,6 @@
 //! `[compare]`: one peak, many unloading laws.
 
+use super::file::CompareInput;
 use super::flow::FLOW;
 use super::{Kind, Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
@@ -23,29 +24,30 @@ impl Scenario {
     /// [`ScenarioError`] where a key is missing, contradicts another, or names no law.
     pub fn comparison(&self) -> Result<Comparison, ScenarioError> {
         let refuse = |key: &str, message: &str| self.document.refuse(key, message);
-        if !self.entries.has("compare") {
+        let Some(given) = &self.tables.compare else {
             return Err(refuse("compare", "the table [compare] is missing"));
-        }
-        if self.entries.has("impact") {
+        };
+        if self.has("impact") {
             return Err(refuse("impact", "is not used: [compare] has no motion; leave one of the two out"));
         }
-        let given = |key: &str| self.entries.number(&format!("compare.{key}"));
         let material = self.sphere_material()?;
-        if !self.entries.has("half_space") {
+        if !self.has("half_space") {
             return Err(self.document.missing("", "half_space"));
         }
-        let half_space = self.half_space_in("half_space")?;
+        let half_space = self.half_space()?;
         let pair = Pair::try_new(self.radius()?, &material, &half_space)
             .map_err(|error| refuse("sphere", &error.to_string()))?;
         let bodies =
             Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
-        let LawChoice::Plm(plm) = self.whole_law()? else { return Err(refuse("law", OTHER_LAW)) };
+        self.check_law()?;
+        let LawChoice::Plm(plm) = self.input.resolve().law else { return Err(refuse("law", OTHER_LAW)) };
         if plm.flow.is_some() {
             return Err(refuse(FLOW, NO_HARDENING));
         }
-        let ratio = given("peak_indentation_ratio");
-        let x = ratio.or_else(|| given("peak_indentation").map(|length| length / point.indentation)).ok_or_else(|| {
+        let ratio = given.peak_indentation_ratio.map(f64::from);
+        let of_length = || given.peak_indentation.map(|length| f64::from(length) / point.indentation);
+        let x = ratio.or_else(of_length).ok_or_else(|| {
             refuse(
                 "compare",
                 "the key `peak_indentation_ratio` is missing: peak over yield indentation such as 105.1; or `peak_indentation`",
@@ -57,11 +59,12 @@ impl Scenario {
                 &format!("is {x:.4} x the yield indentation; a plastic peak is above 1 x, and below 10^6 x"),
             ));
         }
-        let laws = self.compared_laws(&plm)?;
+        let laws = self.compared_laws(given, &plm)?;
         let mut comparison = Comparison::of_plm(bodies, material.youngs_modulus, &plm, x, laws);
-        match (given("peak_force"), given("peak_contact_radius"), given("peak_sphere_indentation")) {
+        match (given.peak_force, given.peak_contact_radius, given.peak_sphere_indentation) {
             (None, None, None) => {}
             (Some(force), Some(radius), Some(sphere)) => {
+                let [force, radius, sphere]: [f64; 3] = [force.into(), radius.into(), sphere.into()];
                 if pair.sphere_compliance == 0.0 {
                     return Err(refuse(
                         "compare.peak_sphere_indentation",
@@ -88,7 +91,7 @@ impl Scenario {
                 ));
             }
         }
-        if let Some(work) = given("spent_work") {
+        if let Some(work) = given.spent_work.map(f64::from) {
             let unit = point.force * point.indentation;
             let of_plm = human(comparison.peak.spent * unit, Dimension::Energy);
             comparison.peak.spent = work / unit;
@@ -104,16 +107,16 @@ impl Scenario {
         Ok(comparison)
     }
 
-    fn compared_laws(&self, plm: &Plm) -> Result<Vec<LawChoice>, ScenarioError> {
+    fn compared_laws(&self, given: &CompareInput, plm: &Plm) -> Result<Vec<LawChoice>, ScenarioError> {
         let unload = || LawChoice::all().into_iter().filter(LawChoice::has_own_unloading);
         let own = |law: LawChoice| if matches!(law, LawChoice::Plm(_)) { LawChoice::Plm(plm.clone()) } else { law };
-        match self.entries.texts("compare.laws") {
+        match given.laws.as_deref() {
             None => Ok(unload().filter(|law| law.about().name != LEFT_OUT).map(own).collect()),
             Some([]) => {
                 let message = "names no law; leave it out for all";
                 Err(self.document.refuse("compare.laws", message))
             }
-            Some(names) => Ok(names.iter().filter_map(|name| LawChoice::from_name(name)).map(own).collect()),
+            Some(names) => Ok(names.iter().filter_map(|word| LawChoice::from_name(&word.name)).map(own).collect()),
         }
     }
 }

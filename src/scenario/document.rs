@@ -5,16 +5,12 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
 use super::ScenarioError;
-use super::entries::Entries;
-use super::explain::{missing, span_of};
+use super::explain::missing;
 use super::overrides::choose_law;
 use super::place::{Place, Refusal};
-use super::values::Refused;
-use crate::scene::taken::Taken;
+use crate::scene::field::Fault;
+use crate::scene::written::{Node, Table, Value};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
@@ -41,8 +37,11 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Sce
     })
 }
 
+/// The most refusals that are told at once.
+const MOST_REFUSALS: usize = 10;
+
 /// `key=value` from the command line.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 struct Override {
     /// As given.
     text: String,
@@ -53,7 +52,7 @@ struct Override {
 }
 
 impl Override {
-    fn parse(text: &str, start: usize) -> Result<Self, ScenarioError> {
+    fn parse(text: &str, start: usize) -> Result<(Self, Table), ScenarioError> {
         let refuse = |problem: String| ScenarioError::Override { text: text.to_owned(), problem };
         let (key, value) = text
             .split_once('=')
@@ -64,35 +63,49 @@ impl Override {
                 "a line break or another control character is in it; write --set anew for every key".to_owned(),
             ));
         }
-        let toml = match DeTable::parse(text) {
-            Ok(_) => text.to_owned(),
+        let (toml, table) = match Table::parse(text, start) {
+            Ok(table) => (text.to_owned(), Ok(table)),
             // a bare word, whose quotes the shell has removed
-            Err(_) => format!("{key}={}", toml::Value::from(value.trim())),
+            Err(_) => {
+                let toml = format!("{key}={}", toml::Value::from(value.trim()));
+                let table = Table::parse(&toml, start);
+                (toml, table)
+            }
         };
-        DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        Ok(Self { text: text.to_owned(), toml, start })
+        let table = table.map_err(|error| refuse(error.message().trim_end().to_owned()))?;
+        Ok((Self { text: text.to_owned(), toml, start }, table))
     }
 }
 
 /// A scenario as text: the file and what the command line changes in it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
+    /// The tables of the file, with those of the overrides.
+    pub(super) root: Node,
 }
 
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
-        let mut start = text.len() + 1;
-        let mut document = Self { name, text, overrides: Vec::new() };
+        let whole = |table| Node { span: 0..0, value: Value::Table(table) };
+        let parsed = Table::parse(&text, 0);
+        let mut document = Self { name, text, overrides: Vec::new(), root: whole(Table::default()) };
+        let mut root = parsed.map_err(|error| {
+            let message = error.message().trim_end().replace('\n', "; ");
+            ScenarioError::Refused(Box::new(document.refusal(error.span(), String::new(), message)))
+        })?;
+        let mut start = document.text.len() + 1;
         for given in overrides {
-            let given = Override::parse(given, start)?;
+            let (given, mut changes) = Override::parse(given, start)?;
             start += given.toml.len() + 1;
+            choose_law(&mut root, &mut changes);
+            root.merge(changes);
             document.overrides.push(given);
         }
-        document.root()?;
+        document.root = whole(root);
         Ok(document)
     }
 
@@ -116,25 +129,26 @@ impl Document {
         self.overrides.iter().map(|given| &*given.toml)
     }
 
-    /// Reads every key of the merged tables, and what is taken from materials.
-    pub(super) fn entries(&self) -> Result<(Entries, Vec<Taken>), ScenarioError> {
-        let root = self.root()?;
-        let read = Entries::read(&root).and_then(|mut entries| {
-            let taken = entries.take_materials()?;
-            Ok((entries, taken))
-        });
-        read.map_err(|Refused { key, fault }| self.refusal(Some(fault.span), key, fault.message))
+    /// The refusal of the keys that were refused while they were read, in the order of the file.
+    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Option<ScenarioError> {
+        refused.sort_by_key(|(_, fault)| fault.span.start);
+        let mut all = refused.into_iter().take(MOST_REFUSALS);
+        let mut next = || all.next().map(|(key, Fault { span, message })| self.refusal(Some(span), key, message));
+        let mut first = next()?;
+        while let Some(other) = next() {
+            first.others.push(other);
+        }
+        Some(ScenarioError::Refused(Box::new(first)))
     }
 
     /// A refusal of the value at `key`, pointing at it.
     pub fn refuse(&self, key: &str, message: impl Into<String>) -> ScenarioError {
-        let span = self.root().ok().and_then(|root| span_of(&root, key));
-        self.refusal(span, key.to_owned(), message.into())
+        ScenarioError::Refused(Box::new(self.refusal(self.root().span_of(key), key.to_owned(), message.into())))
     }
 
     /// Whether the scenario, or the command line, gives the key itself.
     pub fn has(&self, key: &str) -> bool {
-        self.root().is_ok_and(|root| span_of(&root, key).is_some())
+        self.root().span_of(key).is_some()
     }
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
@@ -162,7 +176,7 @@ impl Document {
         self.refuse(second, format!("[{first}] is given too; write only one of the two"))
     }
 
-    fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> ScenarioError {
+    fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> Refusal {
         let place = match span {
             None => Place::File { name: self.name.clone() },
             Some(span) => match self.overrides.iter().rfind(|given| given.start <= span.start) {
@@ -170,64 +184,11 @@ impl Document {
                 None => Place::in_text(&self.name, &self.text, &span),
             },
         };
-        ScenarioError::Refused(Box::new(Refusal { place, key, message }))
+        Refusal { place, key, message, others: Vec::new() }
     }
 
-    fn root(&self) -> Result<DeTable<'_>, ScenarioError> {
-        let parse = |toml, start| match DeTable::parse(toml) {
-            Ok(table) => Ok(moved(table.into_inner(), start)),
-            Err(error) => {
-                Err(self.refusal(error.span(), String::new(), error.message().trim_end().replace('\n', "; ")))
-            }
-        };
-        let mut root = parse(&self.text, 0)?;
-        for given in &self.overrides {
-            let mut changes = parse(&given.toml, given.start)?;
-            choose_law(&mut root, &mut changes);
-            merge(&mut root, changes);
-        }
-        Ok(root)
-    }
-}
-
-/// A table whose places begin at `start`.
-fn moved(table: DeTable<'_>, start: usize) -> DeTable<'_> {
-    if start == 0 {
-        return table;
-    }
-    table.into_iter().map(|(key, value)| (further(key, start), moved_value(value, start))).collect()
-}
-
-fn moved_value(value: Spanned<DeValue<'_>>, start: usize) -> Spanned<DeValue<'_>> {
-    let mut value = further(value, start);
-    match value.get_mut() {
-        DeValue::Table(table) => *table = moved(std::mem::take(table), start),
-        DeValue::Array(items) => {
-            for item in items.iter_mut() {
-                *item = moved_value(item.clone(), start);
-            }
-        }
-        _ => {}
-    }
-    value
-}
-
-fn further<T>(place: Spanned<T>, by: usize) -> Spanned<T> {
-    let span = place.span();
-    Spanned::new(span.start + by..span.end + by, place.into_inner())
-}
-
-fn merge<'a>(into: &mut DeTable<'a>, from: DeTable<'a>) {
-    for (key, value) in from {
-        match (into.get_mut(key.get_ref().as_ref()).map(Spanned::get_mut), value.get_ref()) {
-            (Some(DeValue::Table(old)), DeValue::Table(_)) => {
-                if let DeValue::Table(new) = value.into_inner() {
-                    merge(old, new);
-                }
-            }
-            _ => {
-                into.insert(key, value);
-            }
-        }
+    fn root(&self) -> &Table {
+        static NONE: Table = Table(Vec::new());
+        if let Value::Table(table) = &self.root.value { table } else { &NONE }
     }
 }

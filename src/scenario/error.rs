@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use super::place::{Place, Refusal};
 use crate::error::{Details, Error, ErrorKind};
+use super::file::every_key;
+use super::reference::written;
 use crate::scene::key::Form;
-use crate::scene::keys::{every_key, varied};
-use crate::scene::reference::written;
+use crate::scene::keys::varied;
 
 /// Why a scenario is refused.
 #[derive(Debug, thiserror::Error)]
@@ -70,7 +71,7 @@ impl From<ScenarioError> for Error {
 }
 
 /// What programs are told of a value that is refused.
-fn of_value(Refusal { place, key, message }: Refusal) -> Details {
+fn of_value(Refusal { place, key, message, .. }: Refusal) -> Details {
     let name = key.rsplit('.').next().unwrap_or(&key);
     // where the key itself is refused, the mark is under the key, and there is no value
     let value = |text: String| Some(text).filter(|text| text != name && !text.starts_with('['));

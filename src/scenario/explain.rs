@@ -1,33 +1,7 @@
-//! The place of a key in a document, and the message about a missing key.
+//! The message about a missing key.
 
-use std::ops::Range;
-
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
+use super::file::{every_key, list_of};
 use crate::scene::key::Form;
-use crate::scene::keys::every_key;
-use crate::scene::other_keys::List;
-
-/// Where the value of a dotted key is; the last part may be a key in quotes with dots of its own, and `[2]` stands for an
-/// item of a list.
-pub(super) fn span_of(table: &DeTable<'_>, path: &str) -> Option<Range<usize>> {
-    if let Some(value) = table.get(path) {
-        return Some(value.span());
-    }
-    let (name, rest) = path.split_once('.').map_or((path, None), |(name, rest)| (name, Some(rest)));
-    let (name, item) =
-        name.split_once('[').map_or((name, None), |(name, item)| (name, Some(item.trim_end_matches(']'))));
-    let mut value: &Spanned<DeValue> = table.get(name)?;
-    if let Some(item) = item {
-        value = value.get_ref().as_array()?.get(item.parse::<usize>().ok()?)?;
-    }
-    match (rest, value.get_ref()) {
-        (None, _) => Some(value.span()),
-        (Some(rest), DeValue::Table(inner)) => span_of(inner, rest),
-        _ => None,
-    }
-}
 
 /// The message that `name` is missing in `table`; where `table` is empty, that the table `name` is missing.
 pub(super) fn missing(name: &str, table: &str) -> String {
@@ -52,7 +26,7 @@ pub(super) fn missing(name: &str, table: &str) -> String {
             format!("{} such as {name} = {}", quantity.name, quantity.example)
         }
         Some(Form::Text(example)) => format!("a text such as {name} = \"{example}\""),
-        _ => match List::find(&pattern) {
+        _ => match list_of(&pattern) {
             Some(list) => format!("a list such as {}", list.example),
             None => return format!("the key `{name}` is missing"),
         },

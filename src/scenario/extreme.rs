@@ -13,9 +13,8 @@ const FAR: f64 = 20.0;
 impl Scenario {
     /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no number is extreme.
     pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<ScenarioError> {
-        let scene = self.resolve().ok()?;
         let given = KEYS.iter().filter(|key| self.document.has(key.path));
-        let values = given.filter_map(|key| Some((key, (key.get)(&scene)?)));
+        let values = given.filter_map(|key| Some((key, self.number_of(key.path)?)));
         let distances = values.filter_map(|(key, value)| Some((key, value, decades(value, key.quantity)?)));
         let distances = distances.filter(|(.., decades)| *decades > FAR);
         let (Key { path, quantity, .. }, value, _) = distances.max_by(|a, b| a.2.total_cmp(&b.2))?;

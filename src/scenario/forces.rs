@@ -6,7 +6,7 @@ use crate::scene::{EITHER, Scene};
 impl Scenario {
     /// Refuses elastic waves beside gravity, damping or repeated impacts.
     pub(super) fn refuse_waves(&self, scene: &Scene) -> Result<(), ScenarioError> {
-        let beside = if self.entries.has("repeat") {
+        let beside = if self.has("repeat") {
             "[repeat]"
         } else if scene.forces.damping.is_some() {
             "[damping]"
@@ -26,7 +26,7 @@ impl Scenario {
     /// Refuses a drop height without gravity.
     pub(super) fn needs_gravity(&self) -> Result<(), ScenarioError> {
         let (height, gravity) = ("impact.drop_height", "gravity.acceleration");
-        if !self.entries.has(height) || self.entries.has(gravity) || self.entries.varies(gravity) {
+        if !self.has(height) || self.has(gravity) || self.varies(gravity) {
             return Ok(());
         }
         let message =
@@ -38,7 +38,7 @@ impl Scenario {
     pub(super) fn contradicted(&self, swept: &[&'static str]) -> Option<(&'static str, String)> {
         // a swept diameter replaces a radius in the file
         let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
-        let (key, other) = pairs.into_iter().find(|(key, other)| swept.contains(key) && self.entries.has(other))?;
+        let (key, other) = pairs.into_iter().find(|(key, other)| swept.contains(key) && self.has(other))?;
         Some((key, format!("stands in place of {other}, which the scenario gives; keep one of the two")))
     }
 }

@@ -1,10 +1,12 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
+use super::file::{IndentationInput, StepInput};
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
-use crate::scene::other_keys::List;
+use crate::material::{HalfSpace, Material};
+use crate::scene::field::Listed;
 use crate::units::{Dimension, human};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -37,25 +39,28 @@ impl Scenario {
     /// [`ScenarioError`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, ScenarioError> {
         self.refuse_columns("an indentation")?;
-        if !self.entries.has("indentation") {
+        let Some(given) = &self.tables.indentation else {
             return Err(self.document.missing("", "indentation"));
-        }
-        let specimens = self.specimens()?;
+        };
+        let specimens = self.specimens(given)?;
         let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
-        let targets = self.targets()?;
+        let targets = self.targets(given)?;
         let samples = self.samples();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
             return Err(self.document.refuse("output.samples", message));
         }
-        let law = self.whole_law()?;
-        self.check_strength(&law, specimens.first().map(|first| &first.half_space))?;
+        self.check_law()?;
+        self.check_flow(&self.input)?;
+        let scene = self.input.resolve();
+        let (law, flow) = (scene.law, self.input.half_space.flow_stress.curve());
+        self.check_strength(flow, &law, specimens.first().map(|first| &first.half_space))?;
         Ok(IndentationScene {
             indenter: Indenter {
                 radius: self.radius()?,
                 material: self.sphere_material()?,
-                yield_strength: self.entries.number("sphere.yield_strength"),
+                yield_strength: scene.sphere.yield_strength,
             },
             specimens,
             law,
@@ -65,38 +70,34 @@ impl Scenario {
         })
     }
 
-    fn targets(&self) -> Result<Vec<Target>, ScenarioError> {
-        let as_in = List::find(STEPS).map_or_else(String::new, |list| format!("as in {}", list.example));
-        let Some(count) = self.entries.length(STEPS) else {
+    fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, ScenarioError> {
+        let as_in = format!("as in {}", StepInput::LIST.example);
+        let Some(steps) = &given.steps.0 else {
             return Err(self.document.missing("indentation", "steps"));
         };
-        if count == 0 {
+        if steps.is_empty() {
             let message = format!("there is no step; give one at least, {as_in}");
             return Err(self.document.refuse(STEPS, message));
         }
-        let target = |i: usize| {
-            let number = |key: &str| self.entries.number(&format!("{STEPS}[{i}].{key}"));
-            match (number("load"), number("indentation")) {
-                (Some(load), None) => Ok(Target::Load(load)),
-                (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
-                (both, _) => {
-                    let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
-                    let message = format!("step {}: {what}; write exactly one of the two, {as_in}", i + 1);
-                    Err(self.document.refuse(STEPS, message))
-                }
+        let target = |(i, step): (usize, &StepInput)| match (step.load, step.indentation) {
+            (Some(load), None) => Ok(Target::Load(load.into())),
+            (None, Some(indentation)) => Ok(Target::Indentation(indentation.into())),
+            (both, _) => {
+                let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
+                let message = format!("step {i}: {what}; write exactly one of the two, {as_in}");
+                Err(self.document.refuse(STEPS, message))
             }
         };
-        (0..count).map(target).collect()
+        (1..).zip(steps).map(target).collect()
     }
 
-    fn specimens(&self) -> Result<Vec<Specimen>, ScenarioError> {
+    fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, ScenarioError> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
-        let several = self.entries.length(SPECIMENS);
-        if self.entries.has("half_space") {
-            if several.is_some() {
+        if self.has("half_space") {
+            if given.half_space.0.is_some() {
                 return Err(self.document.one_table("half_space", SPECIMENS));
             }
-            let half_space = self.half_space_in("half_space")?;
+            let half_space = self.half_space()?;
             return Ok(vec![Specimen {
                 name: None,
                 half_space,
@@ -104,27 +105,29 @@ impl Scenario {
                 strength_uncertainty: None,
             }]);
         }
-        let Some(count) = several.filter(|count| *count > 0) else {
+        let Some(several) = given.half_space.0.as_ref().filter(|several| !several.is_empty()) else {
             return Err(self.document.missing("", "half_space"));
         };
         let mut specimens: Vec<Specimen> = Vec::new();
-        for i in 0..count {
-            let table = format!("{SPECIMENS}[{i}]");
-            let number = |key: &str| self.entries.number(&format!("{table}.{key}"));
-            let Some(name) = self.entries.text(&format!("{table}.name")) else {
-                return Err(self.document.missing(&table, "name"));
-            };
+        for (i, one) in several.iter().enumerate() {
+            let missing = |name| self.document.missing(&format!("{SPECIMENS}[{i}]"), name);
+            let name = &one.name.as_ref().ok_or_else(|| missing("name"))?.0;
             if let Some(problem) = problem_of_name(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }
             if specimens.iter().any(|other| other.name.as_deref() == Some(name)) {
                 return refuse(format!("two are called \"{name}\"; give each its own name"));
             }
+            let material = Material {
+                youngs_modulus: one.youngs_modulus.ok_or_else(|| missing("youngs_modulus"))?.into(),
+                poissons_ratio: one.poissons_ratio.ok_or_else(|| missing("poissons_ratio"))?.into(),
+            };
+            let yield_strength = one.yield_strength.map(f64::from);
             let specimen = Specimen {
                 name: Some(name.to_owned()),
-                half_space: self.half_space_in(&table)?,
-                modulus_uncertainty: number("youngs_modulus_uncertainty"),
-                strength_uncertainty: number("yield_strength_uncertainty"),
+                half_space: HalfSpace { material, yield_strength, density: None },
+                modulus_uncertainty: one.youngs_modulus_uncertainty.map(f64::from),
+                strength_uncertainty: one.yield_strength_uncertainty.map(f64::from),
             };
             self.check_uncertainties(name, &specimen)?;
             specimens.push(specimen);

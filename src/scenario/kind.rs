@@ -68,10 +68,10 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError::Refused`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, ScenarioError> {
-        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.entries.has(table));
+        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.has(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
-            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.entries.has(idle)) {
+            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.has(idle)) {
                 None => Ok(*kind),
                 Some((idle, reason)) => {
                     let message = format!("[{table}] is given too, and {reason}; write only one of the two");
@@ -93,7 +93,7 @@ impl Scenario {
             ("sphere.yield_strength", kind == Kind::Compare, NO_SPHERE),
             ("half_space.density", true, NO_MASS),
         ];
-        let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.entries.has(key));
+        let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.has(key));
         idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
     }
 }

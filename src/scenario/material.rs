@@ -1,15 +1,20 @@
 //! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
 
-use super::entries::Entries;
-use super::flow::FLOW;
-use super::values::{Fault, Refused};
+use super::axes::DrawnMaterial;
+use super::document::Document;
+use super::file::File;
 use super::{Scenario, ScenarioError};
 use crate::law::LawChoice;
-use crate::materials::{Entry, Property, find};
+use crate::materials::{Entry, Property};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
 use crate::scene::Key;
+use crate::scene::field::Or;
+use crate::scene::laws::COMBINED;
 use crate::scene::taken::{Body, Taken};
+
+/// The table of the flow curve.
+const FLOW: &str = "half_space.flow_stress";
 
 /// Keys that replace a value of the material, besides the key of that value.
 fn instead(body: Body, property: Property) -> &'static [&'static str] {
@@ -22,51 +27,40 @@ fn instead(body: Body, property: Property) -> &'static [&'static str] {
     }
 }
 
-impl Entries {
-    /// Gives every body that names a material the values that the scenario leaves to it.
-    pub(super) fn take_materials(&mut self) -> Result<Vec<Taken>, Refused> {
+impl File {
+    /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
+    /// is drawn becomes random keys.
+    pub(super) fn take_materials(&mut self, document: &Document) -> Result<Vec<Taken>, ScenarioError> {
         let mut all = Vec::new();
         for body in Body::ALL {
-            let drawn = self.draws(body);
-            let refuse = |span, message| Fault { span, message }.of(format!("monte_carlo.{}", body.material()));
+            let random = self.monte_carlo.iter().flat_map(|random| &random.materials);
+            let is_drawn = random.into_iter().any(|drawn| drawn.body == body);
+            let refuse = |message| document.refuse(&format!("monte_carlo.{}", body.material()), message);
             let Some(material) = self.material(body) else {
-                let Some(span) = drawn else { continue };
-                let message = format!(
-                    "the body has no material to draw from: add material = \"steel-s235\", or another, to [{}]",
-                    body.table()
-                );
-                return Err(refuse(span, message));
+                if !is_drawn {
+                    continue;
+                }
+                let table = body.table();
+                return Err(refuse(format!(
+                    "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
+                )));
             };
-            let left: Vec<_> = Property::ALL.into_iter().filter(|property| self.is_left(body, *property)).collect();
-            for word in self.axes.iter_mut().flatten().flat_map(Axis::words_mut) {
-                if let Word::Material(taken) = word
-                    && taken.body == body
+            let left = Property::ALL.into_iter().filter(|property| self.is_left(document, body, *property));
+            let taken = Taken { body, material, left: left.collect() };
+            for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
+                if let Word::Material(other) = word
+                    && other.body == body
                 {
-                    taken.left.clone_from(&left);
+                    other.left.clone_from(&taken.left);
                 }
             }
-            let taken = Taken { body, material, left };
-            let mut variables = Vec::new();
-            for (path, known) in taken.values() {
-                let [from, to] = taken.range(known);
-                // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
-                let is_used = path != "sphere.yield_strength"
-                    && !(path == "sphere.poissons_ratio"
-                        && self.number("sphere.youngs_modulus") == Some(f64::INFINITY));
-                if drawn.is_some() && from < to && is_used {
-                    let drawn = |key| Variable::of(key, Distribution::Uniform { from, to });
-                    variables.extend(Key::find(path).map(drawn));
-                } else {
-                    self.give(path, taken.value(known));
-                }
-            }
-            if let Some(span) = drawn {
+            if is_drawn {
+                let variables = self.drawn(&taken);
                 if variables.is_empty() {
-                    let message = format!(
-                        "the values that are taken from {} have no ranges, so there is nothing to draw: leave the key out",
-                        material.name
-                    );
-                    return Err(refuse(span, message));
+                    let name = &material.name;
+                    return Err(refuse(format!(
+                        "the values that are taken from {name} have no ranges, so there is nothing to draw: leave the key out"
+                    )));
                 }
                 self.draw(body, variables);
             }
@@ -75,40 +69,76 @@ impl Entries {
         Ok(all)
     }
 
+    /// The values of a material as random keys: even between the ends of their ranges.
+    fn drawn(&self, taken: &Taken) -> Vec<Variable> {
+        let is_rigid = matches!(self.sphere.youngs_modulus, Some(Or::Word(_)));
+        let drawn = |(path, known): (&'static str, _)| {
+            let [from, to] = taken.range(known);
+            // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
+            let is_used = path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
+            let key = Key::find(path).filter(|_| from < to && is_used)?;
+            Some(Variable::of(key, Distribution::Uniform { from, to }))
+        };
+        taken.values().filter_map(drawn).collect()
+    }
+
+    /// Replaces the drawn material of a body by random keys.
+    fn draw(&mut self, body: Body, drawn: Vec<Variable>) {
+        let Some(random) = &mut self.monte_carlo else { return };
+        let Some(at) = random.materials.iter().position(|known| known.body == body) else { return };
+        let (count, place) = (drawn.len(), random.materials[at].place);
+        random.variables.splice(place..place, drawn);
+        for DrawnMaterial { place: later, .. } in random.materials.iter_mut().filter(|later| later.place >= place) {
+            *later += count;
+        }
+    }
+
     /// The material of a body: of the first case, where it varies.
     fn material(&self, body: Body) -> Option<&'static Entry> {
-        let axis = self.axes.iter().flatten().find(|axis| axis.path() == body.material());
+        let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
-            _ => find(self.text(body.material())?),
+            _ if body == Body::Sphere => self.sphere.material,
+            _ => self.half_space.material,
         }
     }
 
     /// Whether the body takes this property from its material.
-    fn is_left(&self, body: Body, property: Property) -> bool {
+    fn is_left(&self, document: &Document, body: Body, property: Property) -> bool {
         let Some(path) = body.path(property) else { return false };
+        let has = |path: &str| document.has(path);
+        let free = self.calibrate.as_ref().map(|calibrate| calibrate.free.is_some());
+        let varied = self.varied();
         let is_given = |path: &str| {
             let inner = format!("{path}.");
             // a calibration that names no key looks for the strength
-            let is_wanted = path == "half_space.yield_strength" && self.has("calibrate") && self.free.is_none();
-            is_wanted || self.has(path) || self.varied().any(|varied| varied == path || varied.starts_with(&inner))
+            let is_wanted = path == "half_space.yield_strength" && free == Some(false);
+            is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
-        let is_moving = !self.has("compare") && !self.has("indentation");
+        let is_moving = !has("compare") && !has("indentation");
         let has_use = match (body, property) {
             (Body::Sphere, Property::Density) => is_moving,
-            (Body::Sphere, Property::Hardness) => !self.has("compare"),
+            (Body::Sphere, Property::Hardness) => !has("compare"),
             // elastic waves are those of one impact by the law alone
             (Body::HalfSpace, Property::Density) => {
                 is_moving && !["gravity", "damping", "repeat"].into_iter().any(is_given)
             }
             // no other law has hardening
             (Body::HalfSpace, Property::HardeningExponent) => {
-                let is_other = |law: &str| law != "plm" && self.has(&format!("law.{law}"));
-                !LawChoice::names().into_iter().chain(["combined"]).any(is_other) && !self.varies("law")
+                let is_other = |law: &str| law != "plm" && has(&format!("law.{law}"));
+                !LawChoice::names().into_iter().chain([COMBINED]).any(is_other) && !varied.contains(&"law")
             }
             _ => true,
         };
         has_use && !is_given(path) && !instead(body, property).iter().any(|path| is_given(path))
+    }
+
+    /// The keys that vary, or are to be found.
+    pub(super) fn varied(&self) -> Vec<&'static str> {
+        let axes = self.sweep.iter().flatten().map(Axis::path);
+        let variables = self.monte_carlo.iter().flat_map(|random| &random.variables).map(|variable| variable.key.path);
+        let free = self.calibrate.iter().flat_map(|calibrate| &calibrate.free).flatten().map(|free| free.key.path);
+        axes.chain(variables).chain(free).collect()
     }
 }
 

@@ -91,6 +91,8 @@ pub struct Refusal {
     pub key: String,
     /// Value, allowed range, way out.
     pub message: String,
+    /// Others that were found with it.
+    pub others: Vec<Refusal>,
 }
 
 impl fmt::Display for Refusal {
@@ -108,6 +110,6 @@ impl fmt::Display for Refusal {
             let gutter = line.to_string().len();
             write!(f, "\n{:gutter$} |\n{line} | {excerpt}\n{:gutter$} | {:indent$}{}", "", "", "", "^".repeat(*width))?;
         }
-        Ok(())
+        self.others.iter().try_for_each(|other| write!(f, "\n{other}"))
     }
 }

@@ -1,7 +1,7 @@
 //! `[repeat]`: bouncing under gravity, or repeated shots without it.
 
 use super::{Scenario, ScenarioError};
-use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
+use crate::repeat::{Drive, MOST_IMPACTS, Repeat};
 use crate::scene::Scene;
 
 const SPOTS: &str =
@@ -12,8 +12,10 @@ const NEEDS_IMPACTS: &str = "the key `impacts` is missing: the most impacts ther
 impl Scenario {
     /// The speed of the first shot of a list \[m/s\], if the scenario has one.
     pub(super) fn first_of_speeds(&self) -> Result<Option<f64>, ScenarioError> {
-        let Some(speeds) = self.entries.numbers("repeat.speeds") else { return Ok(None) };
-        if self.entries.has("impact") {
+        let Some(speeds) = self.tables.repeat.as_ref().and_then(|repeat| repeat.speeds.as_ref()) else {
+            return Ok(None);
+        };
+        if self.has("impact") {
             let message = "repeat.speeds gives the speed of every shot; leave [impact] out, or the list";
             return Err(self.document.refuse("impact", message));
         }
@@ -23,7 +25,7 @@ impl Scenario {
             Some(_) if speeds.len() as u64 > MOST_IMPACTS => {
                 refuse(format!("has {} speeds, more than {MOST_IMPACTS}", speeds.len()))
             }
-            Some(first) => Ok(Some(*first)),
+            Some(first) => Ok(Some(f64::from(*first))),
         }
     }
 
@@ -32,17 +34,14 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] where keys are missing or contradict each other.
     pub fn repeat(&self, scene: &Scene) -> Result<Option<Repeat>, ScenarioError> {
-        if !self.entries.has("repeat") {
-            return Ok(None);
-        }
+        let Some(given) = &self.tables.repeat else { return Ok(None) };
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
-        let spot = self.entries.text("repeat.spot");
-        let Some(place) = Place::ALL.into_iter().find(|place| spot == Some(place.name())) else {
+        let Some(place) = given.spot else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
-        let most = self.entries.count("repeat.impacts");
-        let until = self.entries.number("repeat.until.speed");
-        let speeds = self.entries.numbers("repeat.speeds");
+        let most = given.impacts.map(|most| most.0);
+        let until = given.until.as_ref().and_then(|until| until.speed).map(f64::from);
+        let speeds = given.speeds.as_ref();
         let drive = match (scene.forces.gravity, speeds, most) {
             (Some(_), Some(_), _) => {
                 return refuse(
@@ -57,10 +56,10 @@ impl Scenario {
             (Some(gravity), None, Some(most)) => {
                 Drive::Bouncing { gravity, drop_height: scene.drop_height, speed: scene.speed, most, until }
             }
-            (None, Some(speeds), None) => Drive::Shots(speeds.to_vec()),
+            (None, Some(speeds), None) => Drive::Shots(speeds.iter().map(|speed| f64::from(*speed)).collect()),
             (None, None, Some(most)) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
-        if self.entries.has("repeat.until") && scene.forces.gravity.is_none() {
+        if given.until.is_some() && scene.forces.gravity.is_none() {
             return refuse(
                 "repeat.until",
                 "is for bouncing: without [gravity] every shot has its given speed; leave it out",

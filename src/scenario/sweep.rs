@@ -5,7 +5,8 @@ use super::{Kind, Scenario, ScenarioError};
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Word};
-use crate::plan::{Cases, MOST_CASES, Plan, put};
+use crate::plan::{Cases, MOST_CASES, Plan};
+use crate::scene::taken::Taken;
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -16,14 +17,14 @@ impl Scenario {
         if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
             return Ok(None);
         }
-        let mut scene = self.resolve()?;
-        if self.method().is_none() {
+        let mut input = self.first_impact()?;
+        if input.solver.method.is_none() {
             // a table has no trace, so the closed form is enough
-            scene.solver.method = Method::Auto;
+            input.solver.method = Some(Method::Auto);
         }
-        let own_law = scene.law.clone();
+        let own_law = input.law.clone();
         let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
-        let (cases, table) = match (&self.entries.axes, &self.entries.variables) {
+        let (cases, table) = match (&self.tables.sweep, &self.tables.monte_carlo) {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
                 let mut axes = axes.clone();
@@ -36,21 +37,17 @@ impl Scenario {
                     }
                 }
                 self.refuse_mixture(&axes)?;
-                scene.materials.retain(|taken| axes.iter().all(|axis| axis.path() != taken.body.material()));
-                put(&axes, &vec![0; axes.len()], &mut scene);
                 (Cases::Grid(axes), "sweep")
             }
             (None, Some(RandomKeys { samples, seed, variables, .. })) => {
-                let variables = variables.clone();
-                for variable in &variables {
-                    (variable.key.set)(&mut scene, variable.middle());
-                }
-                (Cases::MonteCarlo { samples: *samples, seed: *seed, variables }, "monte_carlo")
+                (Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }, "monte_carlo")
             }
         };
+        let mut plan = Plan::new(input, cases);
+        let is_varied = |taken: &&Taken| plan.axes().iter().any(|axis| axis.path() == taken.body.material());
+        plan.scene.materials = self.taken.iter().filter(|taken| !is_varied(taken)).cloned().collect();
         // a key that varies may give the half-space its yield strength
-        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
-        let mut plan = Plan { scene, cases, columns: None };
+        plan.scene.warnings = self.unused(plan.scene.half_space.yield_strength.is_none());
         let unused_law = self.unused_law(&own_law, plan.axes());
         plan.scene.warnings.extend(unused_law);
         self.choose_columns(&mut plan)?;

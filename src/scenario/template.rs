@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use super::Kind;
+use super::file::{every_key, list_of};
 use crate::scene::key::{AnyKey, Form};
-use crate::scene::keys::{every_key, varied};
-use crate::scene::other_keys::List;
+use crate::scene::keys::varied;
 
 /// Characters of a line of comment.
 const WIDTH: usize = 110;
@@ -152,7 +152,7 @@ pub fn template(kind: Kind) -> String {
 fn told(path: &str, is_left_out: bool) -> Option<String> {
     let path = if path.starts_with("calibrate.free.") { "calibrate.free" } else { varied(path) };
     let Some(AnyKey { about, default, form, .. }) = every_key().find(|key| key.path == path) else {
-        return List::find(path).map(|list| format!("A list; every item is {}.", list.item));
+        return list_of(path).map(|list| format!("A list; every item is {}.", list.item));
     };
     let words = match form {
         Form::Word(words) | Form::WordList(words) => format!(" There are: {}.", (words.known)().join(", ")),

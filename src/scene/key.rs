@@ -1,29 +1,8 @@
-//! What a key of a scenario is: where it stands, what may be written there, what it means.
+//! What is known of a key of a scenario: where it stands, what may be written there, what it means.
 
-use super::Scene;
 use super::quantity::Quantity;
-use super::words::Words;
 
-/// A numeric key of the scene of an impact: it can be an axis or a random variable.
-#[derive(Debug, Clone, Copy)]
-pub struct Key {
-    /// As in the file, with dots: `impact.speed`.
-    pub path: &'static str,
-    /// Dimension and allowed range.
-    pub quantity: &'static Quantity,
-    /// A word that may stand in place of the number; it is an infinite number in the scene.
-    pub word: Option<&'static str>,
-    /// What it is, in one sentence.
-    pub about: &'static str,
-    /// Its value where the scenario does not give it, in words; empty where there is none.
-    pub default: &'static str,
-    /// Its value in a scene, SI; `None` where the scene has none.
-    pub get: fn(&Scene) -> Option<f64>,
-    /// Puts a checked value, SI, into a scene.
-    pub set: fn(&mut Scene, f64),
-}
-
-/// A key of any kind, as it is read and described.
+/// A key of any kind, as it is described.
 #[derive(Debug, Clone, Copy)]
 pub struct AnyKey {
     /// As in the file, with dots; `[]` stands behind the name of a list of tables.
@@ -35,6 +14,9 @@ pub struct AnyKey {
     /// Its value where the scenario does not give it, in words; empty where there is none.
     pub default: &'static str,
 }
+
+/// Adds the keys of a table to a list; the text is the path of the table.
+pub type Keys = fn(&str, &mut Vec<AnyKey>);
 
 /// How a value is written.
 #[derive(Debug, Clone, Copy)]
@@ -60,12 +42,29 @@ pub enum Form {
     /// Numeric keys that a calibration finds, with their ranges.
     Free,
     /// A word, or a table with keys of its own.
-    WordOrTable(&'static Words),
+    WordOrTable(&'static Words, Keys),
+    /// A table with keys of its own.
+    Table(Keys),
+    /// A list of tables with keys of their own.
+    Items(&'static List, Keys),
 }
 
-impl Key {
-    /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
-    pub fn column(&self) -> String {
-        format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
-    }
+/// A list of tables: a key whose items have keys of their own.
+#[derive(Debug, Clone, Copy)]
+pub struct List {
+    /// How it is written.
+    pub example: &'static str,
+    /// What an item of it is.
+    pub item: &'static str,
+}
+
+/// Words that a key takes.
+#[derive(Debug)]
+pub struct Words {
+    /// What one of them is called in messages.
+    pub one: &'static str,
+    /// What several of them are called in messages.
+    pub several: &'static str,
+    /// All of them.
+    pub known: fn() -> Vec<String>,
 }

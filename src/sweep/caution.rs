@@ -33,8 +33,9 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
     let computed = chosen.len();
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for places in chosen {
-        let mut scene = plan.scene.clone();
-        put(axes, &places, &mut scene);
+        let mut input = plan.input.clone();
+        put(axes, &places, &mut input);
+        let scene = input.resolve();
         let Some(impact) = impact(&scene) else { continue };
         deepest = deepest.max(impact.peak_indentation / scene.sphere.radius);
         for warning in impact.warnings {

@@ -7,7 +7,7 @@ use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
-use crate::scene::{Key, Scene};
+use crate::scene::{Input, Key, Scene};
 
 /// Why a row has no numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,9 +100,9 @@ pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// Whether the yield strength follows from the swept values ([`Plan::derives_strength`]).
     derives_strength: bool,
-    /// The scene and the contact of every combination of the axes that change the contact. Empty if there are too many
-    /// combinations.
-    contacts: Vec<(Scene, Result<Contact, Failure>)>,
+    /// Input, yield strength and contact of every combination of the axes that change the contact. Empty if there are too
+    /// many combinations.
+    contacts: Vec<(Input, Option<f64>, Result<Contact, Failure>)>,
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
@@ -142,28 +142,28 @@ impl<'a> Evaluator<'a> {
     }
 
     /// One combination, at the first places of the other axes.
-    fn combination(&self, index: u64) -> (Scene, Result<Contact, Failure>) {
+    fn combination(&self, index: u64) -> (Input, Option<f64>, Result<Contact, Failure>) {
         let axes = self.plan.axes().iter().zip(&self.strides);
         let places: Vec<u64> =
             axes.map(|(axis, stride)| if *stride == 0 { 0 } else { index / stride % axis.len() }).collect();
-        let scene = self.plan.scene_at(&places);
-        let contact = contact(&scene);
-        (scene, contact)
+        let input = self.plan.input_at(&places);
+        let scene = input.resolve();
+        (input, scene.half_space.yield_strength, contact(&scene))
     }
 
-    /// The scene at these places. It is made from that of the plan or of its combination, never from that of the row before,
+    /// The input at these places. It is made from that of the plan or of its combination, never from that of the row before,
     /// as a law or a material brings numbers of its own and takes others away.
-    fn put_at(&self, axes: &[Axis], places: &[u64], scene: &mut Scene) {
+    fn put_at(&self, axes: &[Axis], places: &[u64], input: &mut Input) {
         if self.contacts.is_empty() {
-            *scene = self.plan.scene_at(places);
+            *input = self.plan.input_at(places);
             return;
         }
         // the contact is known: only what else a row needs is copied
         let known = &self.contacts[self.index(places)].0;
-        (scene.speed, scene.drop_height, scene.forces) = (known.speed, known.drop_height, known.forces);
-        scene.half_space = known.half_space;
+        input.impact.clone_from(&known.impact);
+        input.gravity.clone_from(&known.gravity);
         for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
-            axis.put(*place, scene);
+            axis.put(*place, input);
         }
     }
 
@@ -186,23 +186,25 @@ impl<'a> Evaluator<'a> {
     #[allow(clippy::cast_precision_loss)]
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
-        let mut scene = self.plan.scene_at(&places);
-        let mut own: Option<Result<Contact, Failure>> = None;
+        let mut input = self.plan.input_at(&places);
+        let mut own: Option<(Option<f64>, Result<Contact, Failure>)> = None;
         for _ in cases {
-            let contact = if self.contacts.is_empty() {
-                own.get_or_insert_with(|| contact(&scene))
+            let (strength, contact) = if self.contacts.is_empty() {
+                let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
+                (*strength, &*contact)
             } else {
-                &self.contacts[self.index(&places)].1
+                let (_, strength, contact) = &self.contacts[self.index(&places)];
+                (*strength, contact)
             };
-            rows.results.push(evaluate(contact, scene.speed, &scene.solver));
+            rows.results.push(evaluate(contact, input.speed(), &input.solver()));
             rows.swept.extend(places.iter().map(|place| *place as f64));
-            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
+            rows.swept.extend(strength.filter(|_| self.derives_strength));
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
             let mut is_new = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
                 if axis.keeps_contact() {
-                    axis.put(*place, &mut scene);
+                    axis.put(*place, &mut input);
                 } else {
                     is_new = true;
                 }
@@ -212,7 +214,7 @@ impl<'a> Evaluator<'a> {
             }
             if is_new {
                 own = None;
-                self.put_at(axes, &places, &mut scene);
+                self.put_at(axes, &places, &mut input);
             }
         }
     }
@@ -221,16 +223,21 @@ impl<'a> Evaluator<'a> {
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let mut scene = self.plan.scene.clone();
+        let mut input = self.plan.input.clone();
+        let mut scene = input.resolve();
+        let keeps_law = variables.iter().all(|variable| keeps_law(variable.key));
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
-                (draw.key().set)(&mut scene, value);
+                (draw.key().set)(&mut input, Some(value));
                 rows.swept.push(value);
             }
+            if self.contacts.is_empty() {
+                scene = if keeps_law { input.resolve_under(scene.law) } else { input.resolve() };
+            }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            let result = match self.contacts.first().map(|(_, contact)| contact) {
-                Some(contact) => evaluate(contact, scene.speed, &scene.solver),
+            let result = match self.contacts.first() {
+                Some((.., contact)) => evaluate(contact, input.speed(), &input.solver()),
                 None => evaluate(&contact(&scene), scene.speed, &scene.solver),
             };
             rows.results.push(result);
@@ -241,25 +248,38 @@ impl<'a> Evaluator<'a> {
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let (of_motion, of_contact): (Vec<_>, Vec<_>) = keys.iter().partition(|(key, _)| keeps_contact(key.path));
-        let mut scene = self.plan.scene.clone();
-        let mut own: Option<Result<Contact, Failure>> = None;
+        let of_contact = keys.iter().filter(|(key, _)| !keeps_contact(key.path)).map(|(_, values)| *values);
+        let of_contact: Vec<&[f64]> = of_contact.collect();
+        let mut input = self.plan.input.clone();
+        let mut own: Option<(Option<f64>, Result<Contact, Failure>)> = None;
         for case in cases {
-            // bodies before motion, so that a drop height finds its gravity
-            for (key, values) in of_contact.iter().chain(&of_motion) {
-                (key.set)(&mut scene, values[case]);
+            for (key, values) in keys {
+                (key.set)(&mut input, Some(values[case]));
             }
-            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            if let (true, Some((_, contact))) = (of_contact.is_empty(), self.contacts.first()) {
-                rows.results.push(evaluate(contact, scene.speed, &scene.solver));
-                continue;
-            }
-            if case == 0 || of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
-                own = None;
-            }
-            rows.results.push(evaluate(own.get_or_insert_with(|| contact(&scene)), scene.speed, &scene.solver));
+            let (strength, contact) = match self.contacts.first().filter(|_| of_contact.is_empty()) {
+                Some((_, strength, contact)) => (*strength, contact),
+                None => {
+                    if case == 0 || of_contact.iter().any(|values| values[case] != values[case - 1]) {
+                        own = None;
+                    }
+                    let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
+                    (*strength, &*contact)
+                }
+            };
+            rows.swept.extend(strength.filter(|_| self.derives_strength));
+            rows.results.push(evaluate(contact, input.speed(), &input.solver()));
         }
     }
+}
+
+/// The yield strength, and the contact.
+fn with_strength(scene: &Scene) -> (Option<f64>, Result<Contact, Failure>) {
+    (scene.half_space.yield_strength, contact(scene))
+}
+
+/// Whether the law with its flow curve stays the same when this key changes.
+fn keeps_law(key: &Key) -> bool {
+    !key.path.starts_with("law.") && !key.path.starts_with("half_space.flow_stress.")
 }
 
 fn contact(scene: &Scene) -> Result<Contact, Failure> {
@@ -320,7 +340,7 @@ mod tests {
     #[test]
     fn e_alone_is_that_of_a_row() {
         for (law, name) in crate::law::LawChoice::all().into_iter().map(|law| (law.clone(), law.name())) {
-            let mut scene = Scene::of_law(law);
+            let mut input = Input { law, ..Input::default() };
             for (path, value) in [
                 ("sphere.radius", 5e-3),
                 ("sphere.youngs_modulus", 210e9),
@@ -330,9 +350,9 @@ mod tests {
                 ("half_space.poissons_ratio", 0.3),
                 ("half_space.yield_strength", 345e6),
             ] {
-                (Key::find(path).unwrap().set)(&mut scene, value);
+                (Key::find(path).unwrap().set)(&mut input, Some(value));
             }
-            let Ok(contact) = scene.contact() else { continue };
+            let Ok(contact) = input.resolve().contact() else { continue };
             for k in -80..40 {
                 let speed = crate::math::functions::pow(10.0, 0.05 * f64::from(k));
                 let (alone, row) = (contact.restitution(speed), contact.essentials(speed));

@@ -2,8 +2,7 @@
 //! overwritten.
 
 use crate::common::command::{Desk, text};
-use plm_impact::scenario::Kind;
-use plm_impact::scene::keys::every_key;
+use plm_impact::scenario::{Kind, every_key};
 
 /// A scenario in which all optional lines are active, without other comments.
 fn all_put_in(scenario: &str) -> String {

@@ -1,9 +1,8 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
 use plm_impact::report::reference::renewed;
-use plm_impact::scene::keys::every_key;
-use plm_impact::scene::other_keys::List;
-use plm_impact::scene::schema::schema;
+use plm_impact::scenario::schema::schema;
+use plm_impact::scenario::{every_key, list_of};
 use serde_json::Value;
 
 use crate::common::command::{Desk, text};
@@ -12,7 +11,7 @@ use crate::common::command::{Desk, text};
 fn every_list_of_tables_says_how_it_is_written() {
     for path in every_key().map(|key| key.path) {
         if let Some((list, _)) = path.split_once("[].") {
-            assert!(List::find(list).is_some(), "{path}");
+            assert!(list_of(list).is_some(), "{path}");
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 
 use plm_impact::law::LawChoice;
 use plm_impact::scenario::Scenario;
-use plm_impact::scene::Scene;
+use plm_impact::scene::{Input, Key, Scene};
 use plm_impact::strength::flow::FlowCurve;
 
 use crate::common::command::{Desk, text};
@@ -41,10 +41,10 @@ fn a_mass_is_a_density_said_otherwise() {
     let text = format!("{}[sweep]\n\"sphere.radius\" = [\"1 mm\", \"5 mm\"]\n", with_mass("0.004"));
     let plan =
         Scenario::from_text("s.toml", &text.replace("radius = \"5 mm\"\n", ""), &[]).unwrap().plan().unwrap().unwrap();
-    let mut one = plan.scene.clone();
+    let mut one = plan.input.clone();
     for radius in [1e-3, 5e-3, 2e-3] {
-        one.set_radius(radius);
-        assert!(off(one.contact().unwrap().mass(), 0.004) < 1e-14);
+        Key::find("sphere.radius").unwrap().put(&mut one, radius);
+        assert!(off(one.resolve().contact().unwrap().mass(), 0.004) < 1e-14);
     }
 }
 
@@ -70,9 +70,9 @@ fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
     let strength = scene.half_space.yield_strength.unwrap();
     assert!(off(strength * (1.0 + 210e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
     // the same after a change of the modulus
-    let mut changed = scene.clone();
-    changed.set_half_space_modulus(100e9);
-    let strength = changed.half_space.yield_strength.unwrap();
+    let mut changed = Input::of(&scene);
+    Key::find("half_space.youngs_modulus").unwrap().put(&mut changed, 100e9);
+    let strength = changed.resolve().half_space.yield_strength.unwrap();
     assert!(off(strength * (1.0 + 100e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
 }
 

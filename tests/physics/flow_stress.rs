@@ -12,7 +12,7 @@ use plm_impact::law::piece::{Piece, Shape};
 use plm_impact::reference::hardening::{ExactImpact, Materials, impacts};
 use plm_impact::run;
 use plm_impact::scenario::Scenario;
-use plm_impact::scene::Scene;
+use plm_impact::scene::{Input, Scene};
 use plm_impact::sweep::evaluator::{Evaluator, Failure, Rows};
 use proptest::prelude::*;
 
@@ -204,9 +204,10 @@ fn tables_on_a_hardened_half_space_are_single_impacts() {
         let table = rows(&format!("{flow}{tables}{axes}")).results;
         assert_eq!(table.len(), 10);
         for (case, row) in table.iter().enumerate() {
-            let mut scene = steel(tables);
+            let mut input = Input::of(&steel(tables));
             let exponent = plm_impact::scene::Key::find("half_space.flow_stress.power.exponent").unwrap();
-            (exponent.set)(&mut scene, exponents[case / 5]);
+            exponent.put(&mut input, exponents[case / 5]);
+            let scene = input.resolve();
             let method = if tables.is_empty() { Method::Auto } else { Method::Rk8 };
             let alone = scene.contact().unwrap().essentials_by(speeds[case % 5], &solver(method, 1e-10)).unwrap();
             assert_eq!(row.unwrap(), alone, "{tables} {case}");

@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value, json};
 
-use super::key::Form;
-use super::keys::{KEYS, every_key};
-use super::quantity::{Bound, Quantity};
-use super::taken::Body;
-use super::words::{DRAWN, MATERIALS, METHODS, SCALES, Words};
+use super::file::every_key;
 use crate::law::LawChoice;
+use crate::scene::KEYS;
+use crate::scene::key::{Form, Words};
+use crate::scene::quantity::{Bound, Quantity};
+use crate::scene::taken::Body;
+use crate::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
 
 /// The schema (draft 2020-12). It describes the forms, the words, and the ranges of numbers. Only the program itself checks
 /// texts with a unit, and which keys go together.
@@ -81,7 +82,8 @@ fn of_form(form: &Form) -> Value {
         Form::Axes => axes(),
         Form::Variables => variables(),
         Form::Free => free(),
-        Form::WordOrTable(words) => {
+        Form::Table(_) | Form::Items(..) => table(),
+        Form::WordOrTable(words, _) => {
             let mut schema = table();
             schema["type"] = json!(["string", "object"]);
             schema["pattern"] = json!(format!("^({})$", (words.known)().join("|")));
@@ -117,7 +119,7 @@ fn ranged(kind: &str, quantity: &Quantity) -> Value {
 /// `[sweep]`: numeric keys with values, and the keys with words.
 fn axes() -> Value {
     let mut schema = table();
-    for key in KEYS {
+    for key in KEYS.iter() {
         let value = number(key.quantity, None);
         let space = |name: &str| {
             let properties = json!({ name: two_of(&value), "points": { "type": "integer", "minimum": 1 } });
@@ -138,7 +140,7 @@ fn axes() -> Value {
 /// `calibrate.free`: numeric keys with ranges.
 fn free() -> Value {
     let mut schema = table();
-    for key in KEYS {
+    for key in KEYS.iter() {
         let end = number(key.quantity, None);
         let properties = json!({ "from": end, "to": end, "scale": one_of(&SCALES) });
         schema["properties"][key.path] = table_of(&properties, &["from", "to"]);
@@ -151,7 +153,7 @@ fn free() -> Value {
 /// `[monte_carlo]`: numeric keys with distributions.
 fn variables() -> Value {
     let mut schema = table();
-    for key in KEYS {
+    for key in KEYS.iter() {
         let value = number(key.quantity, None);
         let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
         let moments = table_of(&json!({ "mean": value, "sd": spread }), &["mean", "sd"]);

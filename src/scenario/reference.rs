@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
-use super::key::{AnyKey, Form, Key};
-use super::keys::every_key;
-use super::quantity::Quantity;
+use super::file::every_key;
 use crate::law::LawChoice;
 use crate::materials::Property;
+use crate::scene::Key;
+use crate::scene::key::{AnyKey, Form};
+use crate::scene::quantity::Quantity;
+use crate::scene::results::files;
 
 /// All keys as Markdown, a table for every table of a scenario.
 pub fn keys() -> String {
@@ -67,8 +69,8 @@ pub fn written(form: &Form) -> String {
         Form::Word(words) => quoted(&(words.known)()),
         Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),
-        Form::Axes | Form::Variables | Form::Free => "a table, see below".to_owned(),
-        Form::WordOrTable(words) => format!("{}, or a table", quoted(&(words.known)())),
+        Form::Axes | Form::Variables | Form::Free | Form::Table(_) | Form::Items(..) => "a table, see below".to_owned(),
+        Form::WordOrTable(words, _) => format!("{}, or a table", quoted(&(words.known)())),
     }
 }
 

@@ -1,0 +1,171 @@
+//! From what is written to the scene of an impact: the only place where a mass becomes a density, a hardness a strength, and
+//! a height a speed.
+
+use std::f64::consts::PI;
+use std::marker::PhantomData;
+
+use super::field::{Number, Or, Scalar};
+use super::input::{
+    DampingInput, FlowInput, FlowPoints, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput,
+    SolverInput, SphereInput, VoceInput,
+};
+use super::keys::Key;
+use super::taken::Taken;
+use super::{DEFAULT_SAMPLES, Scene};
+use crate::impact::{Damping, Forces, Solver, drop_speed};
+use crate::law::LawChoice;
+use crate::material::{HalfSpace, Material, Sphere};
+use crate::strength::flow::FlowCurve;
+use crate::strength::hardness::strength_of_hardness;
+
+impl Input {
+    /// The scene. A number that is missing is not a number there; the scenario asks before whether all are given.
+    pub fn resolve(&self) -> Scene {
+        let mut law = self.law.clone();
+        if let LawChoice::Plm(plm) = &mut law {
+            plm.flow = self.half_space.flow_stress.curve();
+        }
+        self.resolve_under(law)
+    }
+
+    /// The same, under a law that was made of these keys before. Tables save a copy of the law for every row.
+    pub fn resolve_under(&self, law: LawChoice) -> Scene {
+        let Self { sphere, half_space, damping, .. } = self;
+        let radius = self.radius().unwrap_or(f64::NAN);
+        let mass = sphere.mass.map(f64::from);
+        let of_mass = |mass: f64| mass / (4.0 / 3.0 * PI * radius * radius * radius);
+        let modulus = number(half_space.youngs_modulus);
+        let hardness = half_space.hardness.map(f64::from);
+        let strength = match hardness {
+            Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, law.flow(), modulus)),
+            None => half_space.yield_strength.map(f64::from),
+        };
+        let hunt_crossley = damping.hunt_crossley.map(|chi| Damping::HuntCrossley(chi.into()));
+        let viscous = || damping.viscous.map(|share| Damping::Viscous(share.into()));
+        Scene {
+            sphere: Sphere {
+                radius,
+                material: Material {
+                    youngs_modulus: match sphere.youngs_modulus {
+                        None => f64::NAN,
+                        Some(Or::Number(modulus)) => modulus.into(),
+                        Some(Or::Word(_)) => f64::INFINITY,
+                    },
+                    poissons_ratio: number(sphere.poissons_ratio),
+                },
+                density: mass.map_or_else(|| number(sphere.density), of_mass),
+                yield_strength: sphere.yield_strength.map(f64::from),
+            },
+            half_space: HalfSpace {
+                material: Material { youngs_modulus: modulus, poissons_ratio: number(half_space.poissons_ratio) },
+                yield_strength: strength,
+                density: half_space.density.map(f64::from),
+            },
+            mass,
+            hardness,
+            speed: self.speed(),
+            law,
+            drop_height: self.impact.drop_height.map(f64::from),
+            forces: Forces {
+                gravity: self.gravity.acceleration.map(f64::from),
+                damping: hunt_crossley.or_else(viscous),
+            },
+            solver: self.solver(),
+            samples: self.samples.and_then(|rows| rows.0.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
+            materials: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The impact speed \[m/s\]: that of the fall where a height is given.
+    pub fn speed(&self) -> f64 {
+        match (self.impact.drop_height, self.gravity.acceleration) {
+            (Some(height), Some(gravity)) => drop_speed(gravity.into(), height.into()),
+            _ => number(self.impact.speed),
+        }
+    }
+
+    /// Method and tolerance.
+    pub fn solver(&self) -> Solver {
+        let SolverInput { tolerance, method, steps_per_contact } = self.solver;
+        let defaults = Solver::default();
+        let steps = steps_per_contact.and_then(|steps| steps.0.try_into().ok());
+        Solver {
+            method: method.unwrap_or(defaults.method),
+            tolerance: tolerance.map_or(defaults.tolerance, f64::from),
+            steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
+        }
+    }
+
+    /// The sphere's radius \[m\], by its radius or its diameter.
+    pub fn radius(&self) -> Option<f64> {
+        self.sphere.radius.map(f64::from).or(self.sphere.diameter.map(|diameter| 0.5 * f64::from(diameter)))
+    }
+
+    /// Puts what a body takes from its material in the place of what it took from another.
+    pub fn take(&mut self, taken: &Taken) {
+        for property in &taken.left {
+            if let Some(key) = taken.body.path(*property).and_then(Key::find) {
+                (key.set)(self, taken.material.of(*property).map(|known| taken.value(known)));
+            }
+        }
+    }
+
+    /// An input that resolves to this scene and gives every number that the scene has; the diameter would repeat the radius.
+    pub fn of(scene: &Scene) -> Self {
+        let Scene { sphere, half_space, forces, solver, .. } = scene;
+        let [of_sphere, of_half_space] = [sphere.material, half_space.material];
+        let is_rigid = of_sphere.youngs_modulus.is_infinite();
+        let (hunt_crossley, viscous) = match forces.damping {
+            Some(Damping::HuntCrossley(chi)) => (Number::of(chi), None),
+            Some(Damping::Viscous(share)) => (None, Number::of(share)),
+            None => (None, None),
+        };
+        Self {
+            sphere: SphereInput {
+                radius: Number::of(sphere.radius),
+                youngs_modulus: if is_rigid { Some(Or::Word(PhantomData)) } else { Or::of(of_sphere.youngs_modulus) },
+                poissons_ratio: Number::of(of_sphere.poissons_ratio),
+                density: Some(sphere.density).filter(|_| scene.mass.is_none()).and_then(Number::of),
+                mass: scene.mass.and_then(Number::of),
+                yield_strength: sphere.yield_strength.and_then(Number::of),
+                ..SphereInput::default()
+            },
+            half_space: HalfSpaceInput {
+                youngs_modulus: Number::of(of_half_space.youngs_modulus),
+                poissons_ratio: Number::of(of_half_space.poissons_ratio),
+                yield_strength: half_space.yield_strength.and_then(Number::of),
+                hardness: scene.hardness.and_then(Number::of),
+                density: half_space.density.and_then(Number::of),
+                flow_stress: scene.law.flow().map(FlowInput::of).unwrap_or_default(),
+                material: None,
+            },
+            impact: ImpactInput { speed: Number::of(scene.speed), drop_height: scene.drop_height.and_then(Number::of) },
+            gravity: GravityInput { acceleration: forces.gravity.and_then(Number::of) },
+            damping: DampingInput { hunt_crossley, viscous },
+            law: scene.law.clone(),
+            solver: SolverInput { tolerance: Number::of(solver.tolerance), ..SolverInput::default() },
+            ..Self::default()
+        }
+    }
+}
+
+impl FlowInput {
+    /// The numbers of a curve.
+    fn of(curve: &FlowCurve) -> Self {
+        let mut input = Self::default();
+        match *curve {
+            FlowCurve::Power { exponent } => input.power = Some(PowerInput { exponent: Number::of(exponent) }),
+            FlowCurve::Voce { saturation, rate } => {
+                input.voce = Some(VoceInput { saturation: Number::of(saturation), rate: Number::of(rate) });
+            }
+            FlowCurve::Linear { slope } => input.linear = Some(LinearInput { slope: Number::of(slope) }),
+            FlowCurve::Points(_) => input.points = Some(FlowPoints(curve.clone())),
+        }
+        input
+    }
+}
+
+fn number<K>(given: Option<Number<K>>) -> f64 {
+    given.map_or(f64::NAN, f64::from)
+}
