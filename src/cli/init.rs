@@ -32,7 +32,7 @@ pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> Result<(), Er
     let text = template(*found);
     let out = out.clone().unwrap_or_else(|| format!("{kind}.toml").into());
     if out == Path::new(STANDARD_INPUT) {
-        return super::terminal::print(&text);
+        return super::terminal::print(text);
     }
     let name = out.display();
     let mut file = File::create_new(&out).map_err(|reason| match reason.kind() {

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::place::{Place, Refusal};
-use crate::error::{Details, Error, ErrorKind};
 use super::file::every_key;
+use super::place::{Place, Refusal};
 use super::reference::written;
+use crate::error::{Details, Error, ErrorKind};
 use crate::scene::key::Form;
 use crate::scene::keys::varied;
 

@@ -8,7 +8,6 @@ use crate::materials::Property;
 use crate::scene::Key;
 use crate::scene::key::{AnyKey, Form};
 use crate::scene::quantity::Quantity;
-use crate::scene::results::files;
 
 /// All keys as Markdown, a table for every table of a scenario.
 pub fn keys() -> String {

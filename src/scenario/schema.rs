@@ -2,18 +2,23 @@
 
 use serde_json::{Map, Value, json};
 
+use super::Kind;
 use super::file::every_key;
 use crate::law::LawChoice;
-use crate::scene::KEYS;
 use crate::scene::key::{Form, Words};
 use crate::scene::quantity::{Bound, Quantity};
 use crate::scene::taken::Body;
 use crate::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
+use crate::scene::{EITHER, KEYS};
 
-/// The schema (draft 2020-12). It describes the forms, the words, and the ranges of numbers. Only the program itself checks
-/// texts with a unit, and which keys go together.
+/// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
+/// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.
 pub fn schema() -> Value {
     let mut root = table();
+    for key in every_key() {
+        let (Form::Number(quantity, _) | Form::Numbers(quantity)) = key.form else { continue };
+        root["$defs"][quantity.name] = quantity_of(quantity);
+    }
     for law in LawChoice::names() {
         insert(&mut root, &format!("law.{law}"), table());
     }
@@ -26,6 +31,24 @@ pub fn schema() -> Value {
     root["title"] = json!("Scenario of plm-impact");
     root["properties"]["law"]["minProperties"] = json!(1);
     root["properties"]["law"]["maxProperties"] = json!(1);
+    let mut excluded = Map::new();
+    for [one, other] in EITHER {
+        let (Some((table, one)), Some((_, other))) = (one.split_once('.'), other.split_once('.')) else { continue };
+        let pairs = excluded.entry(table).or_insert_with(|| json!([]));
+        if let Some(pairs) = pairs.as_array_mut() {
+            pairs.push(json!({ "not": { "required": [one, other] } }));
+        }
+    }
+    for (table, pairs) in excluded {
+        root["properties"][table]["allOf"] = pairs;
+    }
+    // without the table of another kind it is one impact, and that needs a speed
+    let others: Vec<Value> = Kind::ALL[1..].iter().map(|(name, _)| json!({ "required": [name] })).collect();
+    let speed = json!({ "anyOf": [{ "required": ["speed"] }, { "required": ["drop_height"] }] });
+    root["anyOf"] = json!(others);
+    if let Some(kinds) = root["anyOf"].as_array_mut() {
+        kinds.push(json!({ "required": ["sphere", "half_space", "impact"], "properties": { "impact": speed } }));
+    }
     root
 }
 
@@ -96,12 +119,22 @@ fn one_of(words: &Words) -> Value {
     json!({ "enum": (words.known)() })
 }
 
-/// A number in SI within its range, a text with a unit, or the word.
+/// A number, or the word.
 fn number(quantity: &Quantity, word: Option<&str>) -> Value {
-    let text = json!({ "type": "string", "pattern": "^\\s*[+-]?[0-9.]" });
-    let words = word.map(|word| json!({ "const": word }));
-    let forms: Vec<Value> = [ranged("number", quantity), text].into_iter().chain(words).collect();
-    json!({ "anyOf": forms })
+    let number = json!({ "$ref": format!("#/$defs/{}", quantity.name.replace(' ', "%20")) });
+    match word {
+        Some(word) => json!({ "anyOf": [number, { "const": word }] }),
+        None => number,
+    }
+}
+
+/// A number in SI within its range, or a text with a unit that is not one of another dimension.
+fn quantity_of(quantity: &Quantity) -> Value {
+    let others: Vec<String> = quantity.dimension.units_of_others().map(|unit| unit.replace('^', "\\^")).collect();
+    let pattern = format!("^(?!.*[0-9.\\s]({})\\s*$)\\s*[+\u{2212}-]?[0-9.]", others.join("|"));
+    let example = quantity.example.trim_matches('"');
+    let text = json!({ "type": "string", "pattern": pattern, "examples": [example] });
+    json!({ "anyOf": [ranged("number", quantity), text] })
 }
 
 fn ranged(kind: &str, quantity: &Quantity) -> Value {

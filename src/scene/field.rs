@@ -451,6 +451,10 @@ pub fn numeric<I: 'static, T: Table>(
             word,
             get: Box::new(move |input: &I| (entry.get)(of(input)?)),
             set: Box::new(move |input: &mut I, value| {
+                // a table is made for a number, but not to say that there is none
+                if value.is_none() && of(input).is_none() {
+                    return;
+                }
                 if let Some(table) = of_mut(input) {
                     (entry.set)(table, value);
                 }

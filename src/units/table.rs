@@ -105,6 +105,11 @@ pub(super) const UNITS: &[Unit] = &[
 ];
 
 impl Dimension {
+    /// The names of the units of all other dimensions.
+    pub fn units_of_others(self) -> impl Iterator<Item = &'static str> {
+        UNITS.iter().filter(move |unit| unit.dimension != self).map(|unit| unit.name)
+    }
+
     /// The units of this dimension, in rising order.
     pub(super) fn units(self) -> impl Iterator<Item = &'static Unit> {
         UNITS.iter().filter(move |unit| unit.dimension == self)

@@ -71,6 +71,19 @@ fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
 }
 
 #[test]
+fn together_they_name_every_table_and_each_says_what_it_is() {
+    let all: Vec<String> =
+        Kind::ALL.iter().map(|(kind, _)| text(&Desk::with("").call(&["init", kind, "--out", "-"]).stdout)).collect();
+    let all = all.join("\n");
+    let mut tables: Vec<&str> = every_key().map(|key| key.path.split('.').next().unwrap()).collect();
+    tables.dedup();
+    assert!(tables.len() >= 14, "{tables:?}");
+    for table in tables {
+        assert!(all.contains(&format!("[{table}]")) || all.contains(&format!("[{table}.")), "{table}");
+    }
+}
+
+#[test]
 fn a_file_that_is_there_is_kept_and_another_name_can_be_given() {
     let desk = Desk::with("mine");
     let output = desk.call(&["init", "sweep", "--out", "s.toml"]);
