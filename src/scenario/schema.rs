@@ -16,8 +16,14 @@ use crate::scene::{EITHER, KEYS};
 pub fn schema() -> Value {
     let mut root = table();
     for key in every_key() {
-        let (Form::Number(quantity, _) | Form::Numbers(quantity)) = key.form else { continue };
-        root["$defs"][quantity.name] = quantity_of(quantity);
+        let quantities = match key.form {
+            Form::Number(quantity, _) | Form::Numbers(quantity) => vec![quantity],
+            Form::Pairs(first, second) => vec![first, second],
+            _ => Vec::new(),
+        };
+        for quantity in quantities {
+            root["$defs"][quantity.name] = quantity_of(quantity);
+        }
     }
     for law in LawChoice::names() {
         insert(&mut root, &format!("law.{law}"), table());

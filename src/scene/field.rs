@@ -318,9 +318,7 @@ pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f6
             let or_write = word.map_or_else(String::new, |word| format!("; or write \"{word}\""));
             quantity.parse(text).map_err(|message| Fault::at(node, format!("{message}{or_write}")))
         }
-        Value::Number { value: Some(value), .. } => {
-            quantity.check(*value).map_err(|error| Fault::at(node, error.to_string()))
-        }
+        Value::Number { value: Some(value), .. } => quantity.plain(*value).map_err(|message| Fault::at(node, message)),
         _ => Err(Fault::unexpected(node, &format!("{} such as {}{or_word}", quantity.name, quantity.example))),
     }
 }

@@ -1,5 +1,7 @@
 //! The quantities of a scenario: dimension, allowed range, and a hint about values outside of it.
 
+use std::f64::consts::FRAC_PI_2;
+
 use thiserror::Error;
 
 use crate::strength::hardness;
@@ -53,7 +55,17 @@ const fn not_negative(name: &'static str, dimension: Dimension, example: &'stati
 }
 
 const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
-    Quantity { low, high, ..positive(name, Dimension::Ratio, example) }
+    number_in(name, Dimension::Ratio, low, high, example)
+}
+
+const fn number_in(
+    name: &'static str,
+    dimension: Dimension,
+    low: Bound,
+    high: Bound,
+    example: &'static str,
+) -> Quantity {
+    Quantity { low, high, ..positive(name, dimension, example) }
 }
 
 /// How a value may be written, besides as a plain number in SI.
@@ -63,6 +75,8 @@ pub enum Notation {
     Units,
     /// With a unit of pressure, or on a scale of hardness.
     Hardness,
+    /// With a unit, and not as a plain number: degrees and radians are mistaken for each other.
+    UnitAlways,
 }
 
 /// A quantity as a type: what a [`Number`](super::field::Number) is a value of.
@@ -186,6 +200,11 @@ quantities! {
     RESTITUTION Restitution = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
     /// A measured rebound hardness: 1000 times the restitution.
     LEEB Leeb = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
+    /// An angle.
+    ANGLE Angle = Quantity {
+        notation: Notation::UnitAlways,
+        ..number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Closed(FRAC_PI_2), "\"30 deg\"")
+    };
     /// A measured time.
     TIME Time = positive("a time", Dimension::Time, "\"20 us\"");
     /// The standard deviation of a plain number.
@@ -237,6 +256,17 @@ impl Quantity {
         if above && below { Ok(value) } else { Err(RangeError { written: written(), value, quantity: *self }) }
     }
 
+    /// Checks a number that stands without quotes, in SI.
+    ///
+    /// # Errors
+    /// The message of a [`RangeError`], or that this quantity needs a unit.
+    pub fn plain(&self, value: f64) -> Result<f64, String> {
+        if self.notation == Notation::UnitAlways {
+            return Err(format!("{} has no unit; write {} such as {}", units::number(value), self.name, self.example));
+        }
+        self.check(value).map_err(|error| error.to_string())
+    }
+
     /// Reads a text such as "5 mm", and checks the value.
     ///
     /// # Errors
@@ -256,7 +286,7 @@ impl Quantity {
     /// A value as text: a hardness in HV, any other in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         match self.notation {
-            Notation::Units => units::human(value, self.dimension),
+            Notation::Units | Notation::UnitAlways => units::human(value, self.dimension),
             Notation::Hardness => format!("{} HV", four_digits(hardness::vickers(value))),
         }
     }
@@ -266,6 +296,9 @@ impl Quantity {
         units::parse(text, self.dimension).map_err(|error| match error {
             UnitError::NoNumber { text, .. } => {
                 format!("\"{text}\" does not begin with a number; write {} such as {}", self.name, self.example)
+            }
+            UnitError::NoUnit { text, .. } if self.notation == Notation::UnitAlways => {
+                format!("\"{text}\" has no unit; write {} such as {}", self.name, self.example)
             }
             error if self.notation == Notation::Hardness => format!("{error}; or a hardness in HV, HB or HRC"),
             error => error.to_string(),

@@ -25,6 +25,8 @@ pub enum Dimension {
     Energy,
     /// Newtons per metre.
     Stiffness,
+    /// Radians; an angle always carries its unit.
+    Angle,
     /// A plain number.
     Ratio,
 }
@@ -44,6 +46,7 @@ impl Dimension {
             Self::Force => ["a force", "N", "_N", "\"1 kN\""],
             Self::Energy => ["an energy", "J", "_J", "\"1 mJ\""],
             Self::Stiffness => ["a stiffness", "N/m", "_N_per_m", "\"1 kN/m\""],
+            Self::Angle => ["an angle", "rad", "_rad", "\"30 deg\""],
             Self::Ratio => ["a plain number", "", "", "0.3"],
         }
     }

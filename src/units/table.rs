@@ -32,7 +32,7 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
 }
 
 use Dimension::{
-    Acceleration, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Stiffness, Time,
+    Acceleration, Angle, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Stiffness, Time,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -101,6 +101,9 @@ pub(super) const UNITS: &[Unit] = &[
     shown("kN/m", Stiffness, 3),
     read("N/mm", Stiffness, Scale::Ten(3)),
     shown("MN/m", Stiffness, 6),
+    read("deg", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
+    read("°", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
+    shown("rad", Angle, 0),
     read("%", Ratio, Scale::Ten(-2)),
 ];
 

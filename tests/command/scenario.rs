@@ -252,6 +252,45 @@ fn a_file_that_a_scenario_names_is_read_once() {
 }
 
 #[test]
+fn up_to_ten_mistakes_are_told_at_once_each_with_its_place() {
+    let text =
+        STEEL.replace("\"5 mm\"", "\"5 kg\"").replace("speed =", "sped =").replace("[half_space]", "[halfspace]");
+    let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".to_owned()]).unwrap_err().to_string();
+    let places = [
+        "steel.toml:2:10: sphere.radius: \"5 kg\" is a mass, but a length is needed",
+        "steel.toml:7:2: halfspace: unknown table `halfspace`, did you mean `half_space`?",
+        "steel.toml:13:1: impact.sped: unknown key `sped`, did you mean `speed`?",
+        "--set solver.tolerance=7: solver.tolerance: 7 is not allowed",
+    ];
+    let found: Vec<usize> =
+        places.iter().map(|place| message.find(place).unwrap_or_else(|| panic!("{message}"))).collect();
+    assert!(found.is_sorted(), "{message}");
+    // a mark under each that is in the file
+    assert_eq!(message.lines().filter(|line| line.trim_end().ends_with('^')).count(), 3, "{message}");
+
+    let many: String = (0..12).map(|i| format!("x{i} = 1\n")).collect();
+    let message = refusal(&STEEL.replace("radius", &format!("{many}radius")), &[]);
+    assert_eq!(message.matches("unknown key").count(), 10, "{message}");
+    assert!(message.contains("`x9`") && !message.contains("`x10`"), "{message}");
+}
+
+#[test]
+fn an_input_that_is_made_of_a_scene_resolves_to_this_scene() {
+    for more in [
+        &[][..],
+        &["sphere.youngs_modulus=rigid", "law.plm.unloading_exponent=pressure-shape"],
+        &["law.thornton.yield_pressure=1 GPa", "gravity.acceleration=9.81", "damping.viscous=0.1"],
+        &["half_space.flow_stress.power.exponent=0.2", "solver.tolerance=1e-6"],
+        &["half_space.flow_stress.points=[[0.01, 4e8], [0.1, 5e8]]", "half_space.density=7850"],
+    ] {
+        let scene = resolve(STEEL, more).unwrap();
+        let again = Input::of(&scene).resolve();
+        // the method is a word, and the input of a scene has its numbers
+        assert_eq!(again, Scene { solver: again.solver, ..scene }, "{more:?}");
+    }
+}
+
+#[test]
 fn errors_of_overrides_say_so() {
     let table = [
         ("sphere.radius=-5 mm", "--set sphere.radius=-5 mm: sphere.radius: \"-5 mm\" = -0.005 m is not allowed"),
