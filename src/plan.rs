@@ -49,9 +49,8 @@ impl Plan {
     pub fn new(mut input: Input, cases: Cases) -> Self {
         let mut plan = Self { scene: input.resolve(), input: Input::default(), cases, columns: None };
         for axis in plan.axes() {
-            match &axis.setting {
-                Setting::Number { key, values } => key.put(&mut input, values.at(0)),
-                Setting::Words { .. } => {}
+            if let Setting::Number { key, values } = &axis.setting {
+                key.put(&mut input, values.at(0));
             }
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases {

@@ -59,6 +59,12 @@ def test_what_init_writes_keeps_to_the_schema(kind: str, command: Path, validato
         'radius = "5 mm" -> raduis = "5 mm"',
         'radius = "5 mm" -> radius = -5',
         'radius = "5 mm" -> radius = true',
+        'radius = "5 mm" -> radius = "5 kg"',
+        'radius = "5 mm" -> radius = "5kg"',
+        'radius = "5 mm" -> radius = "5 mm"\ndiameter = "10 mm"',
+        'speed = "3 m/s" -> speed = "3 m"',
+        'speed = "3 m/s" -> ',
+        '[impact]\nspeed = "3 m/s" -> ',
         "poissons_ratio = 0.3 -> poissons_ratio = 0.5",
         "[impact] -> [impakt]",
         "[impact] -> [law.plm]\n[law.hertz]\n[impact]",
@@ -83,3 +89,25 @@ def test_what_the_schema_refuses_the_program_refuses_too(
     assert not validator.is_valid(tomllib.loads(text))
     (tmp_path / "wrong.toml").write_text(text)
     assert subprocess.run([command, "check", tmp_path / "wrong.toml"], capture_output=True).returncode == 2
+
+
+@pytest.mark.parametrize(
+    "right",
+    [
+        'radius = "5 mm" -> radius = "0.5 cm"',
+        'radius = "5 mm" -> radius = 5e-3',
+        '"7850 kg/m^3" -> "7.85 g/cm\u00b3"',
+        '"345 MPa" -> "345 N/mm^2"',
+        'speed = "3 m/s" -> speed = "300 cm/s"',
+        'youngs_modulus = "210 GPa" -> youngs_modulus = "rigid"',
+        'speed = "3 m/s" -> [sweep]\n"impact.speed" = ["1 m/s", 2]',
+    ],
+)
+def test_what_the_schema_takes_the_program_takes_too(
+    right: str, command: Path, validator: jsonschema.protocols.Validator, tmp_path: Path
+) -> None:
+    old, new = right.split(" -> ")
+    text = STEEL.replace(old, new, 1)
+    assert old in STEEL and validator.is_valid(tomllib.loads(text))
+    (tmp_path / "right.toml").write_text(text)
+    assert subprocess.run([command, "check", tmp_path / "right.toml"], capture_output=True).returncode == 0
