@@ -54,7 +54,9 @@ impl Plan {
             }
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases {
-            variables.iter().for_each(|variable| variable.key.put(&mut input, variable.middle()));
+            for variable in variables {
+                variable.key.put(&mut input, variable.middle());
+            }
         }
         plan.input = input;
         plan.scene = plan.scene_at(&vec![0; plan.axes().len()]);

@@ -156,7 +156,9 @@ impl Scenario {
         }
         let taken = tables.take_materials(&document)?;
         let mut input = tables.input();
-        taken.iter().for_each(|taken| input.take(taken));
+        for taken in &taken {
+            input.take(taken);
+        }
         let scenario = Self { document, tables, input, taken, files, data: None, directory };
         scenario.check_tables()?;
         Ok(scenario)

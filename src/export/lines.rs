@@ -28,7 +28,7 @@ impl Head<'_> {
             _ => "#",
         };
         let mut text = String::new();
-        for line in self.about(request)? {
+        for line in self.about(request) {
             let _ = writeln!(text, "{comment} {line}");
         }
         text += &match request.target {
@@ -46,7 +46,7 @@ impl Head<'_> {
     }
 
     /// Where the numbers come from, and in which range they hold.
-    fn about(&self, request: &Request) -> Result<Vec<String>, Error> {
+    fn about(&self, request: &Request) -> Vec<String> {
         let speed = self.impact.speed;
         let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
         let mut about = vec![
@@ -79,7 +79,7 @@ impl Head<'_> {
         if matches!(request.target, Target::Mercury | Target::Acusolve | Target::Fluent) {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
         }
-        Ok(about)
+        about
     }
 
     /// Time step with which a damped spring is accurate enough \[s\].

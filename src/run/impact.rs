@@ -50,15 +50,10 @@ pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 }
 
 /// The provenance of results that were computed by this method.
-pub(super) fn provenance(
-    scenario: &Scenario,
-    scene: &Scene,
-    method: Method,
-    command: &str,
-) -> Result<Provenance, Error> {
+pub(super) fn provenance(scenario: &Scenario, scene: &Scene, method: Method, command: &str) -> Provenance {
     let method = Some(MethodOf { method: method.name(), tolerance: scene.solver.tolerance });
     let can_yield = scene.half_space.yield_strength.is_some();
-    Ok(Provenance { method, ..outcome::provenance(scenario, &scene.law, can_yield, command)? })
+    Provenance { method, ..outcome::provenance(scenario, &scene.law, can_yield, command) }
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
@@ -70,7 +65,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
-    let provenance = provenance(scenario, &scene, impact.method, order.command)?;
+    let provenance = provenance(scenario, &scene, impact.method, order.command);
     let mut files = vec![
         file(SUMMARY, summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
         file("trace.csv", trace(&impact)?),

@@ -72,7 +72,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
     let inputs = Inputs(report::inputs(scenario, &scene));
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command)?;
+    let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
     let mut files = vec![
         file(SUMMARY, report::summary(&tested, &warnings, &inputs, &provenance)?),
         file("trace.csv", report::trace(&tested)?),

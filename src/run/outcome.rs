@@ -53,12 +53,7 @@ pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
 }
 
 /// The provenance of results of a scenario under one law. The law of elastic bodies is that of Hertz.
-pub(super) fn provenance(
-    scenario: &Scenario,
-    law: &LawChoice,
-    can_yield: bool,
-    command: &str,
-) -> Result<Provenance, Error> {
+pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, command: &str) -> Provenance {
     let coefficients = match law {
         LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
         _ => None,
@@ -70,7 +65,7 @@ pub(super) fn provenance(
         coefficients_source: coefficients.map(|table| table.source.clone()),
     };
     let scenario_file = Some(scenario.document.name().to_owned());
-    Ok(Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256(), command) })
+    Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256(), command) }
 }
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.

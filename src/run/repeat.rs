@@ -56,7 +56,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario, order.progress)?;
-    let provenance = provenance(scenario, &scene, sequence.method, order.command)?;
+    let provenance = provenance(scenario, &scene, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
         file(SUMMARY, summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),

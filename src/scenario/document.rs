@@ -63,14 +63,13 @@ impl Override {
                 "a line break or another control character is in it; write --set anew for every key".to_owned(),
             ));
         }
-        let (toml, table) = match Table::parse(text, start) {
-            Ok(table) => (text.to_owned(), Ok(table)),
+        let (toml, table) = if let Ok(table) = Table::parse(text, start) {
+            (text.to_owned(), Ok(table))
+        } else {
             // a bare word, whose quotes the shell has removed
-            Err(_) => {
-                let toml = format!("{key}={}", toml::Value::from(value.trim()));
-                let table = Table::parse(&toml, start);
-                (toml, table)
-            }
+            let toml = format!("{key}={}", toml::Value::from(value.trim()));
+            let table = Table::parse(&toml, start);
+            (toml, table)
         };
         let table = table.map_err(|error| refuse(error.message().trim_end().to_owned()))?;
         Ok((Self { text: text.to_owned(), toml, start }, table))

@@ -386,12 +386,11 @@ pub trait Table: Sized + 'static {
     /// Takes the keys of a table of the file.
     fn take(&mut self, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         for item in &items(node)?.0 {
-            match Self::ENTRIES.iter().find(|entry| entry.name == item.name) {
-                Some(entry) => reader.within(entry.name, |reader| (entry.read)(self, &item.node, reader)),
-                None => {
-                    let known: Vec<&str> = Self::ENTRIES.iter().map(|entry| entry.name).collect();
-                    reader.unknown(&item.name, item.span.clone(), &known);
-                }
+            if let Some(entry) = Self::ENTRIES.iter().find(|entry| entry.name == item.name) {
+                reader.within(entry.name, |reader| (entry.read)(self, &item.node, reader));
+            } else {
+                let known: Vec<&str> = Self::ENTRIES.iter().map(|entry| entry.name).collect();
+                reader.unknown(&item.name, item.span.clone(), &known);
             }
         }
         Ok(())
@@ -415,6 +414,11 @@ pub trait Table: Sized + 'static {
     }
 }
 
+/// Reads a number.
+type Get<I> = Box<dyn Fn(&I) -> Option<Given> + Send + Sync>;
+/// Sets a number, or takes it away.
+type Set<I> = Box<dyn Fn(&mut I, Option<f64>) + Send + Sync>;
+
 /// A numeric key of an `I`, which may vary: an axis, a random variable, or found from measurements.
 pub struct Numeric<I> {
     /// As in the file, with dots: `impact.speed`.
@@ -424,9 +428,9 @@ pub struct Numeric<I> {
     /// A word that may stand in place of the number.
     pub word: Option<&'static str>,
     /// Its number; `None` where it is not given.
-    pub get: Box<dyn Fn(&I) -> Option<Given> + Send + Sync>,
+    pub get: Get<I>,
     /// Puts a checked number there, SI, or takes it away. It changes nothing else.
-    pub set: Box<dyn Fn(&mut I, Option<f64>) + Send + Sync>,
+    pub set: Set<I>,
 }
 
 impl<I> fmt::Debug for Numeric<I> {

@@ -256,15 +256,15 @@ impl<'a> Evaluator<'a> {
             for (key, values) in keys {
                 (key.set)(&mut input, Some(values[case]));
             }
-            let (strength, contact) = match self.contacts.first().filter(|_| of_contact.is_empty()) {
-                Some((_, strength, contact)) => (*strength, contact),
-                None => {
-                    if case == 0 || of_contact.iter().any(|values| values[case] != values[case - 1]) {
-                        own = None;
-                    }
-                    let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
-                    (*strength, &*contact)
+            let known = self.contacts.first().filter(|_| of_contact.is_empty());
+            let (strength, contact) = if let Some((_, strength, contact)) = known {
+                (*strength, contact)
+            } else {
+                if case == 0 || of_contact.iter().any(|values| values[case] != values[case - 1]) {
+                    own = None;
                 }
+                let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
+                (*strength, &*contact)
             };
             rows.swept.extend(strength.filter(|_| self.derives_strength));
             rows.results.push(evaluate(contact, input.speed(), &input.solver()));

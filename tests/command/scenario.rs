@@ -268,7 +268,7 @@ fn up_to_ten_mistakes_are_told_at_once_each_with_its_place() {
     // a mark under each that is in the file
     assert_eq!(message.lines().filter(|line| line.trim_end().ends_with('^')).count(), 3, "{message}");
 
-    let many: String = (0..12).map(|i| format!("x{i} = 1\n")).collect();
+    let many = (0..12).fold(String::new(), |text, i| text + &format!("x{i} = 1\n"));
     let message = refusal(&STEEL.replace("radius", &format!("{many}radius")), &[]);
     assert_eq!(message.matches("unknown key").count(), 10, "{message}");
     assert!(message.contains("`x9`") && !message.contains("`x10`"), "{message}");
