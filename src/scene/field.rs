@@ -210,6 +210,13 @@ impl<K: Kind, W: Special> Scalar for Or<K, W> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Count<K>(pub u64, PhantomData<K>);
 
+impl<K> Count<K> {
+    /// This count.
+    pub fn new(count: u64) -> Self {
+        Self(count, PhantomData)
+    }
+}
+
 impl<K: Kind> Scalar for Count<K> {
     fn form() -> Form {
         Form::Count(K::QUANTITY)

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 use std::marker::PhantomData;
 
-use super::field::{Number, Or, Scalar};
+use super::field::{Count, Number, Or, Scalar};
 use super::input::{
     DampingInput, FlowInput, FlowPoints, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput,
     SolverInput, SphereInput, VoceInput,
@@ -144,8 +144,12 @@ impl Input {
             gravity: GravityInput { acceleration: forces.gravity.and_then(Number::of) },
             damping: DampingInput { hunt_crossley, viscous },
             law: scene.law.clone(),
-            solver: SolverInput { tolerance: Number::of(solver.tolerance), ..SolverInput::default() },
-            ..Self::default()
+            solver: SolverInput {
+                tolerance: Number::of(solver.tolerance),
+                method: Some(solver.method),
+                steps_per_contact: Some(Count::new(solver.steps_per_contact.into())),
+            },
+            samples: Some(Count::new(scene.samples as u64)),
         }
     }
 }

@@ -280,13 +280,12 @@ fn an_input_that_is_made_of_a_scene_resolves_to_this_scene() {
         &[][..],
         &["sphere.youngs_modulus=rigid", "law.plm.unloading_exponent=pressure-shape"],
         &["law.thornton.yield_pressure=1 GPa", "gravity.acceleration=9.81", "damping.viscous=0.1"],
-        &["half_space.flow_stress.power.exponent=0.2", "solver.tolerance=1e-6"],
+        &["half_space.flow_stress.power.exponent=0.2", "solver.tolerance=1e-6", "output.samples=7"],
+        &["solver.method=verlet", "solver.steps_per_contact=70", "sphere.youngs_modulus=rigid"],
         &["half_space.flow_stress.points=[[0.01, 4e8], [0.1, 5e8]]", "half_space.density=7850"],
     ] {
         let scene = resolve(STEEL, more).unwrap();
-        let again = Input::of(&scene).resolve();
-        // the method is a word, and the input of a scene has its numbers
-        assert_eq!(again, Scene { solver: again.solver, ..scene }, "{more:?}");
+        assert_eq!(Input::of(&scene).resolve(), scene, "{more:?}");
     }
 }
 
