@@ -64,7 +64,8 @@ fn of_body(
 
 impl Contact {
     /// The indentation \[m\] up to which the data behind the law reach: beyond it an impact is warned of a dent that is too
-    /// wide, of a flow curve that ends before, or of a law outside its stated range.
+    /// wide, of a flow curve that ends before, or of a law outside its stated range. Infinite for a law without such a
+    /// limit, as for springs.
     pub fn deepest(&self) -> f64 {
         let radius = self.sphere().radius;
         let Some((scales, law)) = &self.yielding else {
@@ -78,7 +79,8 @@ impl Contact {
             let is_beyond = |warning| !matches!(warning, Warning::OutsideStated { from, .. } if x < from);
             !is_wide && !of_peak(law, &peak).any(is_beyond)
         };
-        halved(0.0, radius / scales.length, reaches).0 * scales.length
+        let far = radius / scales.length;
+        if reaches(far) { f64::INFINITY } else { halved(0.0, far, reaches).0 * scales.length }
     }
 }
 

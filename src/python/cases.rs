@@ -1,8 +1,8 @@
 //! Cases that are given as arrays of keys: finds the keys, checks the values, and makes the plan of their table.
 
 use std::slice;
-use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
+use std::sync::{Mutex, PoisonError};
 
 use numpy::{PyArrayDyn, PyArrayMethods as _, PyReadonlyArrayDyn, PyUntypedArrayMethods as _};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -10,16 +10,31 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyString, PyTuple};
 use rayon::prelude::*;
 
-use super::contact::{Inner, SPEED};
 use super::convert::{exception, numbers, shaped, warn, with};
 use super::rows::{self, code, say_failures};
 use super::table::{Column, Table};
 use super::work::{FEW, TOGETHER, interruptible};
-use crate::impact::Method;
+use crate::impact::{self, Method};
 use crate::plan::axis::{Axis, Values};
 use crate::plan::{Cases, Plan};
 use crate::run::table::warnings;
-use crate::scene::{KEYS, Key};
+use crate::scenario::Scenario;
+use crate::scene::{KEYS, Key, Scene};
+
+/// The key of the argument `speed`.
+pub const SPEED: &str = "impact.speed";
+
+/// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0.
+pub type Plans = Mutex<Vec<(Vec<(&'static str, bool)>, Plan)>>;
+
+/// The data of a contact.
+#[derive(Debug)]
+pub struct Inner {
+    pub scenario: Scenario,
+    pub scene: Scene,
+    pub contact: impact::Contact,
+    pub plans: Plans,
+}
 
 /// A key and its values in SI units, all of them in the allowed range.
 pub struct Given<'py> {

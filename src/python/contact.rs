@@ -1,20 +1,20 @@
 //! A contact of two bodies, and one of its impacts.
 
 use std::ops::Deref;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList, PyString};
 use serde_json::Value;
 
-use super::cases::{self, refused};
+use super::cases::{self, Inner, Plans, SPEED, refused};
 use super::convert::{Reduced, exception, from_json, refuse_lost, source_of, warn, with};
 use super::force::force;
 use super::table::{Column, Table};
 use crate::error::Error;
 use crate::impact::{self, TraceRow};
-use crate::plan::{Plan, Source};
+use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
 use crate::report::table;
@@ -26,22 +26,8 @@ use crate::scene::results::{Reported, fields};
 use crate::scene::{Key, Scene};
 use crate::units::nearest::did_you_mean;
 
-/// The key of the argument `speed`.
-pub const SPEED: &str = "impact.speed";
 /// The name of the contact in messages.
 const NAME: &str = "Contact";
-
-/// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0.
-type Plans = Mutex<Vec<(Vec<(&'static str, bool)>, Plan)>>;
-
-/// The data of a contact.
-#[derive(Debug)]
-pub struct Inner {
-    pub scenario: Scenario,
-    pub scene: Scene,
-    pub contact: impact::Contact,
-    pub plans: Plans,
-}
 
 /// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
 ///

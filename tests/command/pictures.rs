@@ -28,12 +28,12 @@ fn pictures_of_the_program_keep_their_text() {
     let laws = plm_impact::law::LawChoice::all();
     let laws: Vec<String> =
         laws.iter().filter(|law| law.has_loading()).map(|law| format!("{:?}", law.name())).collect();
-    let laws = format!("[sweep]\n\"law\" = [{}, \"kogut_komvopoulos + mesarovic_johnson\"]\n", laws.join(", "));
+    let laws = format!("\"law\" = [{}, \"kogut_komvopoulos + mesarovic_johnson\"]\n", laws.join(", "));
     let scenes = [
         STEEL.to_owned(),
         format!("{STEEL}[gravity]\nacceleration = 9.81\n[damping]\nhunt_crossley = 0.1\n"),
         format!(
-            "{STEEL}{laws}\"impact.speed\" = {{ logspace = [1e-3, 10], points = 12 }}\n\"sphere.radius\" = {{ linspace = [1e-3, 2e-3], points = 12 }}\n"
+            "{STEEL}[sweep]\n\"impact.speed\" = {{ logspace = [1e-3, 10], points = 12 }}\n{laws}\"sphere.radius\" = {{ linspace = [1e-3, 2e-3], points = 12 }}\n"
         ),
         format!(
             "{STEEL}[sweep]\n\"impact.speed\" = {{ linspace = [1, 2], points = 30 }}\n\"half_space.youngs_modulus\" = {{ linspace = [1e11, 2e11], points = 30 }}\n\"half_space.poissons_ratio\" = [0.1, 0.2, 0.3]\n\"sphere.youngs_modulus\" = [1e11, 2e11]\n\"sphere.poissons_ratio\" = [0.1, 0.2]\n\"sphere.density\" = [7000, 7001]\n"

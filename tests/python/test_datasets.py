@@ -25,7 +25,7 @@ def clone(tmp_path_factory: pytest.TempPathFactory, command: Path) -> Path:
     path = f"{command.parent}{os.pathsep}{os.environ['PATH']}"
     (shown,) = blocks("sh")
     whole = shown.splitlines()[1]
-    for line in [shown, whole.replace("--format parquet", "--out csv")]:
+    for line in [shown, whole.replace("--format parquet --out plots/all-laws", "--out csv")]:
         subprocess.run(line, shell=True, cwd=folder, env={**os.environ, "PATH": path}, check=True, capture_output=True)
     return folder
 
