@@ -79,7 +79,7 @@ pub enum Notation {
     UnitAlways,
 }
 
-/// A quantity as a type: what a [`Number`](super::field::Number) is a value of.
+/// A quantity as a type: what a `Number` is a value of.
 pub trait Kind: 'static {
     /// Its dimension and range.
     const QUANTITY: &'static Quantity;
