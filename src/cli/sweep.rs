@@ -4,7 +4,6 @@ use std::path::Path;
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::provenance::Provenance;
 use plm_impact::report;
 use plm_impact::run::heed;
 use plm_impact::run::table;
@@ -105,10 +104,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     let mut files = Vec::new();
     if shard.is_none() {
         interrupt.leave("the table is written, its summary is not; give the same command again");
-        let provenance = Provenance {
-            scenario_file: Some(scenario.document.name().to_owned()),
-            ..Provenance::new(source.sha256(), &super::output::command_line())
-        };
+        let provenance = scenario.provenance(&super::output::command_line());
         files = table::files(plan, &written.tally, &warnings, &provenance, pictures)?;
         directory.write(&files)?;
     }

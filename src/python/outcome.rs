@@ -16,7 +16,6 @@ use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::progress::Counter;
-use crate::provenance::Provenance;
 use crate::report;
 use crate::run::{Order, Outcome as Written, Run, table, way};
 use crate::scenario::Scenario;
@@ -161,7 +160,7 @@ fn run_table(py: Python<'_>, scenario: &Scenario, command: &str) -> PyResult<Out
     let table = Table::new(made.table(&plan, &plan.results(), swept));
     let made = interruptible(py, |_| {
         let tally = tally(&plan, &table, &status);
-        let provenance = Provenance::new(scenario.sha256(), command);
+        let provenance = scenario.provenance(command);
         let files = table::files(&plan, &tally, &warnings, &provenance, Pictures::Png)?;
         Ok::<_, Error>((report::sweep::lines(&tally), files))
     });

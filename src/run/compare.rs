@@ -4,7 +4,6 @@ use super::outcome::{Order, Outcome, file, texts};
 use crate::error::Error;
 use crate::output::SUMMARY;
 use crate::plot;
-use crate::provenance::Provenance;
 use crate::report::compare as report;
 use crate::report::inputs::Inputs;
 use crate::scenario::Scenario;
@@ -19,8 +18,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
     let inputs = Inputs(report::inputs(scenario, &comparison));
-    let scenario_file = Some(scenario.document.name().to_owned());
-    let provenance = Provenance { scenario_file, ..Provenance::new(scenario.sha256(), order.command) };
+    let provenance = scenario.provenance(order.command);
     let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);
     let mut files = vec![

@@ -64,8 +64,7 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
         coefficients: coefficients.map(|table| table.name.clone()),
         coefficients_source: coefficients.map(|table| table.source.clone()),
     };
-    let scenario_file = Some(scenario.document.name().to_owned());
-    Provenance { scenario_file, law: Some(law), ..Provenance::new(scenario.sha256(), command) }
+    Provenance { law: Some(law), ..scenario.provenance(command) }
 }
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.

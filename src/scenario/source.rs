@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Scenario, ScenarioError};
 use crate::plan::Source;
+use crate::provenance::Provenance;
 
 const COEFFICIENTS: &str = "law.plm.coefficients";
 const TABLE: &str = "half_space.flow_stress.table";
@@ -39,6 +40,12 @@ impl Scenario {
     /// SHA-256 of all that a result depends on: text, overrides, and the files that are named.
     pub fn sha256(&self) -> String {
         self.source().sha256()
+    }
+
+    /// The provenance of results of this scenario, which the command made.
+    pub fn provenance(&self, command: &str) -> Provenance {
+        let scenario_file = Some(self.document.name().to_owned());
+        Provenance { scenario_file, ..Provenance::new(self.sha256(), command) }
     }
 
     /// The keys that name files, and these files.
