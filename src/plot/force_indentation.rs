@@ -67,7 +67,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
         series.push(dent.and(length("δᵣ", residual)));
     }
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * largest_force(impact));
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force);
     let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
     Ok(Chart::new(title(impact), [x, y], series).with_entries(Entry::branches(branches)))
 }
@@ -85,15 +85,6 @@ pub(super) fn peak_name(impact: &Impact) -> &'static str {
 pub(super) fn force_at_peak(impact: &Impact) -> String {
     let force = quantity(impact.force_at_peak_indentation, "N");
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
-}
-
-/// The largest force in the pictures. With damping it occurs before the peak indentation.
-pub(super) fn largest_force(impact: &Impact) -> f64 {
-    if is_damped(impact) {
-        impact.trace.iter().fold(impact.peak_force, |largest, row| largest.max(row.force))
-    } else {
-        impact.peak_force
-    }
 }
 
 /// The title of the pictures of one impact.

@@ -3,7 +3,7 @@
 use super::PlotError;
 use super::axis::{Axis, extremes};
 use super::chart::{Chart, Panel};
-use super::force_indentation::{INDENTATIONS, force_at_peak, is_damped, largest_force, peak_name, title};
+use super::force_indentation::{INDENTATIONS, force_at_peak, is_damped, peak_name, title};
 use super::loops;
 use super::series::{Guide, Series};
 use super::style::{DASHED, GREY, INK, Style};
@@ -35,7 +35,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::engineering(title, unit).between(1.1 * low, 1.1 * high);
     let mut panels = vec![
-        Panel::new(y("Force", "N", 0.0, largest_force(impact)), vec![force]),
+        Panel::new(y("Force", "N", 0.0, impact.peak_force), vec![force]),
         Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), indentations),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
