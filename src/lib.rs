@@ -122,7 +122,7 @@
 //!
 //! assert_eq!(parse("5 mm", Dimension::Length)?, 5e-3);
 //! assert!(parse("5 mm", Dimension::Pressure).is_err());
-//! # Ok::<(), plm_impact::units::UnitError>(())
+//! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
 //! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, [`compare`] the unloading laws from one

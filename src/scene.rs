@@ -6,6 +6,7 @@ pub mod key;
 pub mod keys;
 pub mod laws;
 pub mod quantity;
+pub(crate) mod read;
 mod resolve;
 pub(crate) mod results;
 pub(crate) mod taken;

@@ -17,4 +17,4 @@ mod table;
 pub use csv_text::TableError;
 pub use dimension::Dimension;
 pub use format::{capital, describe, exact, four_digits, human, number, si};
-pub use parse::{UnitError, parse};
+pub use parse::{parse, parse_as};

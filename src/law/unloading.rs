@@ -82,25 +82,10 @@ pub enum UnloadingExponent {
     PressureShape,
 }
 
-impl From<UnloadingExponent> for f64 {
-    /// The number that is read back to the same exponent: infinite for "pressure-shape".
-    fn from(exponent: UnloadingExponent) -> Self {
-        match exponent {
-            UnloadingExponent::Paper => 1.5,
-            UnloadingExponent::Fixed(value) => value,
-            UnloadingExponent::PressureShape => f64::INFINITY,
-        }
-    }
-}
-
-impl From<f64> for UnloadingExponent {
-    /// 1.5 is the paper's law; an infinite number stands for the word "pressure-shape" while a scenario is read.
-    fn from(value: f64) -> Self {
-        match value {
-            1.5 => Self::Paper,
-            _ if value.is_infinite() => Self::PressureShape,
-            _ => Self::Fixed(value),
-        }
+impl UnloadingExponent {
+    /// That of a number: 1.5 is the paper's law.
+    pub fn of(value: f64) -> Self {
+        if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
     }
 }
 

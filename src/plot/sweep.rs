@@ -8,7 +8,6 @@ use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
 use crate::plot::{self, Chart, Guide, Look, PlotError, Series, heatmap, histogram};
 use crate::reference::quasi_static;
-use crate::scene::quantity::Notation;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Count, Tally};
 use crate::sweep::evaluator::{Evaluator, Rows};
@@ -77,7 +76,7 @@ fn words(axis: &Axis) -> String {
 fn plot_axis(axis: &Axis) -> plot::Axis {
     let title = capital(&words(axis));
     let unit = match &axis.setting {
-        Setting::Number { key, .. } if key.quantity.notation == Notation::Hardness => "HV",
+        Setting::Number { key, .. } if key.quantity.is_hardness => "HV",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
         Setting::Words { .. } => "",
     };
@@ -87,7 +86,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
 /// The value at a place of an axis, in the unit of the picture.
 fn shown(axis: &Axis, place: u64) -> f64 {
     match &axis.setting {
-        Setting::Number { key, values } if key.quantity.notation == Notation::Hardness => vickers(values.at(place)),
+        Setting::Number { key, values } if key.quantity.is_hardness => vickers(values.at(place)),
         _ => axis.number(place),
     }
 }

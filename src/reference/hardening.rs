@@ -95,7 +95,7 @@ pub struct ExactImpact {
 impl ExactImpact {
     /// n of the unloading branch.
     pub fn exponent(&self) -> UnloadingExponent {
-        self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::from)
+        self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::of)
     }
 }
 

@@ -4,15 +4,16 @@ use std::collections::HashSet;
 
 use crate::impact::Method;
 use crate::law::LawChoice;
-use crate::materials::Entry as Material;
+use crate::materials;
 use crate::plan::axis::{Axis, Values, Word};
 use crate::plan::free::Free;
 use crate::plan::random::{Distribution, Variable};
-use crate::scene::field::{Count, Fault, Reader, Scalar, items, list, number, text, word};
+use crate::scene::field::Field;
 use crate::scene::key::Form;
-use crate::scene::quantity::{Points, Quantity, Sampled, Seed};
+use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
+use crate::scene::read::{Fault, Reader, count, items, list, named, number, text, word};
 use crate::scene::taken::{Body, Taken};
-use crate::scene::words::{DRAWN, LAWS, METHODS, SCALES};
+use crate::scene::words::{DRAWN, LAWS, MATERIALS, METHODS, SCALES};
 use crate::scene::written::{Item, Node, Value};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
@@ -42,78 +43,97 @@ pub(super) struct RandomKeys {
     pub(super) materials: Vec<DrawnMaterial>,
 }
 
-impl Scalar for Vec<Axis> {
-    fn form() -> Form {
-        Form::Axes
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
+impl Field for Option<Vec<Axis>> {
+    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let keys = &items(node)?.0;
         if keys.is_empty() {
             let message =
                 "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
             return Err(Fault::at(node, message));
         }
-        let mut axes = Vec::new();
+        let axes = self.insert(Vec::new());
         for item in keys {
-            reader.within(&item.name, |reader| {
-                axes.push(axis(item, reader)?);
-                Ok(())
-            });
+            reader.within(&item.name, |_| Ok(axes.push(axis(item)?)));
         }
-        Ok(axes)
+        Ok(())
     }
 }
 
-fn axis(item: &Item, reader: &mut Reader) -> Result<Axis, Fault> {
+fn axis(item: &Item) -> Result<Axis, Fault> {
     let Item { name: path, node, .. } = item;
     if path == METHOD {
-        let names = names(node, "[\"rk8\", \"dop853\"]", |item| word(&METHODS, item))?;
-        let method = |name: &String| Method::from_name(name).map(Word::Method);
-        return Ok(Axis::of_words(METHOD, names.iter().filter_map(method).collect()));
+        let method = |item: &Node| named(&METHODS, item, Method::from_name).map(Word::Method);
+        return words(METHOD, node, "[\"rk8\", \"dop853\"]", method);
     }
     if path == LAW {
-        let names = names(node, "[\"plm\", \"thornton\"]", law)?;
-        let law = |name: &String| LawChoice::from_name(name).map(Word::Law);
-        return Ok(Axis::of_words(LAW, names.iter().filter_map(law).collect()));
+        return words(LAW, node, "[\"plm\", \"thornton\"]", law);
     }
     if let Some(body) = Body::of_key(path) {
-        let example = "[\"steel-s235\", \"aluminium-6061-t6\"]";
-        let name = |item: &Node| <&Material>::read(item, reader).map(|material| material.name.clone());
-        let names = names(node, example, name)?;
         // what is left to the materials depends on the other keys
         let taken = |material| Word::Material(Taken { body, material, left: Vec::new() });
-        let words = names.iter().filter_map(|name| crate::materials::find(name)).map(taken);
-        return Ok(Axis::of_words(body.material(), words.collect()));
+        let material = |item: &Node| named(&MATERIALS, item, materials::find).map(taken);
+        return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
     }
     let key = known(item, true)?;
-    Ok(Axis::of_number(key, axis_values(key.quantity, node, reader)?))
+    Ok(Axis::of_number(key, axis_values(key.quantity, node)?))
 }
 
-impl Scalar for RandomKeys {
-    fn form() -> Form {
-        Form::Variables
+/// An axis of words, of which none may be there twice.
+fn words(
+    path: &'static str,
+    node: &Node,
+    example: &str,
+    word: impl Fn(&Node) -> Result<Word, Fault>,
+) -> Result<Axis, Fault> {
+    let words = list(node, example)?.iter().map(word).collect::<Result<Vec<_>, _>>()?;
+    if words.is_empty() {
+        return Err(Fault::at(node, AT_LEAST_ONE));
     }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
-        let mut keys = Self::default();
-        for item in &items(node)?.0 {
-            reader.within(&item.name, |reader| keys.take(item, reader));
+    let mut seen = HashSet::new();
+    match words.iter().map(Word::name).find(|name| !seen.insert(name.clone())) {
+        None => Ok(Axis::of_words(path, words)),
+        Some(name) => {
+            let message = format!("\"{name}\" is there twice, which would be the same rows twice; leave one out");
+            Err(Fault::at(node, message))
         }
-        let problem = if keys.samples == 0 && items(node)?.get("samples").is_none() {
+    }
+}
+
+const AT_LEAST_ONE: &str = "an axis needs at least one value";
+
+/// A law, or two halves "loading + unloading".
+fn law(item: &Node) -> Result<Word, Fault> {
+    let name = text(item, "plm")?;
+    if let Some(law) = LawChoice::from_name(name).filter(LawChoice::has_loading) {
+        return Ok(Word::Law(law));
+    }
+    let whole = (LAWS.known)();
+    let all = format!("laws are {}, or \"loading + unloading\" such as \"jackson_green + brake\"", whole.join(", "));
+    let hint = did_you_mean(name, whole.iter().map(String::as_str), '"', &all);
+    Err(Fault::at(item, format!("no law is known as \"{name}\"{hint}")))
+}
+
+impl Field for RandomKeys {
+    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        for item in &items(node)?.0 {
+            reader.within(&item.name, |_| self.take(item));
+        }
+        let problem = if self.samples == 0 && items(node)?.get("samples").is_none() {
             "samples, the number of cases, is missing"
-        } else if keys.variables.is_empty() && keys.materials.is_empty() && reader.refused.is_empty() {
+        } else if self.variables.is_empty() && self.materials.is_empty() && reader.refused.is_empty() {
             "has no random key; give one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
         } else {
-            return Ok(keys);
+            return Ok(());
         };
         Err(Fault::at(node, problem))
     }
 }
 
 impl RandomKeys {
-    fn take(&mut self, item: &Item, reader: &mut Reader) -> Result<(), Fault> {
+    fn take(&mut self, item: &Item) -> Result<(), Fault> {
         match item.name.as_str() {
-            "samples" => self.samples = Count::<Sampled>::read(&item.node, reader)?.0,
-            "seed" => self.seed = Count::<Seed>::read(&item.node, reader)?.0,
+            "samples" => self.samples = count(&SAMPLED, &item.node)?,
+            "seed" => self.seed = count(&SEED, &item.node)?,
             path => {
                 if let Some(body) = Body::of_key(path) {
                     word(&DRAWN, &item.node)?;
@@ -128,24 +148,18 @@ impl RandomKeys {
     }
 }
 
-impl Scalar for Vec<Free> {
-    fn form() -> Form {
-        Form::Free
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
+impl Field for Option<Vec<Free>> {
+    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let keys = &items(node)?.0;
         if keys.is_empty() || keys.len() > 2 {
             let message = format!("{} keys are given, expected one or two, each with {FREE}", keys.len());
             return Err(Fault::at(node, message));
         }
-        let mut all = Vec::new();
+        let all = self.insert(Vec::new());
         for item in keys {
-            reader.within(&item.name, |_| {
-                all.push(free(item)?);
-                Ok(())
-            });
+            reader.within(&item.name, |_| Ok(all.push(free(item)?)));
         }
-        Ok(all)
+        Ok(())
     }
 }
 
@@ -198,51 +212,13 @@ fn known(item: &Item, has_words: bool) -> Result<&'static Key, Fault> {
     Err(Fault { span: item.span.clone(), message: format!("`{path}` is no numeric key of a scenario{hint}") })
 }
 
-/// The names of an axis of words, each read by `read`; none may be there twice.
-fn names(
-    value: &Node,
-    example: &str,
-    mut read: impl FnMut(&Node) -> Result<String, Fault>,
-) -> Result<Vec<String>, Fault> {
-    let names = list(value, example)?.iter().map(&mut read).collect::<Result<Vec<_>, _>>()?;
-    if names.is_empty() {
-        return Err(Fault::at(value, AT_LEAST_ONE));
-    }
-    let mut seen = HashSet::new();
-    match names.iter().find(|name| !seen.insert(*name)) {
-        None => Ok(names),
-        Some(name) => {
-            let message = format!("\"{name}\" is there twice, which would be the same rows twice; leave one out");
-            Err(Fault::at(value, message))
-        }
-    }
-}
-
-const AT_LEAST_ONE: &str = "an axis needs at least one value";
-
-/// The name of a law, or of two halves "loading + unloading".
-fn law(item: &Node) -> Result<String, Fault> {
-    let name = text(item, "plm")?;
-    if let Some(law) = LawChoice::from_name(name).filter(LawChoice::has_loading) {
-        return Ok(law.name());
-    }
-    let whole = (LAWS.known)();
-    let all = format!("laws are {}, or \"loading + unloading\" such as \"jackson_green + brake\"", whole.join(", "));
-    let hint = did_you_mean(name, whole.iter().map(String::as_str), '"', &all);
-    Err(Fault::at(item, format!("no law is known as \"{name}\"{hint}")))
-}
-
-fn numbers(quantity: &Quantity, items: &[Node]) -> Result<Vec<f64>, Fault> {
-    items.iter().map(|item| number(quantity, None, item)).collect()
-}
-
 /// A list of values, or two ends and how many points.
-fn axis_values(quantity: &Quantity, value: &Node, reader: &mut Reader) -> Result<Values, Fault> {
+fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     if let Value::List(items) = &value.value {
         return if items.is_empty() {
             Err(Fault::at(value, AT_LEAST_ONE))
         } else {
-            numbers(quantity, items).map(Values::List)
+            items.iter().map(|item| number(quantity, None, item)).collect::<Result<_, _>>().map(Values::List)
         };
     }
     let example = quantity.example;
@@ -252,12 +228,9 @@ fn axis_values(quantity: &Quantity, value: &Node, reader: &mut Reader) -> Result
         [None, Some(ends), points] => (ends, true, points),
         _ => return Err(Fault::at(value, "needs one of linspace = [from, to] and logspace = [from, to]")),
     };
-    let values = numbers(quantity, list(ends, &format!("[{example}]"))?)?;
-    let [from, to] = values[..] else {
-        return Err(Fault::at(ends, format!("{} values are given; write the two ends", values.len())));
-    };
+    let [from, to] = two_ends(quantity, ends)?;
     let points = points.ok_or_else(|| Fault::at(value, "points, the number of values, is missing"))?;
-    let points = Count::<Points>::read(points, reader)?.0;
+    let points = count(&POINTS, points)?;
     if !is_log {
         return Ok(Values::Linear { from, to, points });
     }
@@ -268,13 +241,20 @@ fn axis_values(quantity: &Quantity, value: &Node, reader: &mut Reader) -> Result
     Err(Fault::at(value, message))
 }
 
+fn two_ends(quantity: &Quantity, node: &Node) -> Result<[f64; 2], Fault> {
+    match list(node, &format!("[{}]", quantity.example))? {
+        [from, to] => Ok([number(quantity, None, from)?, number(quantity, None, to)?]),
+        values => Err(Fault::at(node, format!("{} values are given; write the two ends", values.len()))),
+    }
+}
+
 /// One distribution: `normal`, `lognormal` or `uniform`.
 fn distribution(quantity: &Quantity, value: &Node) -> Result<Distribution, Fault> {
     const FORMS: &str =
         "{ normal = { mean = ..., sd = ... } }, { lognormal = { mean = ..., sd = ... } } or { uniform = [from, to] }";
     match parts(value, ["normal", "lognormal", "uniform"], FORMS)? {
         [None, None, None] => Err(Fault::at(value, format!("has no distribution; write {FORMS}"))),
-        [None, None, Some(ends)] => match numbers(quantity, list(ends, &format!("[{}]", quantity.example))?)?[..] {
+        [None, None, Some(ends)] => match two_ends(quantity, ends)? {
             [from, to] if from < to => Ok(Distribution::Uniform { from, to }),
             _ => Err(Fault::at(ends, "uniform takes two ends, the lower first")),
         },
@@ -303,7 +283,6 @@ fn spread(quantity: &Quantity) -> Quantity {
     Quantity {
         name: "a standard deviation (sd)",
         example: quantity.dimension.example(),
-        notation: quantity.notation,
-        ..crate::scene::quantity::positive_of(quantity.dimension)
+        ..positive_of(quantity.dimension)
     }
 }

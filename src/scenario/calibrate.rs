@@ -9,8 +9,6 @@ use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
-use crate::scene::field::Word;
-use crate::scene::words::Laws;
 use crate::scene::{Input, Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
 
@@ -82,7 +80,7 @@ impl Scenario {
             free.key.put(&mut input, free.from);
         }
         let scene = self.scene_of(&input);
-        let own = |word: &Word<Laws>| match LawChoice::from_name(&word.name) {
+        let own = |name: &String| match LawChoice::from_name(name) {
             Some(law) if law.name() != scene.law.name() => law,
             // the law of the scenario keeps the parameters that the scenario gives
             _ => scene.law.clone(),
@@ -100,9 +98,9 @@ impl Scenario {
             source: self.measurements(given)?,
             free,
             deviations: deviations.into_iter().filter(|(name, _)| name != "model").collect(),
-            model_error: model_error.map_or(0.0, f64::from),
+            model_error: model_error.unwrap_or(0.0),
             is_estimated: matches!(given.noise, Some(NoiseInput::Estimate)),
-            is_robust: given.robust.as_ref().is_some_and(|robust| robust.name == "student-t"),
+            is_robust: given.robust.as_ref().is_some_and(|robust| robust == "student-t"),
             laws,
             scene,
         })
@@ -112,8 +110,8 @@ impl Scenario {
         let measured = numbers(given.measured.as_ref());
         match (&given.data, measured.is_empty()) {
             (Some(path), true) => Ok(match &self.data {
-                Some(text) => Source::Text(path.0.clone(), text.clone()),
-                None => Source::File(self.directory.join(&path.0)),
+                Some(text) => Source::Text(path.clone(), text.clone()),
+                None => Source::File(self.directory.join(path)),
             }),
             (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),

@@ -15,12 +15,12 @@ impl Scenario {
         };
         let refuse = |message: String| Err(self.document.refuse("output.columns", message));
         let mut chosen = vec![RESTITUTION];
-        for column in columns().iter().filter(|column| names.iter().any(|word| word.name == column.name)) {
+        for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
             let name = column.name;
             if let Some(reason) = column.missing(&plan.scene) {
                 return refuse(format!("\"{name}\" is not there: {reason}"));
             }
-            if names.iter().filter(|other| other.name == name).count() > 1 {
+            if names.iter().filter(|other| *other == name).count() > 1 {
                 return refuse(format!("\"{name}\" is named twice"));
             }
             chosen.push(column.name);

@@ -45,8 +45,8 @@ impl Scenario {
         if plm.flow.is_some() {
             return Err(refuse(FLOW, NO_HARDENING));
         }
-        let ratio = given.peak_indentation_ratio.map(f64::from);
-        let of_length = || given.peak_indentation.map(|length| f64::from(length) / point.indentation);
+        let ratio = given.peak_indentation_ratio;
+        let of_length = || given.peak_indentation.map(|length| length / point.indentation);
         let x = ratio.or_else(of_length).ok_or_else(|| {
             refuse(
                 "compare",
@@ -64,7 +64,6 @@ impl Scenario {
         match (given.peak_force, given.peak_contact_radius, given.peak_sphere_indentation) {
             (None, None, None) => {}
             (Some(force), Some(radius), Some(sphere)) => {
-                let [force, radius, sphere]: [f64; 3] = [force.into(), radius.into(), sphere.into()];
                 if pair.sphere_compliance == 0.0 {
                     return Err(refuse(
                         "compare.peak_sphere_indentation",
@@ -91,7 +90,7 @@ impl Scenario {
                 ));
             }
         }
-        if let Some(work) = given.spent_work.map(f64::from) {
+        if let Some(work) = given.spent_work {
             let unit = point.force * point.indentation;
             let of_plm = human(comparison.peak.spent * unit, Dimension::Energy);
             comparison.peak.spent = work / unit;
@@ -116,7 +115,7 @@ impl Scenario {
                 let message = "names no law; leave it out for all";
                 Err(self.document.refuse("compare.laws", message))
             }
-            Some(names) => Ok(names.iter().filter_map(|word| LawChoice::from_name(&word.name)).map(own).collect()),
+            Some(names) => Ok(names.iter().filter_map(|word| LawChoice::from_name(word)).map(own).collect()),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::ScenarioError;
 use super::explain::missing;
 use super::overrides::choose_law;
 use super::place::{Place, Refusal};
-use crate::scene::field::Fault;
+use crate::scene::read::Fault;
 use crate::scene::written::{Node, Table, Value};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.

@@ -22,7 +22,7 @@ pub(super) fn missing(name: &str, table: &str) -> String {
     let example = match every_key().find(|key| key.path == pattern).map(|key| key.form) {
         _ if pattern == "law.combined.loading" => "the law that loads, such as loading = \"plm\"".to_owned(),
         _ if pattern == "law.combined.unloading" => "the law that unloads, such as unloading = \"thornton\"".to_owned(),
-        Some(Form::Number(quantity, _) | Form::Count(quantity)) => {
+        Some(Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity)) => {
             format!("{} such as {name} = {}", quantity.name, quantity.example)
         }
         Some(Form::Text(example)) => format!("a text such as {name} = \"{example}\""),

@@ -5,114 +5,106 @@ use super::axes::RandomKeys;
 use crate::plan::axis::Axis;
 use crate::plan::free::Free;
 use crate::repeat::Place;
-use crate::scene::field::{
-    Count, Example, Fault, Given, Items, Listed, Number, Reader, Scalar, Table, Text, Word, tables, word,
-};
+use crate::scene::field::{Field, Given, Table as _, tables};
 use crate::scene::input::{
     DampingInput, GravityInput, HalfSpaceInput, ImpactInput, Input, OutputInput, SolverInput, SphereInput,
 };
-use crate::scene::key::{AnyKey, Form, List};
-use crate::scene::laws::LawInput;
+use crate::scene::key::Form::{self, Axes, Count, Items, List, Number, Table, Text, Variables, Word, WordOrTable};
+use crate::scene::key::{self, AnyKey};
+use crate::scene::laws::{self, LawInput};
 use crate::scene::quantity::{
-    DepthRatio, Deviation, Energy, Force, Impacts, Indentation, Leeb, Length, Load, ModelError, Modulus, PoissonsRatio,
-    Restitution, ShotSpeed, Speed, Strength, Time,
+    DEPTH_RATIO, DEVIATION, ENERGY, FORCE, IMPACTS, INDENTATION, LEEB, LENGTH, LOAD, MODEL_ERROR, MODULUS,
+    POISSONS_RATIO, RESTITUTION, SHOT_SPEED, SPEED, STRENGTH, TIME,
 };
-use crate::scene::words::{Laws, NOISES, OwnUnloadings, Robusts};
+use crate::scene::read::{Fault, Reader, word};
+use crate::scene::words::{LAWS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS};
 use crate::scene::written::{Node, Value};
 
 tables! {
     /// A scenario, as it is written.
     pub(super) struct File {
         /// The sphere.
-        sphere: SphereInput,
+        sphere: SphereInput as Table(SphereInput::keys),
         /// The half-space.
-        half_space: HalfSpaceInput,
+        half_space: HalfSpaceInput as Table(HalfSpaceInput::keys),
         /// The impact.
-        impact: ImpactInput,
+        impact: ImpactInput as Table(ImpactInput::keys),
         /// Gravity.
-        gravity: GravityInput,
+        gravity: GravityInput as Table(GravityInput::keys),
         /// Damping.
-        damping: DampingInput,
+        damping: DampingInput as Table(DampingInput::keys),
         /// The contact law.
-        law: LawInput,
+        law: LawInput as Table(laws::keys),
         /// The integration.
-        solver: SolverInput,
+        solver: SolverInput as Table(SolverInput::keys),
         /// Traces and tables.
-        output: OutputInput,
+        output: OutputInput as Table(OutputInput::keys),
         /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
-        sweep: Option<Vec<Axis>>,
+        sweep: Option<Vec<Axis>> as Axes,
         /// Random cases: samples, seed, and keys with distributions.
-        monte_carlo: Option<RandomKeys>,
+        monte_carlo: Option<RandomKeys> as Variables,
         /// Impacts one after the other.
-        repeat: Option<RepeatInput>,
+        repeat: Option<RepeatInput> as Table(RepeatInput::keys),
         /// Unloading laws from one peak.
-        compare: Option<CompareInput>,
+        compare: Option<CompareInput> as Table(CompareInput::keys),
         /// Keys that are found from measurements.
-        calibrate: Option<CalibrateInput>,
+        calibrate: Option<CalibrateInput> as Table(CalibrateInput::keys),
         /// Loads and indentations without any impact.
-        indentation: Option<IndentationInput>,
+        indentation: Option<IndentationInput> as Table(IndentationInput::keys),
     }
 
     /// `[repeat]`
     pub(super) struct RepeatInput {
         /// Where repeated impacts hit: same is in the dent of the impacts before, fresh is on new surface every time.
-        spot: Option<Place>,
+        spot: Option<Place> as Word(&SPOTS),
         /// Largest number of impacts.
-        impacts: Option<Count<Impacts>>,
+        impacts: Option<u64> as Count(&IMPACTS),
         /// When bouncing ends.
-        until: Option<UntilInput>,
+        until: Option<UntilInput> as Table(UntilInput::keys),
         /// Speed of every shot, in place of [impact] and impacts.
-        speeds: Option<Vec<Number<ShotSpeed>>>,
+        speeds: Option<Vec<f64>> as List(&Number(&SHOT_SPEED)),
     }
 
     /// `[repeat.until]`
     pub(super) struct UntilInput {
         /// Bouncing ends before an impact that would be slower than this.
-        speed: Option<Number<Speed>>,
+        speed: Option<f64> as Number(&SPEED),
     }
 
     /// `[compare]`
     pub(super) struct CompareInput {
         /// Peak indentation over that at first yield.
-        peak_indentation_ratio: Option<Number<DepthRatio>>,
+        peak_indentation_ratio: Option<f64> as Number(&DEPTH_RATIO),
         /// Peak indentation, in place of the ratio.
-        peak_indentation: Option<Number<Length>>,
+        peak_indentation: Option<f64> as Number(&LENGTH),
         /// Force at the peak, where it was measured.
-        peak_force: Option<Number<Force>> = "of the PLM",
+        peak_force: Option<f64> as Number(&FORCE) => "of the PLM",
         /// Contact radius at the peak, where it was measured.
-        peak_contact_radius: Option<Number<Length>> = "of the PLM",
+        peak_contact_radius: Option<f64> as Number(&LENGTH) => "of the PLM",
         /// The sphere's own indentation at the peak, where it was measured.
-        peak_sphere_indentation: Option<Number<Length>> = "of the PLM",
+        peak_sphere_indentation: Option<f64> as Number(&LENGTH) => "of the PLM",
         /// Work of loading up to the peak.
-        spent_work: Option<Number<Energy>> = "of the PLM",
+        spent_work: Option<f64> as Number(&ENERGY) => "of the PLM",
         /// Laws to compare, in the order of table and picture.
-        laws: Option<Vec<Word<OwnUnloadings>>> = "all but walton_braun",
+        laws: Option<Vec<String>> as List(&Word(&OWN_UNLOADINGS)) => "all but walton_braun",
     }
-}
-
-/// A file of measurements.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Drops;
-
-impl Example for Drops {
-    const EXAMPLE: &'static str = "drops.csv";
 }
 
 tables! {
     /// `[calibrate]`
     pub(super) struct CalibrateInput {
         /// File of measurements (CSV), relative to the scenario.
-        data: Option<Text<Drops>>,
+        data: Option<String> as Text("drops.csv"),
         /// One or two numeric keys to find, each with its range and, if needed, its scale.
-        free: Option<Vec<Free>> = "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high",
+        free: Option<Vec<Free>> as Form::Free => "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high",
         /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
-        robust: Option<Word<Robusts>> = "\"none\"",
+        robust: Option<String> as Word(&ROBUSTS) => "\"none\"",
         /// Other laws to fit; all laws are ranked.
-        laws: Option<Vec<Word<Laws>>> = "none",
+        laws: Option<Vec<String>> as List(&Word(&LAWS)) => "none",
         /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
-        noise: Option<NoiseInput> = "columns `_sd` of the data, else \"estimate\"",
+        noise: Option<NoiseInput> as WordOrTable(&NOISES, Deviations::keys) => "columns `_sd` of the data, else \"estimate\"",
         /// The measurements themselves.
-        measured: Option<MeasuredInput>,
+        measured: Option<MeasuredInput> as Table(MeasuredInput::keys),
     }
 }
 
@@ -125,15 +117,17 @@ pub(super) enum NoiseInput {
     Given(Deviations),
 }
 
-impl Scalar for NoiseInput {
-    fn form() -> Form {
-        Form::WordOrTable(&NOISES, Deviations::keys)
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
-        match node.value {
-            Value::Table(_) => <Deviations as Scalar>::read(node, reader).map(Self::Given),
-            _ => word(&NOISES, node).map(|_| Self::Estimate),
-        }
+impl Field for Option<NoiseInput> {
+    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        *self = Some(if let Value::Table(_) = node.value {
+            let mut deviations = Deviations::default();
+            deviations.read(form, node, reader)?;
+            NoiseInput::Given(deviations)
+        } else {
+            word(&NOISES, node)?;
+            NoiseInput::Estimate
+        });
+        Ok(())
     }
 }
 
@@ -141,100 +135,90 @@ tables! {
     /// `[calibrate.noise]`
     pub(super) struct Deviations {
         /// Error of the law as a share of each value, added in quadrature, independent from value to value.
-        model: Option<Number<ModelError>> = "0",
+        model: Option<f64> as Number(&MODEL_ERROR) => "0",
         /// Standard deviation of this measurement, where the data have no column for it.
-        restitution: Option<Number<Deviation>>,
+        restitution: Option<f64> as Number(&DEVIATION),
         /// Standard deviation of this measurement, where the data have no column for it.
-        rebound_speed: Option<Number<Speed>>,
+        rebound_speed: Option<f64> as Number(&SPEED),
         /// Standard deviation of this measurement, where the data have no column for it.
-        rebound_height: Option<Number<Length>>,
+        rebound_height: Option<f64> as Number(&LENGTH),
         /// Standard deviation of this measurement, where the data have no column for it.
-        leeb: Option<Number<Deviation>>,
+        leeb: Option<f64> as Number(&DEVIATION),
         /// Standard deviation of this measurement, where the data have no column for it.
-        dent_diameter: Option<Number<Length>>,
+        dent_diameter: Option<f64> as Number(&LENGTH),
         /// Standard deviation of this measurement, where the data have no column for it.
-        dent_depth: Option<Number<Length>>,
+        dent_depth: Option<f64> as Number(&LENGTH),
         /// Standard deviation of this measurement, where the data have no column for it.
-        contact_time: Option<Number<Time>>,
+        contact_time: Option<f64> as Number(&TIME),
         /// Standard deviation of this measurement, where the data have no column for it.
-        peak_force: Option<Number<Force>>,
+        peak_force: Option<f64> as Number(&FORCE),
         /// Standard deviation of this measurement, where the data have no column for it.
-        force: Option<Number<Force>>,
+        force: Option<f64> as Number(&FORCE),
     }
 
     /// `[calibrate.measured]`
     pub(super) struct MeasuredInput {
         /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
-        restitution: Option<Number<Restitution>>,
+        restitution: Option<f64> as Number(&RESTITUTION),
         /// Speed of the rebound, measured in the impact of the scenario: in place of data.
-        rebound_speed: Option<Number<Speed>>,
+        rebound_speed: Option<f64> as Number(&SPEED),
         /// Height of the rebound, measured in the impact of the scenario: in place of data.
-        rebound_height: Option<Number<Length>>,
+        rebound_height: Option<f64> as Number(&LENGTH),
         /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
-        leeb: Option<Number<Leeb>>,
+        leeb: Option<f64> as Number(&LEEB),
         /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
-        dent_diameter: Option<Number<Length>>,
+        dent_diameter: Option<f64> as Number(&LENGTH),
         /// Depth of the dent, measured in the impact of the scenario: in place of data.
-        dent_depth: Option<Number<Length>>,
+        dent_depth: Option<f64> as Number(&LENGTH),
         /// Time in contact, measured in the impact of the scenario: in place of data.
-        contact_time: Option<Number<Time>>,
+        contact_time: Option<f64> as Number(&TIME),
         /// Largest force, measured in the impact of the scenario: in place of data.
-        peak_force: Option<Number<Force>>,
+        peak_force: Option<f64> as Number(&FORCE),
     }
 
     /// `[indentation]`
     pub(super) struct IndentationInput {
         /// Where the steps end.
-        steps: Items<StepInput>,
+        steps: Option<Vec<StepInput>> as Items(&STEPS, StepInput::keys),
         /// Half-spaces, each with a name.
-        half_space: Items<SpecimenInput>,
+        half_space: Option<Vec<SpecimenInput>> as Items(&SPECIMENS, SpecimenInput::keys),
     }
 
     /// A step of an indentation.
     pub(super) struct StepInput {
         /// Load at which the step ends.
-        load: Option<Number<Load>>,
+        load: Option<f64> as Number(&LOAD),
         /// Indentation at which the step ends, in place of the load.
-        indentation: Option<Number<Indentation>>,
+        indentation: Option<f64> as Number(&INDENTATION),
     }
 }
 
-impl Listed for StepInput {
-    const LIST: &'static List = &List {
-        example: "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]",
-        item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
-    };
-}
+/// Where the steps of an indentation end.
+pub(super) static STEPS: key::List = key::List {
+    example: "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]",
+    item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
+};
 
-/// The name of a half-space.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Name;
-
-impl Example for Name {
-    const EXAMPLE: &'static str = "Ti-10Nb";
-}
+/// Half-spaces of an indentation.
+static SPECIMENS: key::List =
+    key::List { example: "[[indentation.half_space]] with a name", item: "a table with a name" };
 
 tables! {
     /// `[[indentation.half_space]]`
     pub(super) struct SpecimenInput {
         /// Name of the material in tables and pictures.
-        name: Option<Text<Name>>,
+        name: Option<String> as Text("Ti-10Nb"),
         /// Young's modulus of this half-space.
-        youngs_modulus: Option<Number<Modulus>>,
+        youngs_modulus: Option<f64> as Number(&MODULUS),
         /// Uncertainty of the modulus: half of the width of its interval.
-        youngs_modulus_uncertainty: Option<Number<Modulus>> = "none",
+        youngs_modulus_uncertainty: Option<f64> as Number(&MODULUS) => "none",
         /// Poisson's ratio of this half-space.
-        poissons_ratio: Option<Number<PoissonsRatio>>,
+        poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
         /// Yield strength of this half-space; without the key it stays elastic.
-        yield_strength: Option<Number<Strength>>,
+        yield_strength: Option<f64> as Number(&STRENGTH),
         /// Uncertainty of the strength: half of the width of its interval.
-        yield_strength_uncertainty: Option<Number<Strength>> = "none",
+        yield_strength_uncertainty: Option<f64> as Number(&STRENGTH) => "none",
     }
-}
-
-impl Listed for SpecimenInput {
-    const LIST: &'static List =
-        &List { example: "[[indentation.half_space]] with a name", item: "a table with a name" };
 }
 
 impl File {
@@ -246,7 +230,7 @@ impl File {
 }
 
 /// The numbers that a table gives, by their names in alphabetical order.
-pub(super) fn numbers<T: Table>(table: Option<&T>) -> Vec<(String, f64)> {
+pub(super) fn numbers<T: crate::scene::field::Table>(table: Option<&T>) -> Vec<(String, f64)> {
     let Some(table) = table else { return Vec::new() };
     let number = |name: &str, given| match given {
         Some(Given::Number(value)) => Some((name.to_owned(), value)),
@@ -268,10 +252,10 @@ pub fn every_key() -> impl Iterator<Item = AnyKey> {
 }
 
 /// The list of tables of that path.
-pub fn list_of(path: &str) -> Option<&'static List> {
+pub fn list_of(path: &str) -> Option<&'static key::List> {
     match path {
-        "indentation.steps" => Some(StepInput::LIST),
-        "indentation.half_space" => Some(SpecimenInput::LIST),
+        "indentation.steps" => Some(&STEPS),
+        "indentation.half_space" => Some(&SPECIMENS),
         _ => None,
     }
 }

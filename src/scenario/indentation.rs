@@ -1,12 +1,11 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
-use super::file::{IndentationInput, StepInput};
+use super::file::{self, IndentationInput, StepInput};
 use super::{Kind, Scenario, ScenarioError};
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
-use crate::scene::field::Listed;
 use crate::units::{Dimension, human};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -71,8 +70,8 @@ impl Scenario {
     }
 
     fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, ScenarioError> {
-        let as_in = format!("as in {}", StepInput::LIST.example);
-        let Some(steps) = &given.steps.0 else {
+        let as_in = format!("as in {}", file::STEPS.example);
+        let Some(steps) = &given.steps else {
             return Err(self.document.missing("indentation", "steps"));
         };
         if steps.is_empty() {
@@ -80,8 +79,8 @@ impl Scenario {
             return Err(self.document.refuse(STEPS, message));
         }
         let target = |(i, step): (usize, &StepInput)| match (step.load, step.indentation) {
-            (Some(load), None) => Ok(Target::Load(load.into())),
-            (None, Some(indentation)) => Ok(Target::Indentation(indentation.into())),
+            (Some(load), None) => Ok(Target::Load(load)),
+            (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
             (both, _) => {
                 let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
                 let message = format!("step {i}: {what}; write exactly one of the two, {as_in}");
@@ -94,7 +93,7 @@ impl Scenario {
     fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, ScenarioError> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
-            if given.half_space.0.is_some() {
+            if given.half_space.is_some() {
                 return Err(self.document.one_table("half_space", SPECIMENS));
             }
             let half_space = self.half_space()?;
@@ -105,13 +104,13 @@ impl Scenario {
                 strength_uncertainty: None,
             }]);
         }
-        let Some(several) = given.half_space.0.as_ref().filter(|several| !several.is_empty()) else {
+        let Some(several) = given.half_space.as_ref().filter(|several| !several.is_empty()) else {
             return Err(self.document.missing("", "half_space"));
         };
         let mut specimens: Vec<Specimen> = Vec::new();
         for (i, one) in several.iter().enumerate() {
             let missing = |name| self.document.missing(&format!("{SPECIMENS}[{i}]"), name);
-            let name = &one.name.as_ref().ok_or_else(|| missing("name"))?.0;
+            let name = one.name.as_ref().ok_or_else(|| missing("name"))?;
             if let Some(problem) = problem_of_name(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }
@@ -119,15 +118,15 @@ impl Scenario {
                 return refuse(format!("two are called \"{name}\"; give each its own name"));
             }
             let material = Material {
-                youngs_modulus: one.youngs_modulus.ok_or_else(|| missing("youngs_modulus"))?.into(),
-                poissons_ratio: one.poissons_ratio.ok_or_else(|| missing("poissons_ratio"))?.into(),
+                youngs_modulus: one.youngs_modulus.ok_or_else(|| missing("youngs_modulus"))?,
+                poissons_ratio: one.poissons_ratio.ok_or_else(|| missing("poissons_ratio"))?,
             };
-            let yield_strength = one.yield_strength.map(f64::from);
+            let yield_strength = one.yield_strength;
             let specimen = Specimen {
                 name: Some(name.to_owned()),
                 half_space: HalfSpace { material, yield_strength, density: None },
-                modulus_uncertainty: one.youngs_modulus_uncertainty.map(f64::from),
-                strength_uncertainty: one.yield_strength_uncertainty.map(f64::from),
+                modulus_uncertainty: one.youngs_modulus_uncertainty,
+                strength_uncertainty: one.yield_strength_uncertainty,
             };
             self.check_uncertainties(name, &specimen)?;
             specimens.push(specimen);

@@ -9,7 +9,7 @@ use crate::materials::{Entry, Property};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
 use crate::scene::Key;
-use crate::scene::field::Or;
+use crate::scene::field::Given;
 use crate::scene::laws::COMBINED;
 use crate::scene::taken::{Body, Taken};
 
@@ -71,7 +71,7 @@ impl File {
 
     /// The values of a material as random keys: even between the ends of their ranges.
     fn drawn(&self, taken: &Taken) -> Vec<Variable> {
-        let is_rigid = matches!(self.sphere.youngs_modulus, Some(Or::Word(_)));
+        let is_rigid = matches!(self.sphere.youngs_modulus, Some(Given::Word));
         let drawn = |(path, known): (&'static str, _)| {
             let [from, to] = taken.range(known);
             // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio

@@ -54,19 +54,19 @@ const MOST_WORDS: usize = 20;
 pub fn written(form: &Form) -> String {
     let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
     match form {
-        Form::Number(quantity, None) => number(quantity),
-        Form::Number(quantity, Some(word)) => format!("{}, or `\"{word}\"`", number(quantity)),
+        Form::Number(quantity) => number(quantity),
+        Form::NumberOr(quantity, word) => format!("{}, or `\"{word}\"`", number(quantity)),
         Form::Count(quantity) => format!("a whole number {}", quantity.allowed()),
-        Form::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
-        Form::Pairs(first, second) => {
-            let example = format!("[[{}, {}]]", first.example, second.example);
-            format!("a list of pairs such as `{example}`: {} and {}", number(first), number(second))
+        Form::List(Form::Number(quantity)) => format!("a list of numbers, each {}", number(quantity)),
+        Form::List(Form::Pair(first, second)) => {
+            format!("a list of pairs such as `{}`: {} and {}", form.example(), number(first), number(second))
         }
+        Form::List(inner) => format!("a list of {}", written(inner)),
+        Form::Pair(first, second) => format!("{} and {}", number(first), number(second)),
         Form::Word(words) if (words.known)().len() > MOST_WORDS => {
             format!("one of the [{0}](#{0}) below", words.several)
         }
         Form::Word(words) => quoted(&(words.known)()),
-        Form::WordList(words) => format!("a list of {}", quoted(&(words.known)())),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),
         Form::Axes | Form::Variables | Form::Free | Form::Table(_) | Form::Items(..) => "a table, see below".to_owned(),
         Form::WordOrTable(words, _) => format!("{}, or a table", quoted(&(words.known)())),

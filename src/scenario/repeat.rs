@@ -25,7 +25,7 @@ impl Scenario {
             Some(_) if speeds.len() as u64 > MOST_IMPACTS => {
                 refuse(format!("has {} speeds, more than {MOST_IMPACTS}", speeds.len()))
             }
-            Some(first) => Ok(Some(f64::from(*first))),
+            Some(first) => Ok(Some(*first)),
         }
     }
 
@@ -39,8 +39,8 @@ impl Scenario {
         let Some(place) = given.spot else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
-        let most = given.impacts.map(|most| most.0);
-        let until = given.until.as_ref().and_then(|until| until.speed).map(f64::from);
+        let most = given.impacts;
+        let until = given.until.as_ref().and_then(|until| until.speed);
         let speeds = given.speeds.as_ref();
         let drive = match (scene.forces.gravity, speeds, most) {
             (Some(_), Some(_), _) => {
@@ -56,7 +56,7 @@ impl Scenario {
             (Some(gravity), None, Some(most)) => {
                 Drive::Bouncing { gravity, drop_height: scene.drop_height, speed: scene.speed, most, until }
             }
-            (None, Some(speeds), None) => Drive::Shots(speeds.iter().map(|speed| f64::from(*speed)).collect()),
+            (None, Some(speeds), None) => Drive::Shots(speeds.clone()),
             (None, None, Some(most)) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
         if given.until.is_some() && scene.forces.gravity.is_none() {

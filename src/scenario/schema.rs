@@ -16,9 +16,11 @@ use crate::scene::{EITHER, KEYS};
 pub fn schema() -> Value {
     let mut root = table();
     for key in every_key() {
-        let quantities = match key.form {
-            Form::Number(quantity, _) | Form::Numbers(quantity) => vec![quantity],
-            Form::Pairs(first, second) => vec![first, second],
+        let quantities = match &key.form {
+            Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::List(Form::Number(quantity)) => {
+                vec![*quantity]
+            }
+            Form::List(Form::Pair(first, second)) => vec![*first, *second],
             _ => Vec::new(),
         };
         for quantity in quantities {
@@ -98,15 +100,15 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
 
 fn of_form(form: &Form) -> Value {
     match form {
-        Form::Number(quantity, word) => number(quantity, *word),
+        Form::Number(quantity) => number(quantity, None),
+        Form::NumberOr(quantity, word) => number(quantity, Some(word)),
         Form::Count(quantity) => ranged("integer", quantity),
-        Form::Numbers(quantity) => json!({ "type": "array", "items": number(quantity, None) }),
-        Form::Pairs(first, second) => {
-            let pair = json!({ "type": "array", "prefixItems": [number(first, None), number(second, None)], "minItems": 2, "maxItems": 2 });
-            json!({ "type": "array", "items": pair, "minItems": 2 })
+        Form::Pair(first, second) => {
+            json!({ "type": "array", "prefixItems": [number(first, None), number(second, None)], "minItems": 2, "maxItems": 2 })
         }
+        Form::List(inner @ Form::Pair(..)) => json!({ "type": "array", "items": of_form(inner), "minItems": 2 }),
+        Form::List(inner) => json!({ "type": "array", "items": of_form(inner) }),
         Form::Word(words) => one_of(words),
-        Form::WordList(words) => json!({ "type": "array", "items": one_of(words) }),
         Form::Text(_) => json!({ "type": "string" }),
         Form::Axes => axes(),
         Form::Variables => variables(),

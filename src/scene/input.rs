@@ -1,13 +1,14 @@
 //! The tables of one impact as they are written: every number as it is given, and nothing that follows from others.
 
-use super::field::{Count, Fault, Number, Or, Pairs, Reader, Scalar, Special, Word, tables, text};
-use super::key::Form;
+use super::field::{Field, Given, tables};
+use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
 use super::quantity::{
-    Acceleration, Density, DropHeight, HardeningExponent, HardeningRate, HardeningSlope, Hardness, HuntCrossley,
-    Length, Mass, Modulus, PoissonsRatio, Samples, Saturation, Speed, SphereModulus, Steps, Strain, Strength,
-    Tolerance, Viscous,
+    ACCELERATION, DENSITY, DROP_HEIGHT, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY,
+    LENGTH, MASS, MODULUS, POISSONS_RATIO, SAMPLES, SATURATION, SPEED, SPHERE_MODULUS, STEPS, STRAIN, STRENGTH,
+    TOLERANCE, VISCOUS,
 };
-use super::words::Columns;
+use super::read::{Fault, Reader, list, pair};
+use super::words::{COLUMNS, MATERIALS, METHODS};
 use super::written::Node;
 use crate::impact::Method;
 use crate::law::LawChoice;
@@ -28,181 +29,162 @@ pub struct Input {
     pub law: LawChoice,
     pub solver: SolverInput,
     /// Rows of a trace.
-    pub samples: Option<Count<Samples>>,
-}
-
-/// In place of the sphere's modulus.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rigid;
-
-impl Special for Rigid {
-    const WORD: &'static str = "rigid";
+    pub samples: Option<u64>,
 }
 
 tables! {
     /// `[sphere]`
     pub struct SphereInput {
         /// Radius of the sphere (not its diameter).
-        radius: Option<Number<Length>>,
+        radius: Option<f64> as Number(&LENGTH),
         /// Diameter of the sphere, in place of the radius.
-        diameter: Option<Number<Length>>,
+        diameter: Option<f64> as Number(&LENGTH),
         /// Young's modulus of the sphere, or "rigid".
-        youngs_modulus: Option<Or<SphereModulus, Rigid>>,
+        youngs_modulus: Option<Given> as NumberOr(&SPHERE_MODULUS, "rigid"),
         /// Poisson's ratio of the sphere.
-        poissons_ratio: Option<Number<PoissonsRatio>>,
+        poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
         /// Density of the sphere, which gives its mass.
-        density: Option<Number<Density>>,
+        density: Option<f64> as Number(&DENSITY),
         /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
-        mass: Option<Number<Mass>>,
+        mass: Option<f64> as Number(&MASS),
         /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
-        yield_strength: Option<Number<Strength>>,
+        yield_strength: Option<f64> as Number(&STRENGTH),
         /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
-        material: Option<&'static Material>,
+        material: Option<&'static Material> as Word(&MATERIALS),
     }
 
     /// `[half_space]`
     pub struct HalfSpaceInput {
         /// Young's modulus of the half-space.
-        youngs_modulus: Option<Number<Modulus>>,
+        youngs_modulus: Option<f64> as Number(&MODULUS),
         /// Poisson's ratio of the half-space.
-        poissons_ratio: Option<Number<PoissonsRatio>>,
+        poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
         /// Uniaxial yield strength of the half-space; without it the contact is elastic and nothing plastic is reported.
-        yield_strength: Option<Number<Strength>>,
+        yield_strength: Option<f64> as Number(&STRENGTH),
         /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
         /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
         /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
-        hardness: Option<Number<Hardness>>,
+        hardness: Option<f64> as Number(&HARDNESS),
         /// Density of the half-space; with it the energy that is radiated as elastic waves is reported.
-        density: Option<Number<Density>>,
+        density: Option<f64> as Number(&DENSITY),
         /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
-        material: Option<&'static Material>,
+        material: Option<&'static Material> as Word(&MATERIALS),
         /// How the half-space hardens.
-        flow_stress: FlowInput,
+        flow_stress: FlowInput as Table(FlowInput::keys),
     }
 
     /// `[half_space.flow_stress]`: one of its forms.
     pub struct FlowInput {
         /// A power law.
-        power: Option<PowerInput>,
+        power: Option<PowerInput> as Table(PowerInput::keys),
         /// A stress that rises to a limit.
-        voce: Option<VoceInput>,
+        voce: Option<VoceInput> as Table(VoceInput::keys),
         /// A stress that rises in a straight line.
-        linear: Option<LinearInput>,
+        linear: Option<LinearInput> as Table(LinearInput::keys),
         /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
         /// last.
-        points: Option<FlowPoints>,
+        points: Option<FlowCurve> as List(&Pair(&STRAIN, &STRENGTH)),
         /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
-        table: Option<FlowTable>,
+        table: Option<FlowCurve> as Text("flow.csv"),
     }
 
     /// σ_Y (1 + E ε/σ_Y)^N.
     pub struct PowerInput {
         /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
-        exponent: Option<Number<HardeningExponent>>,
+        exponent: Option<f64> as Number(&HARDENING_EXPONENT),
     }
 
     /// σ_Y (1 + b (1 − exp(−c ε))).
     pub struct VoceInput {
         /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
-        saturation: Option<Number<Saturation>>,
+        saturation: Option<f64> as Number(&SATURATION),
         /// Rate c of that flow stress: how fast it rises with plastic strain.
-        rate: Option<Number<HardeningRate>>,
+        rate: Option<f64> as Number(&HARDENING_RATE),
     }
 
     /// σ_Y + H ε.
     pub struct LinearInput {
         /// Slope of a flow stress that rises in a straight line with plastic strain.
-        slope: Option<Number<HardeningSlope>>,
+        slope: Option<f64> as Number(&HARDENING_SLOPE),
     }
 
     /// `[impact]`
     pub struct ImpactInput {
         /// Speed of the sphere at first touch, towards the half-space.
-        speed: Option<Number<Speed>>,
+        speed: Option<f64> as Number(&SPEED),
         /// Height that the sphere falls from, in place of the speed; with 0 it is released at first touch. Needs gravity.
-        drop_height: Option<Number<DropHeight>>,
+        drop_height: Option<f64> as Number(&DROP_HEIGHT),
     }
 
     /// `[gravity]`
     pub struct GravityInput {
         /// Gravity, towards the half-space; it acts during contact too.
-        acceleration: Option<Number<Acceleration>>,
+        acceleration: Option<f64> as Number(&ACCELERATION),
     }
 
     /// `[damping]`
     pub struct DampingInput {
         /// Coefficient chi of the force F (1 + chi v).
-        hunt_crossley: Option<Number<HuntCrossley>>,
+        hunt_crossley: Option<f64> as Number(&HUNT_CROSSLEY),
         /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
-        viscous: Option<Number<Viscous>>,
+        viscous: Option<f64> as Number(&VISCOUS),
     }
 
     /// `[solver]`
     pub struct SolverInput {
         /// Relative tolerance of the integration, on the dimensionless state.
-        tolerance: Option<Number<Tolerance>> = "1e-10",
+        tolerance: Option<f64> as Number(&TOLERANCE) => "1e-10",
         /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for,
         /// else rk8.
-        method: Option<Method> = "rk8; auto for tables and repeated impacts",
+        method: Option<Method> as Word(&METHODS) => "rk8; auto for tables and repeated impacts",
         /// Steps of verlet during the contact time.
-        steps_per_contact: Option<Count<Steps>> = "50",
+        steps_per_contact: Option<u64> as Count(&STEPS) => "50",
     }
 
     /// `[output]`
     pub struct OutputInput {
         /// Rows of a trace, evenly spaced in time; every event adds a row.
-        samples: Option<Count<Samples>> = "400",
+        samples: Option<u64> as Count(&SAMPLES) => "400",
         /// Results that a table has besides the restitution.
-        columns: Option<Vec<Word<Columns>>> = "all",
+        columns: Option<Vec<String>> as List(&Word(&COLUMNS)) => "all",
     }
 }
 
-/// Points of a flow curve.
-#[derive(Debug, Clone)]
-pub struct FlowPoints(pub FlowCurve);
-
-impl Scalar for FlowPoints {
-    fn form() -> Form {
-        Pairs::<Strain, Strength>::form()
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
-        let points = Pairs::<Strain, Strength>::read(node, reader)?.0;
-        through(&points).map(Self).map_err(|message| Fault::at(node, message))
-    }
-}
-
-/// The same, in a file.
-#[derive(Debug, Clone)]
-pub struct FlowTable(pub FlowCurve);
-
-impl Scalar for FlowTable {
-    fn form() -> Form {
-        Form::Text("flow.csv")
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
-        let [path, text] = reader.file(node, text(node, "flow.csv")?)?;
-        let refused = |(line, message): Refusal| {
-            let line = line.map(|line| format!(":{line}")).unwrap_or_default();
-            Fault::at(node, format!("{path}{line}: {message}"))
-        };
-        let points = points(&text).map_err(refused)?;
-        through(&points).map(Self).map_err(|message| refused((None, message)))
+/// A flow curve through points, which stand in a list or in a file.
+impl Field for Option<FlowCurve> {
+    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        let refused = |message| Fault::at(node, message);
+        *self = Some(match form {
+            Text(example) => {
+                let [path, text] = reader.file(node, example)?;
+                let at = |line: Option<u64>| line.map(|line| format!(":{line}")).unwrap_or_default();
+                let points = points(&text).and_then(|points| through(&points).map_err(|message| (None, message)));
+                points.map_err(|(line, message)| refused(format!("{path}{}: {message}", at(line))))?
+            }
+            form => {
+                let items = list(node, &form.example())?;
+                let points =
+                    items.iter().map(|item| pair([&STRAIN, &STRENGTH], item)).collect::<Result<Vec<_>, _>>()?;
+                through(&points).map_err(refused)?
+            }
+        });
+        Ok(())
     }
 }
 
-const COLUMNS: [&str; 2] = ["plastic_strain", "stress_Pa"];
+const OF_POINTS: [&str; 2] = ["plastic_strain", "stress_Pa"];
 
 /// The points of a file: `plastic_strain, stress_Pa`.
 fn points(text: &str) -> Result<Vec<[f64; 2]>, Refusal> {
     let table = CsvText::new(text)?;
-    if table.header.iter().collect::<Vec<_>>() != COLUMNS {
-        return Err((table.line, format!("its columns must be {}", COLUMNS.join(", "))));
+    if table.header.iter().collect::<Vec<_>>() != OF_POINTS {
+        return Err((table.line, format!("its columns must be {}", OF_POINTS.join(", "))));
     }
     let mut points = Vec::new();
     for row in table.rows() {
         let (line, row) = row?;
         let number = |i: usize| {
-            let no_number = |_| (Some(line), format!("{} is no number, but \"{}\"", COLUMNS[i], &row[i]));
+            let no_number = |_| (Some(line), format!("{} is no number, but \"{}\"", OF_POINTS[i], &row[i]));
             row[i].parse::<f64>().map_err(no_number)
         };
         points.push([number(0)?, number(1)?]);
@@ -232,14 +214,13 @@ impl FlowInput {
     /// The curve, if all its numbers are given.
     pub fn curve(&self) -> Option<FlowCurve> {
         if let Some(PowerInput { exponent: Some(exponent) }) = self.power {
-            Some(FlowCurve::Power { exponent: exponent.into() })
+            Some(FlowCurve::Power { exponent })
         } else if let Some(VoceInput { saturation: Some(saturation), rate: Some(rate) }) = self.voce {
-            Some(FlowCurve::Voce { saturation: saturation.into(), rate: rate.into() })
+            Some(FlowCurve::Voce { saturation, rate })
         } else if let Some(LinearInput { slope: Some(slope) }) = self.linear {
-            Some(FlowCurve::Linear { slope: slope.into() })
+            Some(FlowCurve::Linear { slope })
         } else {
-            let points = self.points.as_ref().map(|points| &points.0);
-            points.or(self.table.as_ref().map(|table| &table.0)).cloned()
+            self.points.as_ref().or(self.table.as_ref()).cloned()
         }
     }
 }

@@ -21,20 +21,20 @@ pub type Keys = fn(&str, &mut Vec<AnyKey>);
 /// How a value is written.
 #[derive(Debug, Clone, Copy)]
 pub enum Form {
-    /// A number in SI, or a text with a unit, or the word.
-    Number(&'static Quantity, Option<&'static str>),
+    /// A number in SI, or a text with a unit.
+    Number(&'static Quantity),
+    /// The same, or the word.
+    NumberOr(&'static Quantity, &'static str),
     /// A whole number.
     Count(&'static Quantity),
-    /// A list of numbers.
-    Numbers(&'static Quantity),
-    /// A list of pairs of numbers.
-    Pairs(&'static Quantity, &'static Quantity),
+    /// A pair of numbers.
+    Pair(&'static Quantity, &'static Quantity),
     /// One of some words.
     Word(&'static Words),
-    /// A list of such words.
-    WordList(&'static Words),
     /// Any text, such as this one.
     Text(&'static str),
+    /// A list of such values.
+    List(&'static Form),
     /// The axes of a table, by the keys that vary.
     Axes,
     /// The random variables of a table, by the keys that vary.

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use super::field::{
-    Fault, Field, Given, Number, Numeric, Or, Reader, Scalar, Shown, Special, Table, Word, keys, numeric, tables, text,
-};
-use super::key::{AnyKey, Form};
-use super::quantity::{AreaFactor, Exponent, Factor, Share, Strength, TransitionRatio};
-use super::words::{Hardnesses, JumpWords, Loadings, Unloadings};
+use super::field::{Field, Numeric, Table as _, keys, numeric, tables};
+use super::key::AnyKey;
+use super::key::Form::{self, Number, NumberOr, Text, Word};
+use super::quantity::{AREA_FACTOR, EXPONENT, FACTOR, SHARE, STRENGTH, TRANSITION_RATIO};
+use super::read::{Fault, Reader};
+use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
 use super::written::{Node, Value};
 use crate::law::catalogue::brake::Brake;
 use crate::law::catalogue::hertz::Hertz;
-use crate::law::catalogue::jackson_green::{Hardness, JacksonGreen};
+use crate::law::catalogue::jackson_green::JacksonGreen;
 use crate::law::catalogue::johnson::Johnson;
 use crate::law::catalogue::kogut_etsion::KogutEtsion;
 use crate::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
@@ -21,78 +21,69 @@ use crate::law::catalogue::stronge::Stronge;
 use crate::law::catalogue::thornton::Thornton;
 use crate::law::catalogue::walton_braun::WaltonBraun;
 use crate::law::catalogue::yigit_christoforou::YigitChristoforou;
-use crate::law::jumps::Jumps;
-use crate::law::{Combined, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
-
-/// In place of the exponent of the unloading force.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PressureShape;
-
-impl Special for PressureShape {
-    const WORD: &'static str = "pressure-shape";
-}
+use crate::law::{Combined, LawChoice, Plm, PlmCoefficients};
 
 keys! {
     Plm {
         /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
         /// pressure at the peak. Other numbers than 1.5 are for comparison.
-        unloading_exponent => exponent: Or<Exponent, PressureShape> = "1.5",
+        unloading_exponent in exponent: NumberOr(&EXPONENT, "pressure-shape") => "1.5",
         /// File of coefficients of the loading curve, relative to the scenario.
-        coefficients => coefficients: Coefficients = "built in",
+        coefficients: Text("my.toml") => "built in",
     }
     Hertz {}
     Thornton {
         /// Contact pressure at which the straight part of the loading begins.
-        yield_pressure => yield_pressure: Number<Strength> = "largest Hertz pressure at first yield",
+        yield_pressure: Number(&STRENGTH) => "largest Hertz pressure at first yield",
     }
     Stronge {
         /// Mean contact pressure at first yield over the yield strength.
-        yield_pressure_ratio => yield_pressure_ratio: Number<Factor> = "1.1",
+        yield_pressure_ratio: Number(&FACTOR) => "1.1",
         /// Factor f_u of the recovered approach.
-        unloading_factor => unloading_factor: Number<Factor> = "1",
+        unloading_factor: Number(&FACTOR) => "1",
     }
     JacksonGreen {
         /// Largest Hertz pressure at first yield over the yield strength.
-        yield_factor => yield_factor: Number<Factor> = "1.295 exp(0.736 nu)",
+        yield_factor: Number(&FACTOR) => "1.295 exp(0.736 nu)",
         /// Formula of the geometric hardness: exponential is that of 2005, cosine the later one.
-        hardness => hardness: Word<Hardnesses> = "\"exponential\"",
+        hardness: Word(&HARDNESSES) => "\"exponential\"",
         /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps => jumps: Word<JumpWords> = "\"printed\"",
+        jumps: Word(&JUMPS) => "\"printed\"",
     }
     KogutEtsion {
         /// Largest Hertz pressure at first yield over the yield strength.
-        yield_factor => yield_factor: Number<Factor> = "(0.454 + 0.41 nu) x 2.8",
+        yield_factor: Number(&FACTOR) => "(0.454 + 0.41 nu) x 2.8",
         /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps => jumps: Word<JumpWords> = "\"printed\"",
+        jumps: Word(&JUMPS) => "\"printed\"",
     }
     KogutKomvopoulos {
         /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps => jumps: Word<JumpWords> = "\"printed\"",
+        jumps: Word(&JUMPS) => "\"printed\"",
     }
     YigitChristoforou {
         /// Largest Hertz pressure at first yield over the yield strength.
-        yield_factor => yield_factor: Number<Factor> = "1.649",
+        yield_factor: Number(&FACTOR) => "1.649",
     }
     MaLiu {
         /// Hardness over the yield strength.
-        hardness_ratio => hardness_ratio: Number<Factor> = "2.8",
+        hardness_ratio: Number(&FACTOR) => "2.8",
         /// Indentation of full plasticity over that at first yield.
-        transition_ratio => transition_ratio: Number<TransitionRatio> = "110",
+        transition_ratio: Number(&TRANSITION_RATIO) => "110",
     }
     Brake {}
     MesarovicJohnson {
         /// True contact area over the area in which the sphere cuts the original surface.
-        area_factor => area_factor: Number<AreaFactor> = "1.43",
+        area_factor: Number(&AREA_FACTOR) => "1.43",
     }
     WaltonBraun {
         /// Stiffness of loading, in units of force over indentation at first yield.
-        loading_stiffness => loading_stiffness: Number<Factor> = "1",
+        loading_stiffness: Number(&FACTOR) => "1",
         /// Stiffness of loading over that of unloading; the restitution is the square root of this ratio.
-        stiffness_ratio => stiffness_ratio: Number<Share> = "0.5",
+        stiffness_ratio: Number(&SHARE) => "0.5",
     }
     Johnson {
         /// Mean contact pressure while the sphere goes in.
-        dynamic_pressure => dynamic_pressure: Number<Strength> = "3 yield strengths",
+        dynamic_pressure: Number(&STRENGTH) => "3 yield strengths",
     }
 }
 
@@ -100,9 +91,9 @@ tables! {
     /// `[law.combined]`: the loading of one law with the unloading of another.
     pub struct HalvesInput {
         /// Law of the loading.
-        loading: Option<Word<Loadings>>,
+        loading: Option<String> as Word(&LOADINGS),
         /// Law of the unloading.
-        unloading: Option<Word<Unloadings>>,
+        unloading: Option<String> as Word(&UNLOADINGS),
     }
 }
 
@@ -127,8 +118,8 @@ macro_rules! laws {
         }
 
         /// The keys of all laws.
-        fn keys(path: &str, into: &mut Vec<AnyKey>) {
-            $(<$law as Table>::keys(&format!("{path}.{}", $name), into);)*
+        pub fn keys(path: &str, into: &mut Vec<AnyKey>) {
+            $(<$law>::keys(&format!("{path}.{}", $name), into);)*
             HalvesInput::keys(&format!("{path}.{COMBINED}"), into);
         }
 
@@ -166,10 +157,7 @@ pub const COMBINED: &str = "combined";
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 
 impl Field for LawInput {
-    fn form() -> Form {
-        Form::Table(keys)
-    }
-    fn read(&mut self, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let Value::Table(laws) = &node.value else {
             return Err(Fault::at(node, format!("not a table; {ONE_LAW}")));
         };
@@ -183,8 +171,7 @@ impl Field for LawInput {
             reader.within(COMBINED, |reader| halves.take(&law.node, reader));
             if let (Some(loading), Some(unloading)) = (&halves.loading, &halves.unloading) {
                 let half = |name: &str| LawChoice::from_name(name).unwrap_or_default().into();
-                self.choice =
-                    LawChoice::Combined(Combined { loading: half(&loading.name), unloading: half(&unloading.name) });
+                self.choice = LawChoice::Combined(Combined { loading: half(loading), unloading: half(unloading) });
             }
             self.halves = Some(halves);
         } else if let Some(choice) = LawChoice::all().into_iter().find(|choice| choice.about().name == law.name) {
@@ -199,58 +186,12 @@ impl Field for LawInput {
 }
 
 /// Coefficients of a file.
-pub struct Coefficients(Arc<PlmCoefficients>);
-
-impl Scalar for Coefficients {
-    fn form() -> Form {
-        Form::Text("my.toml")
-    }
-    fn read(node: &Node, reader: &mut Reader) -> Result<Self, Fault> {
-        let [path, text] = reader.file(node, text(node, "my.toml")?)?;
+impl Field for Arc<PlmCoefficients> {
+    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        let [path, text] = reader.file(node, "my.toml")?;
         let table = PlmCoefficients::from_toml(&text);
         let table = table.map_err(|error| Fault::at(node, format!("{path}: {}", error.to_string().trim_end())))?;
-        Ok(Self(Arc::new(table)))
-    }
-}
-
-impl From<Coefficients> for Arc<PlmCoefficients> {
-    fn from(of: Coefficients) -> Self {
-        of.0
-    }
-}
-
-impl Shown for Arc<PlmCoefficients> {}
-impl Shown for Jumps {}
-impl Shown for Hardness {}
-
-impl From<Word<JumpWords>> for Jumps {
-    fn from(word: Word<JumpWords>) -> Self {
-        if word.name == "crossed" { Self::Crossed } else { Self::Printed }
-    }
-}
-
-impl From<Word<Hardnesses>> for Hardness {
-    fn from(word: Word<Hardnesses>) -> Self {
-        if word.name == "cosine" { Self::Cosine } else { Self::Exponential }
-    }
-}
-
-impl From<Or<Exponent, PressureShape>> for UnloadingExponent {
-    fn from(exponent: Or<Exponent, PressureShape>) -> Self {
-        match exponent {
-            Or::Number(number) if f64::from(number) == 1.5 => Self::Paper,
-            Or::Number(number) => Self::Fixed(number.into()),
-            Or::Word(_) => Self::PressureShape,
-        }
-    }
-}
-
-impl Shown for UnloadingExponent {
-    fn shown(&self) -> Option<Given> {
-        Some(match self {
-            Self::Paper => Given::Number(1.5),
-            Self::Fixed(value) => Given::Number(*value),
-            Self::PressureShape => Given::Word,
-        })
+        *self = Self::new(table);
+        Ok(())
     }
 }

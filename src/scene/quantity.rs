@@ -2,10 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use thiserror::Error;
-
 use crate::strength::hardness;
-use crate::units::{self, Dimension, UnitError, four_digits};
+use crate::units::{self, Dimension, four_digits};
 
 /// An end of a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,8 +31,8 @@ pub struct Quantity {
     pub hint: &'static str,
     /// Whether the hint is about the lower end.
     pub is_hint_low: bool,
-    /// On which scales it may be written.
-    pub notation: Notation,
+    /// Whether it may be written on a scale of hardness too.
+    pub is_hardness: bool,
 }
 
 const fn positive(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
@@ -46,7 +44,7 @@ const fn positive(name: &'static str, dimension: Dimension, example: &'static st
         example,
         hint: "",
         is_hint_low: false,
-        notation: Notation::Units,
+        is_hardness: false,
     }
 }
 
@@ -68,182 +66,143 @@ const fn number_in(
     Quantity { low, high, ..positive(name, dimension, example) }
 }
 
-/// How a value may be written, besides as a plain number in SI.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Notation {
-    /// With a unit.
-    Units,
-    /// With a unit of pressure, or on a scale of hardness.
-    Hardness,
-    /// With a unit, and not as a plain number: degrees and radians are mistaken for each other.
-    UnitAlways,
-}
+/// A radius or diameter.
+pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
+/// An elastic modulus.
+pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
+/// The sphere's modulus, which is infinite for a rigid sphere.
+pub const SPHERE_MODULUS: Quantity = Quantity { hint: "for a rigid sphere write \"rigid\"", ..MODULUS };
+/// A yield strength.
+pub const STRENGTH: Quantity = Quantity {
+    hint: "for an elastic body leave the key out",
+    ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
+};
+/// A hardness, as the mean pressure of a hardness test. No material that keeps a dent is softer than the lower end, which
+/// refuses a Vickers hardness that is written without HV.
+pub const HARDNESS: Quantity = Quantity {
+    is_hardness: true,
+    low: Bound::Closed(1e5),
+    hint: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
+    is_hint_low: true,
+    ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
+};
+/// A mass.
+pub const MASS: Quantity = positive("a mass", Dimension::Mass, "\"5.5 g\"");
+/// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
+pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Bound::Closed(0.0), Bound::Closed(0.5), "0.1");
+/// By how many yield strengths a flow stress rises.
+pub const SATURATION: Quantity = number("a saturation", Bound::Closed(0.0), Bound::Closed(100.0), "1.5");
+/// How fast a flow stress rises over plastic strain.
+pub const HARDENING_RATE: Quantity = number("a rate of hardening", Bound::Open(0.0), Bound::Closed(1e4), "15");
+/// Slope of a flow stress over plastic strain.
+pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
+/// A plastic strain.
+pub const STRAIN: Quantity = number("a plastic strain", Bound::Closed(0.0), Bound::Closed(10.0), "0.002");
+/// A density.
+pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
+/// An impact speed.
+pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
+/// A load that an indentation goes to.
+pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"");
+/// An indentation that it goes to.
+pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
+/// Poisson's ratio of a stable isotropic material.
+pub const POISSONS_RATIO: Quantity = Quantity {
+    hint: "for an incompressible material write 0.4999",
+    ..number("a Poisson's ratio", Bound::Open(-1.0), Bound::Open(0.5), "0.3")
+};
+/// The exponent n of the unloading branch.
+pub const EXPONENT: Quantity = number("an unloading exponent", Bound::Open(1.0), Bound::Closed(2.0), "1.5");
+/// A factor of a published law, such as a pressure over the yield strength.
+pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
+/// True contact area over the area in which the sphere cuts the original surface: from sink-in to pile-up.
+pub const AREA_FACTOR: Quantity = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
+/// Indentation at full plasticity over that at yield.
+pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
+/// Indentation over that at first yield, for an indentation that leaves a dent.
+pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Bound::Open(1.0), Bound::Closed(1e6), "105.1");
+/// A force.
+pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
+/// An energy.
+pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"");
+/// A ratio of at most 1.
+pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
 
-/// A quantity as a type: what a `Number` is a value of.
-pub trait Kind: 'static {
-    /// Its dimension and range.
-    const QUANTITY: &'static Quantity;
-}
+/// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps have no meaning.
+pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
+/// Rows of a trace: at least its two ends, at most what some hundred megabytes of memory hold.
+pub const SAMPLES: Quantity = Quantity {
+    hint: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
+    ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
+};
+/// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
+pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
 
-/// Quantities, each as a value and as a type.
-macro_rules! quantities {
-    ($($(#[doc = $about:literal])+ $name:ident $kind:ident = $quantity:expr;)+) => {$(
-        $(#[doc = $about])+
-        pub const $name: Quantity = $quantity;
-        $(#[doc = $about])+
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct $kind;
-        impl Kind for $kind {
-            const QUANTITY: &'static Quantity = &$name;
-        }
-    )+};
-}
+/// Gravity.
+pub const ACCELERATION: Quantity = Quantity {
+    hint: "to do without gravity leave the table out",
+    is_hint_low: true,
+    ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
+};
+/// A height that the sphere falls from.
+pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Length, "\"0.5 m\"");
+/// χ of Hunt and Crossley.
+pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
+/// Fraction of critical damping.
+///
+/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only
+/// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
+pub const VISCOUS: Quantity = Quantity {
+    hint: "beyond that a contact only creeps",
+    ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
+};
 
-quantities! {
-    /// A radius or diameter.
-    LENGTH Length = positive("a length", Dimension::Length, "\"5 mm\"");
-    /// An elastic modulus.
-    MODULUS Modulus = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
-    /// The sphere's modulus, which is infinite for a rigid sphere.
-    SPHERE_MODULUS SphereModulus = Quantity { hint: "for a rigid sphere write \"rigid\"", ..MODULUS };
-    /// A yield strength.
-    STRENGTH Strength = Quantity {
-        hint: "for an elastic body leave the key out",
-        ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
-    };
-    /// A hardness, as the mean pressure of a hardness test. No material that keeps a dent is softer than the lower end, which
-    /// refuses a Vickers hardness that is written without HV.
-    HARDNESS Hardness = Quantity {
-        notation: Notation::Hardness,
-        low: Bound::Closed(1e5),
-        hint: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
-        is_hint_low: true,
-        ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
-    };
-    /// A mass.
-    MASS Mass = positive("a mass", Dimension::Mass, "\"5.5 g\"");
-    /// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
-    HARDENING_EXPONENT HardeningExponent = number("a hardening exponent", Bound::Closed(0.0), Bound::Closed(0.5), "0.1");
-    /// By how many yield strengths a flow stress rises.
-    SATURATION Saturation = number("a saturation", Bound::Closed(0.0), Bound::Closed(100.0), "1.5");
-    /// How fast a flow stress rises over plastic strain.
-    HARDENING_RATE HardeningRate = number("a rate of hardening", Bound::Open(0.0), Bound::Closed(1e4), "15");
-    /// Slope of a flow stress over plastic strain.
-    HARDENING_SLOPE HardeningSlope = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
-    /// A plastic strain.
-    STRAIN Strain = number("a plastic strain", Bound::Closed(0.0), Bound::Closed(10.0), "0.002");
-    /// A density.
-    DENSITY Density = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
-    /// An impact speed.
-    SPEED Speed = positive("a speed", Dimension::Speed, "\"3 m/s\"");
-    /// A load that an indentation goes to.
-    LOAD Load = not_negative("a load", Dimension::Force, "\"200 N\"");
-    /// An indentation that it goes to.
-    INDENTATION Indentation = not_negative("an indentation", Dimension::Length, "\"12 um\"");
-    /// Poisson's ratio of a stable isotropic material.
-    POISSONS_RATIO PoissonsRatio = Quantity {
-        hint: "for an incompressible material write 0.4999",
-        ..number("a Poisson's ratio", Bound::Open(-1.0), Bound::Open(0.5), "0.3")
-    };
-    /// The exponent n of the unloading branch.
-    EXPONENT Exponent = number("an unloading exponent", Bound::Open(1.0), Bound::Closed(2.0), "1.5");
-    /// A factor of a published law, such as a pressure over the yield strength.
-    FACTOR Factor = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
-    /// True contact area over the area in which the sphere cuts the original surface: from sink-in to pile-up.
-    AREA_FACTOR AreaFactor = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
-    /// Indentation at full plasticity over that at yield.
-    TRANSITION_RATIO TransitionRatio = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
-    /// Indentation over that at first yield, for an indentation that leaves a dent.
-    DEPTH_RATIO DepthRatio = number("a depth over that at yield", Bound::Open(1.0), Bound::Closed(1e6), "105.1");
-    /// A force.
-    FORCE Force = positive("a force", Dimension::Force, "\"43.5 kN\"");
-    /// An energy.
-    ENERGY Energy = positive("an energy", Dimension::Energy, "\"4.2 J\"");
-    /// A ratio of at most 1.
-    SHARE Share = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
+/// The speed of one shot of a list.
+pub const SHOT_SPEED: Quantity =
+    Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
+/// Repeated impacts: as many as a table of some hundred megabytes has rows.
+pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
 
-    /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps have no meaning.
-    TOLERANCE Tolerance = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
-    /// Rows of a trace: at least its two ends, at most what some hundred megabytes of memory hold.
-    SAMPLES Samples = Quantity {
-        hint: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
-        ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
-    };
-    /// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
-    STEPS Steps = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
+/// A measured restitution.
+pub const RESTITUTION: Quantity = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
+/// A measured rebound hardness: 1000 times the restitution.
+pub const LEEB: Quantity = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
+/// An angle.
+pub const ANGLE: Quantity =
+    number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Closed(FRAC_PI_2), "\"30 deg\"");
+/// A measured time.
+pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
+/// The standard deviation of a plain number.
+pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");
+/// The error of the law as a share of what it predicts.
+pub const MODEL_ERROR: Quantity = number("a share", Bound::Closed(0.0), Bound::Open(1.0), "0.02");
 
-    /// Gravity.
-    ACCELERATION Acceleration = Quantity {
-        hint: "to do without gravity leave the table out",
-        is_hint_low: true,
-        ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
-    };
-    /// A height that the sphere falls from.
-    DROP_HEIGHT DropHeight = not_negative("a drop height", Dimension::Length, "\"0.5 m\"");
-    /// χ of Hunt and Crossley.
-    HUNT_CROSSLEY HuntCrossley = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
-    /// Fraction of critical damping.
-    ///
-    /// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only
-    /// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
-    VISCOUS Viscous = Quantity {
-        hint: "beyond that a contact only creeps",
-        ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
-    };
-
-    /// The speed of one shot of a list.
-    SHOT_SPEED ShotSpeed = Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
-    /// Repeated impacts: as many as a table of some hundred megabytes has rows.
-    IMPACTS Impacts = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
-
-    /// A measured restitution.
-    RESTITUTION Restitution = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
-    /// A measured rebound hardness: 1000 times the restitution.
-    LEEB Leeb = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
-    /// An angle.
-    ANGLE Angle = Quantity {
-        notation: Notation::UnitAlways,
-        ..number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Closed(FRAC_PI_2), "\"30 deg\"")
-    };
-    /// A measured time.
-    TIME Time = positive("a time", Dimension::Time, "\"20 us\"");
-    /// The standard deviation of a plain number.
-    DEVIATION Deviation = positive("a standard deviation", Dimension::Ratio, "0.01");
-    /// The error of the law as a share of what it predicts.
-    MODEL_ERROR ModelError = number("a share", Bound::Closed(0.0), Bound::Open(1.0), "0.02");
-
-    /// Random cases of a table.
-    SAMPLED Sampled = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
-    /// The seed of random numbers.
-    SEED Seed = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
-    /// Values of an axis.
-    POINTS Points = Quantity {
-        hint: "an axis needs at least one value",
-        is_hint_low: true,
-        ..number("a number of values", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "11")
-    };
-}
+/// Random cases of a table.
+pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
+/// The seed of random numbers.
+pub const SEED: Quantity = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
+/// Values of an axis.
+pub const POINTS: Quantity = Quantity {
+    hint: "an axis needs at least one value",
+    is_hint_low: true,
+    ..number("a number of values", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "11")
+};
 
 /// Any positive number of this dimension.
 pub const fn positive_of(dimension: Dimension) -> Quantity {
     positive("a number", dimension, "")
 }
 
-/// A value outside its range.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[error("{written} is not allowed: {} must be {}{}", .quantity.name, .quantity.allowed(), .quantity.way_out(*.value))]
-pub struct RangeError {
-    /// The value as it was written.
-    pub written: String,
-    /// The value in SI.
-    pub value: f64,
-    /// The quantity, with the allowed range.
-    pub quantity: Quantity,
-}
-
 impl Quantity {
     /// The value in SI, if it is allowed.
-    pub fn check(&self, value: f64) -> Result<f64, RangeError> {
+    ///
+    /// # Errors
+    /// The value, the allowed range, and what to do.
+    pub fn check(&self, value: f64) -> Result<f64, String> {
+        self.check_written(value, || units::describe(value, self.dimension))
+    }
+
+    fn check_written(&self, value: f64, written: impl FnOnce() -> String) -> Result<f64, String> {
         let above = match self.low {
             Bound::Open(low) => value > low,
             Bound::Closed(low) => value >= low,
@@ -252,57 +211,48 @@ impl Quantity {
             Bound::Open(high) => value < high,
             Bound::Closed(high) => value <= high,
         };
-        let written = || units::describe(value, self.dimension);
-        if above && below { Ok(value) } else { Err(RangeError { written: written(), value, quantity: *self }) }
+        if above && below {
+            return Ok(value);
+        }
+        let (low, high) = self.range();
+        let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
+        let way_out = if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() };
+        Err(format!("{} is not allowed: {} must be {}{way_out}", written(), self.name, self.allowed()))
     }
 
-    /// Checks a number that stands without quotes, in SI.
+    /// Checks a number that stands without quotes, in SI. An angle needs a unit, as degrees and radians are mistaken for each
+    /// other.
     ///
     /// # Errors
-    /// The message of a [`RangeError`], or that this quantity needs a unit.
+    /// As for [`Quantity::check`].
     pub fn plain(&self, value: f64) -> Result<f64, String> {
-        if self.notation == Notation::UnitAlways {
+        if self.dimension == Dimension::Angle {
             return Err(format!("{} has no unit; write {} such as {}", units::number(value), self.name, self.example));
         }
-        self.check(value).map_err(|error| error.to_string())
+        self.check(value)
     }
 
     /// Reads a text such as "5 mm", and checks the value.
     ///
     /// # Errors
-    /// The message of a [`units::UnitError`] or [`RangeError`].
+    /// As for [`Quantity::check`], or what is wrong with number or unit.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let scale = hardness::written(text).filter(|_| self.notation == Notation::Hardness);
-        let value = match scale {
-            Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string()),
-            None => self.with_unit(text),
-        }?;
-        self.check(value).map_err(|error| {
-            let written = format!("\"{text}\" = {}", units::si(value, self.dimension));
-            RangeError { written, ..error }.to_string()
-        })
+        let value = match hardness::written(text).filter(|_| self.is_hardness) {
+            Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,
+            None => units::parse_as(text, self.dimension, self.name, self.example).map_err(|error| {
+                if self.is_hardness { format!("{error}; or a hardness in HV, HB or HRC") } else { error }
+            })?,
+        };
+        self.check_written(value, || format!("\"{text}\" = {}", units::si(value, self.dimension)))
     }
 
     /// A value as text: a hardness in HV, any other in a suitable unit.
     pub fn human(&self, value: f64) -> String {
-        match self.notation {
-            Notation::Units | Notation::UnitAlways => units::human(value, self.dimension),
-            Notation::Hardness => format!("{} HV", four_digits(hardness::vickers(value))),
+        if self.is_hardness {
+            format!("{} HV", four_digits(hardness::vickers(value)))
+        } else {
+            units::human(value, self.dimension)
         }
-    }
-
-    /// A number with a unit, in SI.
-    fn with_unit(&self, text: &str) -> Result<f64, String> {
-        units::parse(text, self.dimension).map_err(|error| match error {
-            UnitError::NoNumber { text, .. } => {
-                format!("\"{text}\" does not begin with a number; write {} such as {}", self.name, self.example)
-            }
-            UnitError::NoUnit { text, .. } if self.notation == Notation::UnitAlways => {
-                format!("\"{text}\" has no unit; write {} such as {}", self.name, self.example)
-            }
-            error if self.notation == Notation::Hardness => format!("{error}; or a hardness in HV, HB or HRC"),
-            error => error.to_string(),
-        })
     }
 
     /// The ends of the allowed range.
@@ -324,11 +274,5 @@ impl Quantity {
             Bound::Open(high) => format!("{low} and < {}", value(high)),
             Bound::Closed(high) => format!("{low} and <= {}", value(high)),
         }
-    }
-
-    fn way_out(&self, value: f64) -> String {
-        let (low, high) = self.range();
-        let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
-        if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() }
     }
 }

@@ -2,12 +2,11 @@
 //! a height a speed.
 
 use std::f64::consts::PI;
-use std::marker::PhantomData;
 
-use super::field::{Count, Number, Or, Scalar};
+use super::field::Given;
 use super::input::{
-    DampingInput, FlowInput, FlowPoints, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput,
-    SolverInput, SphereInput, VoceInput,
+    DampingInput, FlowInput, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput, SolverInput,
+    SphereInput, VoceInput,
 };
 use super::keys::Key;
 use super::taken::Taken;
@@ -32,46 +31,46 @@ impl Input {
     pub fn resolve_under(&self, law: LawChoice) -> Scene {
         let Self { sphere, half_space, damping, .. } = self;
         let radius = self.radius().unwrap_or(f64::NAN);
-        let mass = sphere.mass.map(f64::from);
+        let mass = sphere.mass;
         let of_mass = |mass: f64| mass / (4.0 / 3.0 * PI * radius * radius * radius);
-        let modulus = number(half_space.youngs_modulus);
-        let hardness = half_space.hardness.map(f64::from);
+        let modulus = half_space.youngs_modulus.unwrap_or(f64::NAN);
+        let hardness = half_space.hardness;
         let strength = match hardness {
             Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, law.flow(), modulus)),
-            None => half_space.yield_strength.map(f64::from),
+            None => half_space.yield_strength,
         };
-        let hunt_crossley = damping.hunt_crossley.map(|chi| Damping::HuntCrossley(chi.into()));
-        let viscous = || damping.viscous.map(|share| Damping::Viscous(share.into()));
+        let hunt_crossley = damping.hunt_crossley.map(Damping::HuntCrossley);
+        let viscous = || damping.viscous.map(Damping::Viscous);
         Scene {
             sphere: Sphere {
                 radius,
                 material: Material {
                     youngs_modulus: match sphere.youngs_modulus {
                         None => f64::NAN,
-                        Some(Or::Number(modulus)) => modulus.into(),
-                        Some(Or::Word(_)) => f64::INFINITY,
+                        Some(Given::Number(modulus)) => modulus,
+                        Some(Given::Word) => f64::INFINITY,
                     },
-                    poissons_ratio: number(sphere.poissons_ratio),
+                    poissons_ratio: sphere.poissons_ratio.unwrap_or(f64::NAN),
                 },
-                density: mass.map_or_else(|| number(sphere.density), of_mass),
-                yield_strength: sphere.yield_strength.map(f64::from),
+                density: mass.map_or_else(|| sphere.density.unwrap_or(f64::NAN), of_mass),
+                yield_strength: sphere.yield_strength,
             },
             half_space: HalfSpace {
-                material: Material { youngs_modulus: modulus, poissons_ratio: number(half_space.poissons_ratio) },
+                material: Material {
+                    youngs_modulus: modulus,
+                    poissons_ratio: half_space.poissons_ratio.unwrap_or(f64::NAN),
+                },
                 yield_strength: strength,
-                density: half_space.density.map(f64::from),
+                density: half_space.density,
             },
             mass,
             hardness,
             speed: self.speed(),
             law,
-            drop_height: self.impact.drop_height.map(f64::from),
-            forces: Forces {
-                gravity: self.gravity.acceleration.map(f64::from),
-                damping: hunt_crossley.or_else(viscous),
-            },
+            drop_height: self.impact.drop_height,
+            forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous) },
             solver: self.solver(),
-            samples: self.samples.and_then(|rows| rows.0.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
+            samples: self.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
             materials: Vec::new(),
             warnings: Vec::new(),
         }
@@ -80,8 +79,8 @@ impl Input {
     /// The impact speed \[m/s\]: that of the fall where a height is given.
     pub fn speed(&self) -> f64 {
         match (self.impact.drop_height, self.gravity.acceleration) {
-            (Some(height), Some(gravity)) => drop_speed(gravity.into(), height.into()),
-            _ => number(self.impact.speed),
+            (Some(height), Some(gravity)) => drop_speed(gravity, height),
+            _ => self.impact.speed.unwrap_or(f64::NAN),
         }
     }
 
@@ -89,17 +88,17 @@ impl Input {
     pub fn solver(&self) -> Solver {
         let SolverInput { tolerance, method, steps_per_contact } = self.solver;
         let defaults = Solver::default();
-        let steps = steps_per_contact.and_then(|steps| steps.0.try_into().ok());
+        let steps = steps_per_contact.and_then(|steps| steps.try_into().ok());
         Solver {
             method: method.unwrap_or(defaults.method),
-            tolerance: tolerance.map_or(defaults.tolerance, f64::from),
+            tolerance: tolerance.unwrap_or(defaults.tolerance),
             steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
         }
     }
 
     /// The sphere's radius \[m\], by its radius or its diameter.
     pub fn radius(&self) -> Option<f64> {
-        self.sphere.radius.map(f64::from).or(self.sphere.diameter.map(|diameter| 0.5 * f64::from(diameter)))
+        self.sphere.radius.or(self.sphere.diameter.map(|diameter| 0.5 * diameter))
     }
 
     /// Puts what a body takes from its material in the place of what it took from another.
@@ -117,39 +116,43 @@ impl Input {
         let [of_sphere, of_half_space] = [sphere.material, half_space.material];
         let is_rigid = of_sphere.youngs_modulus.is_infinite();
         let (hunt_crossley, viscous) = match forces.damping {
-            Some(Damping::HuntCrossley(chi)) => (Number::of(chi), None),
-            Some(Damping::Viscous(share)) => (None, Number::of(share)),
+            Some(Damping::HuntCrossley(chi)) => (Some(chi), None),
+            Some(Damping::Viscous(share)) => (None, Some(share)),
             None => (None, None),
         };
         Self {
             sphere: SphereInput {
-                radius: Number::of(sphere.radius),
-                youngs_modulus: if is_rigid { Some(Or::Word(PhantomData)) } else { Or::of(of_sphere.youngs_modulus) },
-                poissons_ratio: Number::of(of_sphere.poissons_ratio),
-                density: Some(sphere.density).filter(|_| scene.mass.is_none()).and_then(Number::of),
-                mass: scene.mass.and_then(Number::of),
-                yield_strength: sphere.yield_strength.and_then(Number::of),
+                radius: Some(sphere.radius),
+                youngs_modulus: if is_rigid {
+                    Some(Given::Word)
+                } else {
+                    Some(Given::Number(of_sphere.youngs_modulus))
+                },
+                poissons_ratio: Some(of_sphere.poissons_ratio),
+                density: Some(sphere.density).filter(|_| scene.mass.is_none()),
+                mass: scene.mass,
+                yield_strength: sphere.yield_strength,
                 ..SphereInput::default()
             },
             half_space: HalfSpaceInput {
-                youngs_modulus: Number::of(of_half_space.youngs_modulus),
-                poissons_ratio: Number::of(of_half_space.poissons_ratio),
-                yield_strength: half_space.yield_strength.and_then(Number::of),
-                hardness: scene.hardness.and_then(Number::of),
-                density: half_space.density.and_then(Number::of),
+                youngs_modulus: Some(of_half_space.youngs_modulus),
+                poissons_ratio: Some(of_half_space.poissons_ratio),
+                yield_strength: half_space.yield_strength,
+                hardness: scene.hardness,
+                density: half_space.density,
                 flow_stress: scene.law.flow().map(FlowInput::of).unwrap_or_default(),
                 material: None,
             },
-            impact: ImpactInput { speed: Number::of(scene.speed), drop_height: scene.drop_height.and_then(Number::of) },
-            gravity: GravityInput { acceleration: forces.gravity.and_then(Number::of) },
+            impact: ImpactInput { speed: Some(scene.speed), drop_height: scene.drop_height },
+            gravity: GravityInput { acceleration: forces.gravity },
             damping: DampingInput { hunt_crossley, viscous },
             law: scene.law.clone(),
             solver: SolverInput {
-                tolerance: Number::of(solver.tolerance),
+                tolerance: Some(solver.tolerance),
                 method: Some(solver.method),
-                steps_per_contact: Some(Count::new(solver.steps_per_contact.into())),
+                steps_per_contact: Some(solver.steps_per_contact.into()),
             },
-            samples: Some(Count::new(scene.samples as u64)),
+            samples: Some(scene.samples as u64),
         }
     }
 }
@@ -159,17 +162,13 @@ impl FlowInput {
     fn of(curve: &FlowCurve) -> Self {
         let mut input = Self::default();
         match *curve {
-            FlowCurve::Power { exponent } => input.power = Some(PowerInput { exponent: Number::of(exponent) }),
+            FlowCurve::Power { exponent } => input.power = Some(PowerInput { exponent: Some(exponent) }),
             FlowCurve::Voce { saturation, rate } => {
-                input.voce = Some(VoceInput { saturation: Number::of(saturation), rate: Number::of(rate) });
+                input.voce = Some(VoceInput { saturation: Some(saturation), rate: Some(rate) });
             }
-            FlowCurve::Linear { slope } => input.linear = Some(LinearInput { slope: Number::of(slope) }),
-            FlowCurve::Points(_) => input.points = Some(FlowPoints(curve.clone())),
+            FlowCurve::Linear { slope } => input.linear = Some(LinearInput { slope: Some(slope) }),
+            FlowCurve::Points(_) => input.points = Some(curve.clone()),
         }
         input
     }
-}
-
-fn number<K>(given: Option<Number<K>>) -> f64 {
-    given.map_or(f64::NAN, f64::from)
 }

@@ -4,66 +4,10 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use thiserror::Error;
-
 use super::Dimension;
 use super::nearest::did_you_mean;
 use super::table::{Scale, UNITS, Unit};
-
-/// Why a text is no quantity.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum UnitError {
-    /// It does not begin with a number.
-    #[error("\"{text}\" does not begin with a number; write {} such as {}", .dimension.name(), .dimension.example())]
-    NoNumber {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        dimension: Dimension,
-    },
-    /// A number with a mark that is none of a number: `1_000 mm`, `5..0 mm`.
-    #[error("\"{text}\" has a number that cannot be read; write plain digits with one decimal point, such as {}", .dimension.example())]
-    BadNumber {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        dimension: Dimension,
-    },
-    /// A decimal comma.
-    #[error("\"{text}\" has a decimal comma; write a decimal point")]
-    DecimalComma {
-        /// The text.
-        text: String,
-    },
-    /// A number in quotes without a unit.
-    #[error("\"{text}\" has no unit; write {} such as {}, or a number without quotes in {}", .dimension.name(), .dimension.example(), .dimension.si_unit())]
-    NoUnit {
-        /// The text.
-        text: String,
-        /// What was wanted.
-        dimension: Dimension,
-    },
-    /// A unit of something else.
-    #[error("\"{text}\" is {}, but {} is needed, such as {}", .found.name(), .wanted.name(), .wanted.example())]
-    WrongDimension {
-        /// The text.
-        text: String,
-        /// What the unit measures.
-        found: Dimension,
-        /// What was wanted.
-        wanted: Dimension,
-    },
-    /// No such unit.
-    #[error("unknown unit \"{unit}\" in \"{text}\"{}", known(.unit, *.dimension))]
-    UnknownUnit {
-        /// The text.
-        text: String,
-        /// Its unit.
-        unit: String,
-        /// What was wanted.
-        dimension: Dimension,
-    },
-}
+use crate::error::Error;
 
 fn known(unit: &str, dimension: Dimension) -> String {
     let all = match dimension {
@@ -80,38 +24,49 @@ fn known(unit: &str, dimension: Dimension) -> String {
 /// Reads a quantity with its unit and gives it in SI.
 ///
 /// # Errors
-/// [`UnitError`], naming the unit and what would be understood.
+/// The text, what is wrong, and what would be understood.
 ///
 /// ```
 /// use plm_impact::units::{Dimension, parse};
 /// assert_eq!(parse("5 mm", Dimension::Length)?, 0.005);
 /// assert_eq!(parse("7.85 g/cm³", Dimension::Density)?, 7850.0);
-/// # Ok::<(), plm_impact::units::UnitError>(())
+/// # Ok::<(), plm_impact::error::Error>(())
 /// ```
-pub fn parse(text: &str, dimension: Dimension) -> Result<f64, UnitError> {
-    let written = || text.to_owned();
-    let no_number = || UnitError::NoNumber { text: written(), dimension };
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
+    parse_as(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
+}
+
+/// The same of a quantity with this name and this example.
+pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
+    let no_number = || format!("\"{text}\" does not begin with a number; write {name} such as {example}");
     let plain = with_plain_minus(text.trim());
     let (number, unit) = split(&plain);
     if !number.bytes().any(|byte| byte.is_ascii_digit()) {
         return Err(no_number());
     }
     if unit.is_empty() {
+        let no_unit = format!("\"{text}\" has no unit; write {name} such as {example}");
         return match dimension {
             Dimension::Ratio => number.parse().map_err(|_| no_number()),
-            _ => Err(UnitError::NoUnit { text: written(), dimension }),
+            Dimension::Angle => Err(no_unit),
+            _ => Err(format!("{no_unit}, or a number without quotes in {}", dimension.si_unit())),
         };
     }
     if unit.starts_with(',') {
-        return Err(UnitError::DecimalComma { text: written() });
+        return Err(format!("\"{text}\" has a decimal comma; write a decimal point"));
     }
     if unit.starts_with(['.', '_']) {
-        return Err(UnitError::BadNumber { text: written(), dimension });
+        return Err(format!(
+            "\"{text}\" has a number that cannot be read; write plain digits with one decimal point, such as {example}"
+        ));
     }
     match SPELLINGS.get(&plain_spelling(unit)) {
         Some(unit) if unit.dimension == dimension => unit.scale.apply(number).ok_or_else(no_number),
-        Some(other) => Err(UnitError::WrongDimension { text: written(), found: other.dimension, wanted: dimension }),
-        None => Err(UnitError::UnknownUnit { text: written(), unit: unit.to_owned(), dimension }),
+        Some(other) => {
+            let found = other.dimension.name();
+            Err(format!("\"{text}\" is {found}, but {} is needed, such as {}", dimension.name(), dimension.example()))
+        }
+        None => Err(format!("unknown unit \"{unit}\" in \"{text}\"{}", known(unit, dimension))),
     }
 }
 

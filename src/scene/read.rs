@@ -1,0 +1,159 @@
+//! Reads values as they are written. What is refused is told with its value, the allowed range and the way out.
+
+use std::ops::Range;
+
+use super::key::Words;
+use super::quantity::Quantity;
+use super::written::{Node, Table, Value};
+use crate::units::nearest::did_you_mean;
+
+/// A value that is refused: where it stands, and why.
+#[derive(Debug, Clone)]
+pub struct Fault {
+    /// Where.
+    pub span: Range<usize>,
+    /// Value, allowed range, way out.
+    pub message: String,
+}
+
+impl Fault {
+    /// A refusal of what stands there.
+    pub fn at(node: &Node, message: impl Into<String>) -> Self {
+        Self { span: node.span.clone(), message: message.into() }
+    }
+
+    /// The refusal of a value of the wrong kind.
+    pub fn unexpected(node: &Node, expected: &str) -> Self {
+        Self::at(node, format!("found {}, expected {expected}", node.described()))
+    }
+}
+
+/// Reads the file of this name, relative to the scenario, which the key of this path names: its path and its text.
+pub type Files<'f> = &'f mut dyn FnMut(&str, &str) -> Result<[String; 2], String>;
+
+/// Goes through the tables of a scenario and collects what is refused.
+pub struct Reader<'f> {
+    /// The table or key that is read, with dots.
+    pub path: String,
+    /// Keys whose value or name is refused.
+    pub refused: Vec<(String, Fault)>,
+    files: Files<'f>,
+}
+
+impl<'f> Reader<'f> {
+    /// A reader at the top of a scenario.
+    pub fn new(files: Files<'f>) -> Self {
+        Self { path: String::new(), refused: Vec::new(), files }
+    }
+
+    /// Reads what stands below this name; a refusal is kept.
+    pub fn within(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
+        let outer = self.path.len();
+        if !self.path.is_empty() && !name.starts_with('[') {
+            self.path.push('.');
+        }
+        self.path.push_str(name);
+        if let Err(fault) = read(self) {
+            self.refused.push((self.path.clone(), fault));
+        }
+        self.path.truncate(outer);
+    }
+
+    /// Path and text of the file that this key names.
+    pub fn file(&mut self, node: &Node, example: &str) -> Result<[String; 2], Fault> {
+        (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
+    }
+
+    /// Refuses a key that the table has not; `known` are the names of those that it has.
+    pub fn unknown(&mut self, name: &str, span: Range<usize>, known: &[&str]) {
+        let (thing, things) = match self.path.as_str() {
+            "" => ("table", "tables"),
+            "law" => ("law", "laws"),
+            _ => ("key", "keys here"),
+        };
+        let message = if known.is_empty() {
+            format!("unknown {thing} `{name}`; this table takes none")
+        } else {
+            let all = format!("{things} are {}", known.join(", "));
+            format!("unknown {thing} `{name}`{}", did_you_mean(name, known.iter().copied(), '`', &all))
+        };
+        self.within(name, |_| Err(Fault { span, message }));
+    }
+}
+
+/// A number in SI, or a text with a unit. `word` may stand in its place; it is read before.
+pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f64, Fault> {
+    let or = |begin: &str| word.map_or_else(String::new, |word| format!("{begin} \"{word}\""));
+    match &node.value {
+        Value::Text(text) => quantity.parse(text).map_err(|message| Fault::at(node, message + &or("; or write"))),
+        Value::Number { value: Some(value), .. } => quantity.plain(*value).map_err(|message| Fault::at(node, message)),
+        _ => Err(Fault::unexpected(node, &format!("{} such as {}{}", quantity.name, quantity.example, or(", or")))),
+    }
+}
+
+/// A whole number.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and below 2^64
+pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
+    const TOO_MANY: f64 = 18_446_744_073_709_551_616.0;
+    let value = number(quantity, None, node)?;
+    match node.value {
+        Value::Number { whole: Some(whole), .. } => Ok(whole),
+        _ if value.fract() == 0.0 && value < TOO_MANY => Ok(value as u64),
+        _ => {
+            let message = format!("{value} is not allowed: {} must be a whole number below 2^64", quantity.name);
+            Err(Fault::at(node, message))
+        }
+    }
+}
+
+/// Two numbers.
+pub fn pair(quantities: [&Quantity; 2], node: &Node) -> Result<[f64; 2], Fault> {
+    let example = quantities.map(|quantity| quantity.example).join(", ");
+    match list(node, &format!("[{example}]"))? {
+        [one, other] => Ok([number(quantities[0], None, one)?, number(quantities[1], None, other)?]),
+        items => Err(Fault::at(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
+    }
+}
+
+/// The items of a list.
+pub fn list<'n>(node: &'n Node, example: &str) -> Result<&'n [Node], Fault> {
+    match &node.value {
+        Value::List(items) => Ok(items),
+        _ => Err(Fault::unexpected(node, &format!("a list in [ ] such as {example}"))),
+    }
+}
+
+/// Any text.
+pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
+    match &node.value {
+        Value::Text(text) => Ok(text),
+        _ => Err(Fault::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
+    }
+}
+
+/// A word that is known.
+pub fn word(words: &Words, node: &Node) -> Result<String, Fault> {
+    let known = (words.known)();
+    let given = text(node, known.first().map_or("", String::as_str))?;
+    if known.iter().any(|word| word == given) {
+        return Ok(given.to_owned());
+    }
+    let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
+    let all = format!("{} are {}", words.several, all.join(", "));
+    let hint = did_you_mean(given, known.iter().map(String::as_str), '"', &all);
+    Err(Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one)))
+}
+
+/// What a word that is known stands for.
+pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
+    let name = word(words, node)?;
+    find(&name).ok_or_else(|| Fault::at(node, format!("unknown {} \"{name}\"", words.one)))
+}
+
+/// The items of a table.
+pub fn items(node: &Node) -> Result<&Table, Fault> {
+    match &node.value {
+        Value::Table(table) => Ok(table),
+        _ => Err(Fault::unexpected(node, "a table")),
+    }
+}
