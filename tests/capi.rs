@@ -39,19 +39,22 @@ fn the_header_is_that_of_the_source() {
     assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
 }
 
-/// Builds the static library of this crate and returns its path.
+/// Builds a static library of this crate, from the library that this test is linked with, and returns its path. The tests of the
+/// plug-in for LAMMPS take it too.
 fn library() -> PathBuf {
-    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
-    let cargo = Command::new(env!("CARGO"))
-        .current_dir(root())
-        .args(["rustc", "--quiet", "--lib", "--crate-type", "staticlib", "--features"])
-        // the features of this build, so that the dependencies are built already
-        .args([if cfg!(feature = "parquet") { "parquet,capi" } else { "capi" }, "--target-dir"])
-        .arg(&target)
+    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().join("debug");
+    let (source, library) = (target.join("staticlib.rs"), target.join("libplm_impact.a"));
+    fs::write(&source, "pub use plm_impact::capi::*;").unwrap();
+    let built = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
+        .args(["--edition", "2024", "--crate-type", "staticlib", "--extern"])
+        .arg(format!("plm_impact={}", target.join("libplm_impact.rlib").display()))
+        .arg("-L")
+        .arg(format!("dependency={}", target.join("deps").display()))
+        .args([Path::new("-o"), &library, &source])
         .output()
         .unwrap();
-    assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
-    target.join("debug/libplm_impact.a")
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    library
 }
 
 /// Stiffness, force, stored and plastic energy along the path of the C program.

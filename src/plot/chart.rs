@@ -103,6 +103,14 @@ impl Chart {
         self
     }
 
+    /// The same picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that of solid
+    /// lines, the second of dashed ones ([`Style::branch`]).
+    #[must_use]
+    pub fn with_branches(self, names: &[&str]) -> Self {
+        let entry = |(which, name): (usize, &&str)| Entry::line(name, Style::line(GREY, 3.0).branch(which));
+        self.with_entries(names.iter().enumerate().map(entry))
+    }
+
     /// The picture as PNG: pixels, with the same bytes on every machine.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
         pen::png(|pen| self.paint(pen))

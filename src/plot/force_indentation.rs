@@ -4,22 +4,16 @@
 use super::PlotError;
 use super::axis::Axis;
 use super::chart::Chart;
-use super::key::Entry;
 use super::loops;
 use super::series::Series;
 use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::units::rounded::{number, quantity};
 
-type Of = fn(&TraceRow) -> f64;
-
-/// The three indentations of a row, with their names and the widths of their lines \[px\]. With a rigid sphere the loop of the half-space lies on that of
-/// the approach; with equal elastic bodies it lies on that of the sphere.
-pub(super) const INDENTATIONS: [(&str, Of, f64); 3] = [
-    ("Approach δ", |row| row.indentation, 7.0),
-    ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
-    ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
-];
+/// The values of [`loops::INDENTATIONS`].
+pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
+    [row.indentation, row.sphere_indentation, row.half_space_indentation]
+}
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 ///
@@ -37,8 +31,8 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let ink = |mark| Style::marker(mark, INK);
     let to_peak = Style::line(GREY, 2.0).dashed(DOTTED);
     let mut series = vec![Series::bare("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
-    for (i, (name, indentation, width)) in INDENTATIONS.into_iter().enumerate() {
-        let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentation(row), row.force)).collect();
+    for (i, (name, width)) in loops::INDENTATIONS.into_iter().enumerate() {
+        let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentations(row)[i], row.force)).collect();
         let branches = branches.map(|(is_loading, rows)| (is_loading, points(rows)));
         series.extend(loops::series(Series::line(name, Vec::new()), loops::style(i, width), branches));
     }
@@ -69,7 +63,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
     let y = Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force);
     let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
-    Ok(Chart::new(title(impact), [x, y], series).with_entries(Entry::branches(branches)))
+    Ok(Chart::new(title(impact), [x, y], series).with_branches(branches))
 }
 
 pub(super) fn is_damped(impact: &Impact) -> bool {

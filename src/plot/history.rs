@@ -3,7 +3,7 @@
 use super::PlotError;
 use super::axis::{Axis, extremes};
 use super::chart::{Chart, Panel};
-use super::force_indentation::{INDENTATIONS, force_at_peak, is_damped, peak_name, title};
+use super::force_indentation::{force_at_peak, indentations, is_damped, peak_name, title};
 use super::loops;
 use super::series::{Guide, Series};
 use super::style::{DASHED, GREY, INK, Style};
@@ -24,19 +24,22 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
     if !is_damped(impact) {
         force = force.and(force_at_peak(impact));
     }
-    let mut indentations: Vec<Series> = INDENTATIONS
+    let mut drawn: Vec<Series> = loops::INDENTATIONS
         .iter()
         .enumerate()
-        .map(|(i, (name, of, width))| Series::line(*name, points(*of)).styled(loops::style(i, *width)))
+        .map(|(i, (name, width))| {
+            let points = impact.trace.iter().map(|row| (row.time, indentations(row)[i]));
+            Series::line(*name, points.collect()).styled(loops::style(i, *width))
+        })
         .collect();
-    indentations[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, "m")));
+    drawn[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, "m")));
     let speed = Series::bare("Speed δ′", points(|row| row.speed)).styled(thin(4));
     let speed = speed.and(format!("impact at {}", quantity(impact.speed, "m/s")));
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::engineering(title, unit).between(1.1 * low, 1.1 * high);
     let mut panels = vec![
         Panel::new(y("Force", "N", 0.0, impact.peak_force), vec![force]),
-        Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), indentations),
+        Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), drawn),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
     panels[2].guides.push(Guide::horizontal(0.0, "").drawn(Style::line(INK, 1.5)));

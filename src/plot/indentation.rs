@@ -21,14 +21,13 @@ type Quantity = fn(&TraceRow) -> f64;
 pub fn indentation(tested: &[Tested]) -> Chart {
     let mut series = match tested {
         [one] => {
-            let of: [(&str, Quantity, f64); 3] = [
-                ("Approach δ", |row| row.indentation, 7.0),
-                ("Sphere δₛ", |row| row.sphere_indentation, 5.0),
-                ("Half-space δₕ", |row| row.half_space_indentation, 3.0),
-            ];
-            let of = of.into_iter().enumerate();
-            of.flat_map(|(i, (name, of, width))| one_loop(name, &one.indentation.trace, of, loops::style(i, width)))
-                .collect::<Vec<_>>()
+            let of: [Quantity; 3] =
+                [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
+            let named = loops::INDENTATIONS.into_iter().zip(of).enumerate();
+            let drawn = named.flat_map(|(i, ((name, width), of))| {
+                one_loop(name, &one.indentation.trace, of, loops::style(i, width))
+            });
+            drawn.collect::<Vec<_>>()
         }
         several => {
             let of = several.iter().enumerate();
@@ -45,7 +44,7 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     let deepest = spans(tested).map(|([_, high], ..)| high).fold(deepest, f64::max);
     let unloads = rows().any(|row| !is_loading(row));
     let branches = ["loading", "unloading and reloading"];
-    let mut entries: Vec<Entry> = Entry::branches(&branches[..if unloads { 2 } else { 1 }]).collect();
+    let mut entries = Vec::new();
     if let [one] = tested
         && let Some(step) = one.indentation.steps.last()
     {
@@ -65,7 +64,8 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     series.extend(bars);
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
     let y = Axis::engineering("Force", "N").between(0.0, room * strongest);
-    Chart::new(title(tested), [x, y], series).with_entries(entries)
+    let chart = Chart::new(title(tested), [x, y], series);
+    chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries)
 }
 
 /// The loop of the trace of one half-space, against one kind of indentation.

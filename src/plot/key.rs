@@ -4,7 +4,7 @@ use plotters::prelude::DrawingBackend;
 
 use super::frame::{Frame, TOP};
 use super::pen::{Anchor, Pen, text_width, wrapped};
-use super::style::{DASHED, GREY, INK, LABEL_SIZE, SOLID, Style};
+use super::style::{GREY, INK, LABEL_SIZE, Style};
 use super::{PlotError, SIZE};
 
 /// Width of the sample of a line or marker \[px\].
@@ -31,11 +31,6 @@ impl Entry {
 
     pub fn text(text: &str) -> Self {
         Self { line: None, mark: None, texts: vec![text.into()] }
-    }
-
-    /// The entries of the branches of a loop.
-    pub fn branches(names: &[&str]) -> impl Iterator<Item = Self> {
-        names.iter().zip([SOLID, DASHED]).map(|(name, dash)| Self::line(name, Style::line(GREY, 3.0).dashed(dash)))
     }
 
     pub fn and(mut self, text: impl Into<String>) -> Self {

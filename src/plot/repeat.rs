@@ -4,7 +4,6 @@
 use super::PlotError;
 use super::axis::Axis;
 use super::chart::{Chart, Panel};
-use super::key::Entry;
 use super::loops;
 use super::series::Series;
 use super::style::{GREY, Style};
@@ -128,8 +127,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
     let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
-    let branches = Entry::branches(&["loading", "unloading"]);
-    Ok(Chart::new(title(repeat, sequence), [x, y], series).with_entries(branches))
+    Ok(Chart::new(title(repeat, sequence), [x, y], series).with_branches(&["loading", "unloading"]))
 }
 
 /// Groups of consecutive impacts that are identical, so that their loops coincide: the first and the last of each

@@ -89,6 +89,12 @@ impl Style {
         self.dashed(SOLID)
     }
 
+    /// The same colour and marker, with a solid line for 0 and a dashed one for 1.
+    #[must_use]
+    pub fn branch(self, which: usize) -> Self {
+        self.dashed(if which == 0 { SOLID } else { DASHED })
+    }
+
     pub(super) fn dashed(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }

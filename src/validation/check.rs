@@ -16,11 +16,6 @@ enum Source {
 }
 
 impl Tolerance {
-    /// A limit beyond the deviation that was found when the law was fixed. It shows changes; no reference states it.
-    pub const fn found(deviation: f64, limit: f64) -> Self {
-        Self { limit, source: Source::Found(deviation) }
-    }
-
     /// A limit that a reference states, or that follows from the error of the reference.
     pub const fn stated(limit: f64, source: &'static str) -> Self {
         Self { limit, source: Source::Stated(source) }
@@ -33,6 +28,11 @@ impl Tolerance {
             Source::Stated(source) => source.to_owned(),
         }
     }
+}
+
+/// A limit beyond the deviation that was found when the law was fixed. It shows changes; no reference states it.
+pub const fn found(deviation: f64, limit: f64) -> Tolerance {
+    Tolerance { limit, source: Source::Found(deviation) }
 }
 
 /// A known deviation beyond the tolerance. It does not count as a pass, but the validation does not fail.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::check::{Check, Group, Tolerance};
+use super::check::{Check, Group, Tolerance, found};
 use super::{EXPONENTS, ValidationError};
 use crate::impact::Impact;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
@@ -23,16 +23,16 @@ const fn of_impact(
 }
 
 /// Contact time and loading are nearly the same with both exponents.
-const TIME: Tolerance = Tolerance::found(0.0128, 0.016);
+const TIME: Tolerance = found(0.0128, 0.016);
 
 const QUANTITIES: [OfImpact; 8] = [
-    of_impact("impact: restitution, exponent 3/2", "", Tolerance::found(0.0187, 0.030), |case| {
+    of_impact("impact: restitution, exponent 3/2", "", found(0.0187, 0.030), |case| {
         Some([case.reference.restitution, case.impacts[0].restitution])
     }),
-    of_impact("impact: restitution, pressure-shape", "", Tolerance::found(0.0144, 0.023), |case| {
+    of_impact("impact: restitution, pressure-shape", "", found(0.0144, 0.023), |case| {
         Some([case.reference.restitution, case.impacts[1].restitution])
     }),
-    of_impact("impact: restitution, pressure-shape with waves", "", Tolerance::found(0.0082, 0.010), |case| {
+    of_impact("impact: restitution, pressure-shape with waves", "", found(0.0082, 0.010), |case| {
         Some([case.reference.restitution, case.impacts[1].restitution_with_waves()?])
     }),
     of_impact(
@@ -47,10 +47,10 @@ const QUANTITIES: [OfImpact; 8] = [
     of_impact("impact: contact time, pressure-shape", "s", TIME, |case| {
         Some([case.reference.contact_time, case.impacts[1].contact_time])
     }),
-    of_impact("impact: peak force", "N", Tolerance::found(0.0130, 0.036), |case| {
+    of_impact("impact: peak force", "N", found(0.0130, 0.036), |case| {
         Some([case.reference.peak_force, case.impacts[0].peak_force])
     }),
-    of_impact("impact: residual indentation", "m", Tolerance::found(0.0133, 0.022), |case| {
+    of_impact("impact: residual indentation", "m", found(0.0133, 0.022), |case| {
         Some([case.reference.residual_indentation, case.impacts[0].residual_indentation])
     }),
 ];

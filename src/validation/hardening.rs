@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Group, RMS, Statistic, Tolerance};
+use super::check::{Check, Group, RMS, Statistic, Tolerance, found};
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::reference::hardening::{Materials, unloadings};
 use crate::reference::unloading::Unloaded;
@@ -13,52 +13,39 @@ const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 /// A quantity of an unloading: its checks, and its number by the finite elements and by the law.
 type Quantity = (Group, fn(&Unloaded) -> f64, fn(&AtEnergy) -> f64);
 
-const fn quantity(
-    name: &'static str,
-    limit: Tolerance,
-    of_rms: &'static [(Statistic, Tolerance)],
-    of_reference: fn(&Unloaded) -> f64,
-    of_law: fn(&AtEnergy) -> f64,
-) -> Quantity {
-    (Group::of(name, REFERENCE, "", limit).with_overall(of_rms), of_reference, of_law)
+const fn group(name: &'static str, limit: Tolerance, of_rms: &'static [(Statistic, Tolerance)]) -> Group {
+    Group::of(name, REFERENCE, "", limit).with_overall(of_rms)
 }
 
-const RESTITUTION: Quantity = quantity(
-    "hardening: restitution, pressure-shape",
-    Tolerance::found(0.0289, 0.031),
-    &[(RMS, Tolerance::found(0.0109, 0.012))],
-    |row| row.restitution,
-    |state| state.restitution,
-);
-const FORCE: Quantity = quantity(
-    "hardening: peak force",
-    Tolerance::found(0.0375, 0.040),
-    &[(RMS, Tolerance::found(0.0137, 0.015))],
-    |row| row.f,
-    |state| state.peak.force,
-);
-const INDENTATION: Quantity = quantity(
-    "hardening: peak indentation",
-    Tolerance::found(0.0307, 0.033),
-    &[(RMS, Tolerance::found(0.0105, 0.011))],
-    |row| row.x,
-    |state| state.peak.indentation,
-);
-/// A shallow dent would have a large relative deviation.
-const DENT: Quantity = quantity(
-    "hardening: residual indentation, deviation over peak indentation",
-    Tolerance::found(0.0280, 0.030),
-    &[(RMS, Tolerance::found(0.0091, 0.010))],
-    |row| row.residual_share,
-    |state| state.peak.residual() / state.peak.indentation,
-);
-const RADIUS: Quantity = quantity(
-    "hardening: contact radius",
-    Tolerance::found(0.0355, 0.038),
-    &[(RMS, Tolerance::found(0.0143, 0.016))],
-    |row| row.contact_radius,
-    |state| state.contact_radius,
-);
+const QUANTITIES: [Quantity; 5] = [
+    (
+        group("hardening: restitution, pressure-shape", found(0.0289, 0.031), &[(RMS, found(0.0109, 0.012))]),
+        |row| row.restitution,
+        |state| state.restitution,
+    ),
+    (
+        group("hardening: peak force", found(0.0375, 0.040), &[(RMS, found(0.0137, 0.015))]),
+        |row| row.f,
+        |state| state.peak.force,
+    ),
+    (
+        group("hardening: peak indentation", found(0.0307, 0.033), &[(RMS, found(0.0105, 0.011))]),
+        |row| row.x,
+        |state| state.peak.indentation,
+    ),
+    // a shallow dent would have a large relative deviation
+    (
+        group(DENT, found(0.0280, 0.030), &[(RMS, found(0.0091, 0.010))]).of_differences(),
+        |row| row.residual_share,
+        |state| state.peak.residual() / state.peak.indentation,
+    ),
+    (
+        group("hardening: contact radius", found(0.0355, 0.038), &[(RMS, found(0.0143, 0.016))]),
+        |row| row.contact_radius,
+        |state| state.contact_radius,
+    ),
+];
+const DENT: &str = "hardening: residual indentation, deviation over peak indentation";
 
 /// A load cycle by the law.
 pub(super) struct AtEnergy {
@@ -99,11 +86,10 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Valid
             states.push((row, at_energy(&law, yield_radius_ratio, row.spent)));
         }
     }
-    let dent = (DENT.0.of_differences(), DENT.1, DENT.2);
     let of = |(group, of_reference, of_law): Quantity| {
         let case = |row: &Unloaded| format!("{}, x = {}", row.material, row.x);
         let numbers = states.iter().map(|(row, state)| (case(row), [of_reference(row), of_law(state)]));
         group.checks(numbers, "unloadings")
     };
-    Ok([RESTITUTION, FORCE, INDENTATION, dent, RADIUS].into_iter().flat_map(of).collect())
+    Ok(QUANTITIES.into_iter().flat_map(of).collect())
 }

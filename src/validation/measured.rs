@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ValidationError;
-use super::check::{Check, Group, RMS, Tolerance};
+use super::check::{Check, Group, RMS, Tolerance, found};
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -30,7 +30,7 @@ const GROUP: Group = Group::of(
     "",
     Tolerance::stated(0.0, "tolerance of the test blocks, 30 HL"),
 )
-.with_overall(&[(RMS, Tolerance::found(0.0184, 0.02))]);
+.with_overall(&[(RMS, found(0.0184, 0.02))]);
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
 pub(super) fn restitution(

@@ -20,9 +20,6 @@ use crate::progress::Counter;
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
 
-/// Add this to the index of a style to get a style of the same colour with other dashes and another marker.
-const SISTER: usize = 7;
-
 /// The name of a case in file names, such as "case-3".
 fn slug(case: &str) -> String {
     case.to_lowercase().replace(' ', "-")

@@ -3,7 +3,7 @@
 
 use super::ValidationError;
 use super::cases::{Case, Cycle, cases};
-use super::check::{Check, Group, Known, MEAN, RMS, Tolerance, deviation, rms};
+use super::check::{Check, Group, Known, MEAN, RMS, Tolerance, deviation, found, rms};
 use crate::fit::LoadingPoint;
 use crate::law::{Law, Peak, PlmCoefficients, Unloading, UnloadingExponent};
 use crate::reference::STATIC;
@@ -25,29 +25,29 @@ pub(super) const QUANTITIES: [Quantity; 4] = [
         name: "force",
         of_law: |_, law, x| law.loading.force(x),
         of_point: |_, point| Some(point.force),
-        rms: Tolerance::found(0.0144, 0.015),
-        largest: Some(("F_Y", Tolerance::found(0.0347, 0.036))),
+        rms: found(0.0144, 0.015),
+        largest: Some(("F_Y", found(0.0347, 0.036))),
     },
     Quantity {
         name: "sphere indentation",
         of_law: |case, law, x| case.sphere_compliance() * law.loaded_to(x).elastic_approach,
         of_point: |case, point| Some(case.sphere_compliance() * point.elastic_approach),
-        rms: Tolerance::found(0.0116, 0.013),
+        rms: found(0.0116, 0.013),
         largest: None,
     },
     Quantity {
         name: "half-space indentation",
         of_law: |case, law, x| x - case.sphere_compliance() * law.loaded_to(x).elastic_approach,
         of_point: |case, point| Some(point.indentation - case.sphere_compliance() * point.elastic_approach),
-        rms: Tolerance::found(0.0063, 0.013),
+        rms: found(0.0063, 0.013),
         largest: None,
     },
     Quantity {
         name: "contact radius",
         of_law: |_, law, x| law.contact_radius(&law.loaded_to(x)),
         of_point: |_, point| point.contact_radius,
-        rms: Tolerance::found(0.0262, 0.027),
-        largest: Some(("a_Y", Tolerance::found(0.0522, 0.053))),
+        rms: found(0.0262, 0.027),
+        largest: Some(("a_Y", found(0.0522, 0.053))),
     },
 ];
 
@@ -145,14 +145,14 @@ const CYCLES: [OfCycle; 7] = [
         "unloading: force, largest deviation over peak force, exponent 3/2",
         "F_m",
         PAPER,
-        Tolerance::found(0.0509, 0.052),
+        found(0.0509, 0.052),
         farthest,
     )),
     differences(of_cycle(
         "unloading: force, largest deviation over peak force, pressure-shape",
         "F_m",
         SHAPE,
-        Tolerance::found(0.0307, 0.040),
+        found(0.0307, 0.040),
         farthest,
     )),
     of_cycle(
@@ -165,19 +165,19 @@ const CYCLES: [OfCycle; 7] = [
         ),
         |_, cycle| cycle.is_resolved().then(|| [cycle.row.residual_radius, residual_radius(&cycle.peak)]),
     ),
-    differences(of_cycle(DENT, "delta_m", PAPER, Tolerance::found(0.0182, 0.022), |law, cycle| {
+    differences(of_cycle(DENT, "delta_m", PAPER, found(0.0182, 0.022), |law, cycle| {
         let x = cycle.row.x;
         Some([cycle.residual() / x, law.loaded_to(x).residual() / x])
     })),
     OfCycle {
-        group: Group::of("load cycle: restitution, exponent 3/2", STATIC, "", Tolerance::found(0.0557, 0.057))
-            .with_overall(&[(MEAN, Tolerance::found(0.0294, 0.031)), (RMS, Tolerance::found(0.0308, 0.032))]),
+        group: Group::of("load cycle: restitution, exponent 3/2", STATIC, "", found(0.0557, 0.057))
+            .with_overall(&[(MEAN, found(0.0294, 0.031)), (RMS, found(0.0308, 0.032))]),
         exponent: PAPER,
         numbers: |law, cycle| Some([cycle.row.restitution?, restitution(law, cycle.row.x)]),
     },
     OfCycle {
-        group: Group::of("load cycle: restitution, pressure-shape", STATIC, "", Tolerance::found(0.0253, 0.027))
-            .with_overall(&[(MEAN, Tolerance::found(0.0035, 0.006)), (RMS, Tolerance::found(0.0100, 0.0115))]),
+        group: Group::of("load cycle: restitution, pressure-shape", STATIC, "", found(0.0253, 0.027))
+            .with_overall(&[(MEAN, found(0.0035, 0.006)), (RMS, found(0.0100, 0.0115))]),
         exponent: SHAPE,
         numbers: |law, cycle| Some([cycle.row.restitution?, restitution(law, cycle.row.x)]),
     },

@@ -7,20 +7,36 @@ mod limits;
 
 use serde_json::Value;
 
-use crate::common::command::{Desk, column, text};
+use crate::common::command::{Desk, column, numbers};
 
-/// A steel ball of 10 mm diameter on steel, with these lines of `[calibrate]`.
+/// A steel ball of 10 mm diameter on steel.
+fn bodies() -> String {
+    crate::common::STEEL.split("[impact]").next().unwrap().to_owned()
+}
+
+/// These bodies, with these lines of `[calibrate]`.
 fn scenario(calibrate: &str) -> String {
-    crate::common::STEEL.split("[impact]").next().unwrap().to_owned() + "[calibrate]\n" + calibrate
+    bodies() + "[calibrate]\n" + calibrate
+}
+
+/// Two columns of a table as a file of data.
+fn pairs(table: &str, columns: [&str; 2], head: &str) -> String {
+    let [one, other] = columns.map(|name| column(table, name));
+    one.iter().zip(&other).fold(format!("{head}\n"), |data, (x, y)| data + &format!("{x},{y}\n"))
+}
+
+/// e over the speed, as data, of a table that this sweep makes.
+fn swept(sweep: &str) -> String {
+    let table = Desk::ran(bodies() + sweep, &["--pictures", "none"]).read("out/table.csv");
+    pairs(&table, ["impact_speed_m_per_s", "restitution"], "speed_m_per_s,restitution")
 }
 
 /// Runs a calibration of these data, which has to end with this exit code.
 fn calibrated(scenario: &str, data: &str, more: &[&str], code: i32) -> (Desk, Value) {
     let desk = Desk::with(scenario);
     std::fs::write(desk.path("d.csv"), data).unwrap();
-    let output = desk.call(&[&["calibrate", "s.toml", "--out", "o"], more].concat());
-    assert_eq!(output.status.code(), Some(code), "{}{}", text(&output.stdout), text(&output.stderr));
-    let summary = serde_json::from_str(&desk.read("o/summary.json")).unwrap();
+    desk.ends(&[&["calibrate", "s.toml", "--out", "o"], more].concat(), code);
+    let summary = desk.json("o/summary.json");
     (desk, summary)
 }
 
@@ -105,7 +121,7 @@ fn two_keys_agree_with_lmfit_and_a_brute_force_plane() {
     let table = desk.read("o/posterior.csv");
     let [strength, modulus, density] =
         ["half_space_yield_strength_Pa", "half_space_youngs_modulus_Pa", "relative_density"]
-            .map(|name| column(&table, name).iter().map(|field| field.parse().unwrap()).collect::<Vec<f64>>());
+            .map(|name| numbers(&table, name));
     let places: Vec<(f64, f64, f64)> =
         strength.iter().zip(&modulus).zip(&density).map(|((x, y), p)| (x.ln(), y.ln(), *p)).collect();
     let lines: Vec<(f64, f64)> = places
@@ -131,10 +147,8 @@ fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
     let (desk, _) = calibrated(&text, data, &[], 0);
-    let is_picture = |path: &std::path::Path| path.extension().is_some_and(|extension| extension == "png");
-    let files = std::fs::read_dir(desk.path("o")).unwrap().map(|entry| entry.unwrap().path());
-    let pictures: Vec<_> = files.filter(|path| is_picture(path)).collect();
-    assert_eq!(pictures, [desk.path("o/posterior.png")]);
+    let pictures: Vec<String> = desk.files("o").into_iter().filter(|name| name.ends_with(".png")).collect();
+    assert_eq!(pictures, ["posterior.png"]);
 }
 
 #[test]
@@ -170,9 +184,8 @@ fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
         ];
         for (settings, wanted) in others {
             let settings: Vec<&str> = settings.into_iter().flat_map(|setting| ["--set", setting]).collect();
-            let output = desk.call(&[&["run", "o/calibrated.toml", "--out", "p", "--force"], &settings[..]].concat());
-            assert_eq!(output.status.code(), Some(0), "{}", text_of(&output.stderr));
-            let summary: Value = serde_json::from_str(&desk.read("p/summary.json")).unwrap();
+            desk.ends(&[&["run", "o/calibrated.toml", "--out", "p", "--force"], &settings[..]].concat(), 0);
+            let summary = desk.json("p/summary.json");
             let found = summary["restitution_with_waves"].as_f64().unwrap();
             assert!((found - wanted).abs() < 1e-3, "{found} instead of {wanted}");
         }
@@ -188,13 +201,9 @@ fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
     let (desk, hardness) = calibrated(&of_hardness, "", &arguments, 0);
     assert_eq!(hardness["keys"][0]["key"], "half_space.hardness");
     near(&hardness["keys"][0]["estimate"], 2.9 * strength["keys"][0]["estimate"].as_f64().unwrap(), 1e-6);
-    assert_eq!(desk.call(&["run", "o/calibrated.toml", "--out", "p"]).status.code(), Some(0));
-    let run: Value = serde_json::from_str(&desk.read("p/summary.json")).unwrap();
+    desk.ends(&["run", "o/calibrated.toml", "--out", "p"], 0);
+    let run = desk.json("p/summary.json");
     near(&run["restitution"], 0.49, 1e-6);
-}
-
-fn text_of(bytes: &[u8]) -> String {
-    text(bytes)
 }
 
 #[test]
@@ -219,7 +228,9 @@ fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
 #[test]
 fn two_materials_in_one_file_are_two_basins() {
     // half of the impacts at 200 MPa, half at 800 MPa: with long tails, each half sees the other as outliers
-    let data = made(&["200e6", "800e6"]);
+    let data = swept(
+        "[sweep]\n\"half_space.yield_strength\" = [2e8, 8e8]\n\"impact.speed\" = { logspace = [0.5, 5], points = 8 }\n",
+    );
     let text =
         scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}\nrobust = \"student-t\""));
     let (_, summary) = calibrated(&text, &data, &[], 3);
@@ -235,18 +246,6 @@ fn two_materials_in_one_file_are_two_basins() {
     assert!(interval["low"].as_f64().unwrap() < 201e6 && interval["high"].as_f64().unwrap() > 799e6, "{interval}");
 }
 
-/// e at these strengths and eight speeds, without scatter.
-fn made(strengths: &[&str]) -> String {
-    let sweep = crate::common::STEEL.split("[impact]").next().unwrap().to_owned()
-        + &format!("[sweep]\n\"half_space.yield_strength\" = [{}]\n", strengths.join(","))
-        + "\"impact.speed\" = { logspace = [0.5, 5], points = 8 }\n";
-    let desk = Desk::with(&sweep);
-    assert_eq!(desk.call(&["run", "s.toml", "--out", "t"]).status.code(), Some(0));
-    let table = desk.read("t/table.csv");
-    let pairs = column(&table, "impact_speed_m_per_s").into_iter().zip(column(&table, "restitution"));
-    pairs.fold("speed_m_per_s,restitution\n".to_owned(), |data, (v, e)| data + &format!("{v},{e}\n"))
-}
-
 #[test]
 fn an_interval_that_reaches_its_bound_is_not_bounded() {
     // these impacts stay below first yield for every high strength, which gives e = 1
@@ -255,9 +254,8 @@ fn an_interval_that_reaches_its_bound_is_not_bounded() {
     let interval = &summary["keys"][0]["interval_95"];
     assert!(interval["high"].is_null() && interval["low"].as_f64().unwrap() > 100e6, "{interval}");
     assert_eq!(interval["note"], "not bounded by these data");
-    let output = desk.call(&["calibrate", "s.toml", "--out", "o"]);
-    assert!(text(&output.stdout).contains("above not bounded by these data"));
-    assert_eq!(desk.call(&["calibrate", "s.toml", "--out", "p", "--strict"]).status.code(), Some(1));
+    assert!(desk.ends(&["calibrate", "s.toml", "--out", "o"], 0).0.contains("above not bounded by these data"));
+    desk.ends(&["calibrate", "s.toml", "--out", "p", "--strict"], 1);
     assert!(!desk.path("p").exists());
 }
 
@@ -285,13 +283,8 @@ fn outliers_do_not_move_the_robust_estimate_by_more_than_its_sd() {
 
 #[test]
 fn the_law_that_made_the_data_is_ranked_first() {
-    let sweep = crate::common::STEEL.split("[impact]").next().unwrap().to_owned()
-        + "[law.thornton]\n[sweep]\n\"impact.speed\" = { logspace = [\"0.1 m/s\", \"10 m/s\"], points = 12 }\n";
-    let desk = Desk::with(&sweep);
-    assert_eq!(desk.call(&["run", "s.toml", "--out", "t"]).status.code(), Some(0));
-    let table = desk.read("t/table.csv");
-    let pairs = column(&table, "impact_speed_m_per_s").into_iter().zip(column(&table, "restitution"));
-    let data = pairs.fold("speed_m_per_s,restitution\n".to_owned(), |data, (v, e)| data + &format!("{v},{e}\n"));
+    let data =
+        swept("[law.thornton]\n[sweep]\n\"impact.speed\" = { logspace = [\"0.1 m/s\", \"10 m/s\"], points = 12 }\n");
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}"));
     let (desk, summary) = calibrated(&text, &data, &["--law", "all"], 3);
     let laws = summary["laws"].as_array().unwrap();

@@ -1,12 +1,11 @@
 //! Laws in the command: scenarios, sweeps over laws, the comparison of Figure 10, the list of laws.
 
 use std::path::Path;
-use std::process::Output;
 
-use assert_cmd::Command;
 use plm_impact::law::LawChoice;
 
-use crate::common::command::column;
+use crate::common::command::{Desk, column, numbers};
+use crate::common::off;
 
 const BODIES: &str = r#"
 [sphere]
@@ -20,24 +19,14 @@ poissons_ratio = 0.3
 yield_strength = "345 MPa"
 "#;
 
-fn scenario(directory: &Path, text: &str) -> std::path::PathBuf {
-    let path = directory.join("scenario.toml");
-    std::fs::write(&path, format!("{BODIES}{text}")).unwrap();
-    path
-}
-
-fn run(scenario: &Path, out: &Path) -> Output {
-    let mut command = Command::cargo_bin("plm-impact").unwrap();
-    command.arg("run").arg(scenario).arg("--out").arg(out).output().unwrap()
-}
-
-fn shipped(name: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios").join(name)
+/// The scenario of Figure 10 at this many yield indentations.
+fn shipped(depth: &str) -> String {
+    let name = format!("scenarios/figure-10-at-{depth}-yield-indentations.toml");
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()
 }
 
 #[test]
 fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures() {
-    let directory = tempfile::tempdir().unwrap();
     let whole: Vec<String> = LawChoice::all().iter().filter(|law| law.has_loading()).map(LawChoice::name).collect();
     let list: Vec<String> =
         whole.iter().chain(["jackson_green + brake".to_owned()].iter()).map(|name| format!("{name:?}")).collect();
@@ -45,10 +34,8 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
         "[impact]\nspeed = 1\n[sweep]\nlaw = [{}]\n\"impact.speed\" = {{ logspace = [1e-3, 10], points = 9 }}",
         list.join(", ")
     );
-    let out = directory.path().join("out");
-    let output = run(&scenario(directory.path(), &text), &out);
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let table = std::fs::read_to_string(out.join("table.csv")).unwrap();
+    let desk = Desk::ran(format!("{BODIES}{text}"), &["--pictures", "none"]);
+    let table = desk.read("out/table.csv");
     let (laws, status, e) = (column(&table, "law"), column(&table, "status"), column(&table, "restitution"));
     assert_eq!(laws.len(), 9 * list.len());
     for ((law, status), e) in laws.iter().zip(&status).zip(&e) {
@@ -60,14 +47,12 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
     }
     assert!(status.iter().any(|status| status == "outside_law"));
     let outside = status.iter().filter(|status| *status == "outside_law").count();
-    let summary: serde_json::Value = serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    let summary = desk.summary();
     assert_eq!(summary["outside_law"], outside);
     assert_eq!(summary["failures"], 0);
     // the rows of the PLM have the same bits as in a table of the PLM alone
     let alone = "[impact]\nspeed = 1\n[sweep]\n\"impact.speed\" = { logspace = [1e-3, 10], points = 9 }";
-    let other = directory.path().join("alone");
-    assert!(run(&scenario(directory.path(), alone), &other).status.success());
-    let alone = std::fs::read_to_string(other.join("table.csv")).unwrap();
+    let alone = Desk::ran(format!("{BODIES}{alone}"), &["--pictures", "none"]).read("out/table.csv");
     assert!(!alone.contains("law"));
     let of_plm: Vec<String> = laws.iter().zip(&e).filter(|(law, _)| *law == "plm").map(|(_, e)| e.clone()).collect();
     assert_eq!(column(&alone, "restitution"), of_plm);
@@ -75,20 +60,16 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
 
 #[test]
 fn swept_laws_by_rk8_agree_with_the_closed_form() {
-    let directory = tempfile::tempdir().unwrap();
     let rows = |method: &str| {
         let text = format!(
             "[impact]\nspeed = 1\n[solver]\nmethod = \"{method}\"\n[sweep]\n\"impact.speed\" = [0.005, 0.5, 5]\nlaw = [\"plm\", \"jackson_green\", \"kogut_etsion\", \"mesarovic_johnson\", \"thornton\", \"kogut_etsion + mesarovic_johnson\"]"
         );
-        let out = directory.path().join(method);
-        assert!(run(&scenario(directory.path(), &text), &out).status.success());
-        let table = std::fs::read_to_string(out.join("table.csv")).unwrap();
-        (column(&table, "restitution"), column(&table, "status"))
+        let table = Desk::ran(format!("{BODIES}{text}"), &["--pictures", "none"]).read("out/table.csv");
+        (numbers(&table, "restitution"), column(&table, "status"))
     };
     let (exact, stepped) = (rows("closed_form"), rows("rk8"));
     assert_eq!(exact.1, stepped.1);
-    for (a, b) in exact.0.iter().zip(&stepped.0).filter(|(a, _)| !a.is_empty()) {
-        let (a, b): (f64, f64) = (a.parse().unwrap(), b.parse().unwrap());
+    for (a, b) in exact.0.iter().zip(&stepped.0).filter(|(a, _)| a.is_finite()) {
         // ten times the tolerance, 1e-10
         assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     }
@@ -96,16 +77,13 @@ fn swept_laws_by_rk8_agree_with_the_closed_form() {
 
 #[test]
 fn figure_10_compares_every_law_with_the_finite_elements() {
-    let directory = tempfile::tempdir().unwrap();
     // e by the law of the paper against finite elements with the same peak: expected from the exponent are −0.9 to −4.5
     // %
     for (name, depth) in [("13", 13.4969), ("105", 105.086), ("843", 843.257)] {
-        let out = directory.path().join(name);
-        let output = run(&shipped(&format!("figure-10-at-{name}-yield-indentations.toml")), &out);
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let text = String::from_utf8(output.stdout).unwrap();
+        let desk = Desk::with(shipped(name));
+        let (text, _) = desk.ends(&["run", "s.toml", "--out", "out"], 0);
         assert!(text.contains("mesarovic_johnson") && text.contains("against FE"), "{text}");
-        let table = std::fs::read_to_string(out.join("comparison.csv")).unwrap();
+        let (table, summary) = (desk.read("out/comparison.csv"), desk.summary());
         let laws = column(&table, "law");
         assert_eq!(laws[..2], ["finite_elements", "plm"]);
         assert_eq!(laws.len(), 12);
@@ -116,15 +94,9 @@ fn figure_10_compares_every_law_with_the_finite_elements() {
         assert!((-0.045..-0.009).contains(&of_plm), "{name}: {of_plm}");
         assert!(number("residual_deviation", "plm").abs() < 0.01);
         // the file gives the peak of the finite elements, so the energies are those of their table
-        assert!(
-            (number("restitution", "finite_elements").powi(2) * spent(&out)
-                / number("recovered_energy_J", "finite_elements")
-                - 1.0)
-                .abs()
-                < 1e-3
-        );
-        let summary: serde_json::Value =
-            serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+        let recovered =
+            number("restitution", "finite_elements").powi(2) * summary["peak"]["spent_work_J"].as_f64().unwrap();
+        assert!(off(recovered, number("recovered_energy_J", "finite_elements")) < 1e-3);
         assert!((summary["peak"]["indentation_over_yield"].as_f64().unwrap() / depth - 1.0).abs() < 1e-12);
         assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
         assert!(summary["provenance"]["scenario_file"].is_string());
@@ -133,13 +105,8 @@ fn figure_10_compares_every_law_with_the_finite_elements() {
         let residual =
             peak["indentation_m"].as_f64().unwrap() - peak["sphere_indentation_m"].as_f64().unwrap() / sphere_share();
         assert!((number("residual_indentation_m", "plm") / residual - 1.0).abs() < 1e-9);
-        assert!(std::fs::metadata(out.join("unloading.png")).unwrap().len() > 10_000);
+        assert!(desk.path("out/unloading.png").exists());
     }
-}
-
-fn spent(out: &Path) -> f64 {
-    let summary: serde_json::Value = serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
-    summary["peak"]["spent_work_J"].as_f64().unwrap()
 }
 
 /// κ = E*/E_s* of case 3.
@@ -149,26 +116,19 @@ fn sphere_share() -> f64 {
 
 #[test]
 fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
-    let directory = tempfile::tempdir().unwrap();
     let bodies = BODIES.replace("density = \"7850 kg/m^3\"\n", "");
-    let path = directory.path().join("scenario.toml");
-    std::fs::write(&path, format!("{bodies}[compare]\npeak_indentation_ratio = 105.1\nlaws = [\"plm\", \"thornton\"]"))
-        .unwrap();
-    let out = directory.path().join("out");
-    assert!(run(&path, &out).status.success());
-    let table = std::fs::read_to_string(out.join("comparison.csv")).unwrap();
-    let e: f64 = column(&table, "restitution")[1].parse().unwrap();
+    let scenario = format!("{bodies}[compare]\npeak_indentation_ratio = 105.1\nlaws = [\"plm\", \"thornton\"]");
+    let table = Desk::ran(scenario, &[]).read("out/comparison.csv");
+    let e = numbers(&table, "restitution")[1];
     // independent table for case 3: δ_r/δ_m = 0.700834, e = 0.5160391763
     assert!((e - 0.516_039_176_3).abs() < 1e-9, "{e}");
-    let share: f64 = column(&table, "residual_share")[1].parse().unwrap();
+    let share = numbers(&table, "residual_share")[1];
     assert!((share - 0.700_834).abs() < 1e-6, "{share}");
 }
 
 #[test]
 fn laws_lists_every_law_and_those_that_are_missing() {
-    let output = Command::cargo_bin("plm-impact").unwrap().arg("laws").output().unwrap();
-    assert!(output.status.success());
-    let text = String::from_utf8(output.stdout).unwrap();
+    let (text, _) = Desk::with("").ends(&["laws"], 0);
     for name in LawChoice::names() {
         assert!(text.contains(&format!("\n{name}\n")), "{name}");
     }
@@ -190,10 +150,7 @@ fn laws_lists_every_law_and_those_that_are_missing() {
 
 #[test]
 fn check_says_what_is_compared_and_for_which_bodies() {
-    let program = env!("CARGO_BIN_EXE_plm-impact");
-    let output =
-        Command::new(program).arg("check").arg(shipped("figure-10-at-13-yield-indentations.toml")).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
+    let (text, _) = Desk::with(shipped("13")).ends(&["check", "s.toml"], 0);
     // case 3 of Table 1 of the paper: delta_Y by Eq. 17
     for wanted in [
         "peak as given",

@@ -111,55 +111,6 @@ fn heights_of_rebounds_under_another_law_are_compared_too() {
     assert!(read("README.md").contains("Smith \\| Jones |"));
 }
 
-#[test]
-fn files_that_are_no_measurement_are_refused_by_line() {
-    for (from, to, want) in [
-        ("3 mm", "-3 mm", "a.csv:2:"),
-        (
-            "hardness = 300",
-            "hardnes = 300",
-            "a.csv:8: unknown key `half_space.hardnes`, did you mean `half_space.hardness`?",
-        ),
-        // such lines were taken for free words: the half-space was elastic, and the law PLM
-        (
-            "half_space.hardness",
-            "halfspace.hardness",
-            "a.csv:8: unknown key `halfspace.hardness`, did you mean `half_space.hardness`?",
-        ),
-        (
-            "# law.plm.unloading_exponent = pressure-shape",
-            "# law = thorton",
-            "a.csv:10: unknown law `thorton`, did you mean `thornton`?",
-        ),
-        ("note, speed", "shot, speed", "a.csv:12: unknown column `shot`"),
-        ("0.54\n", "1.54\n", "a.csv:13: column 4, `restitution`: 1.54 is not allowed"),
-        ("1, 2, ", "1, -2, ", "a.csv:13: column 2, `speed_m_per_s`"),
-        ("1, 2, ", "1, fast, ", "a.csv:13: column 2, `speed_m_per_s`: \"fast\" is no number"),
-        ("0.2,", "-0.2,", "a.csv:15: column 3, `restitution_sd`"),
-        ("2, 1.0, , 0.6", "2, 1.0, 0.6", "a.csv:14: this line has not as many values"),
-        ("speed_m_per_s", "speed", "a.csv:12: the column `speed` has no unit: write speed_m_per_s"),
-        ("# sphere.mass = 5.5 g\n", "", "`density` is missing"),
-        ("# sphere.mass", "# sphere.diameter = 3 mm\n# sphere.mass", "a.csv:5:"),
-        ("# sphere.mass", "# half_space.flow_stress.table = none.csv\n# sphere.mass", "none.csv"),
-        ("1, 2, 0.01, 0.54\n2, 1.0, , 0.6\n3, 0.5, 0.2, 0.7\n", "", "a.csv: has no measured value"),
-        ("0.54\n", "0.54\u{0}\n", "a.csv:13: column 4, `restitution`"),
-    ] {
-        assert!(LEEB.contains(from), "{from}");
-        let desk = desk(&[("a.csv", &LEEB.replacen(from, to, 1))]);
-        let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--pictures", "none"]);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.contains(want), "{want}: {message}");
-        assert!(!desk.path().join("v").exists());
-    }
-    let empty = desk(&[]);
-    for (directory, want) in [("in", "in: has no file of measurements"), ("none", "none: cannot be read")] {
-        let output = call(empty.path(), &["validate", "--experiments", directory, "--out", "v"]);
-        assert_eq!(output.status.code(), Some(2));
-        assert!(text(&output.stderr).contains(want), "{}", text(&output.stderr));
-    }
-}
-
 /// The statements of the pages on strengths that are often used as yield strength, checked with measured rebound
 /// hardness: with the tensile strength e is 4 to 14 % too low, with the 0.2 % strength of a structural steel about 30
 /// %.

@@ -167,28 +167,6 @@ fn every_code_gets_its_lines_with_their_origin() {
     }
 }
 
-#[test]
-fn what_cannot_be_exported_is_refused() {
-    for (arguments, words) in [
-        (&["scenarios/damped-impact.toml", "--to", "csv"][..], "gravity: is not a part of the contact law"),
-        (&["scenarios/restitution-vs-speed.toml", "--to", "csv"], "sweep: is not a part of a contact of two bodies"),
-        (&["scenarios/monte-carlo-yield-strength.toml", "--to", "csv"], "monte_carlo: is not a part of a contact"),
-        (&["scenarios/peening-rising-speeds.toml", "--to", "csv"], "repeat: is not a part of a contact"),
-        (&[STEEL, "--to", "lammps", "--speeds", "1 m/s,2 m/s"], "takes one constant e"),
-        (&[STEEL, "--to", "csv", "--speeds", "2 m/s,1 m/s"], "is not below the last"),
-        (&[STEEL, "--to", "csv", "--speeds", "2 m/s"], "is not two speeds"),
-        (&[STEEL, "--to", "lammps", "--speed", "-2 m/s"], "must be > 0 m/s"),
-        (&[STEEL, "--to", "lammps", "--speed", "2 kg"], "--speed"),
-        (&[STEEL, "--to", "edem"], "possible values"),
-        (&["no-such-file.toml", "--to", "csv"], "cannot be read"),
-    ] {
-        let output = export(arguments);
-        let error = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
-        assert!(error.contains(words) && output.stdout.is_empty(), "{arguments:?}: {error}");
-    }
-}
-
 /// The lines have the law alone; what waves would take is said where the half-space has a density. 0.576 is in the head of
 /// that scenario, 0.5795 in the finite elements that it names.
 #[test]

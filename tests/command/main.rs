@@ -19,7 +19,7 @@ mod init;
 mod keys;
 mod material_keys;
 mod materials;
-mod oracle_cli;
+mod oracle;
 mod pictures;
 mod plots;
 #[cfg(unix)]

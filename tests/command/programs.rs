@@ -32,12 +32,10 @@ fn json_prints_the_summary_that_is_written_and_nothing_else() {
     for (kind, _) in Kind::ALL {
         let desk = Desk::with("");
         let file = format!("{kind}.toml");
-        assert_eq!(desk.call(&["init", kind]).status.code(), Some(0));
-        let output = desk.call(&["run", &file, "--json", "--out", "out"]);
-        assert_eq!(output.status.code(), Some(0), "{kind}: {}", text(&output.stderr));
-        assert_eq!(text(&output.stdout), desk.read("out/summary.json"), "{kind}");
-        assert!(serde_json::from_slice::<Value>(&output.stdout).unwrap().is_object());
-        assert!(output.stderr.is_empty(), "{kind}: {}", text(&output.stderr));
+        desk.ends(&["init", kind], 0);
+        let said = desk.ends(&["run", &file, "--json", "--out", "out"], 0);
+        assert_eq!(said, (desk.read("out/summary.json"), String::new()), "{kind}");
+        assert!(desk.summary().is_object());
     }
     // warnings go to standard error
     let desk = Desk::with(STEEL);
@@ -45,10 +43,9 @@ fn json_prints_the_summary_that_is_written_and_nothing_else() {
     assert_eq!(serde_json::from_slice::<Value>(&output.stdout).unwrap()["inputs"]["impact_speed_m_per_s"], 200.0);
     assert!(text(&output.stderr).starts_with("warning: "));
     // a shard has no summary
-    assert_eq!(desk.call(&["init", "sweep"]).status.code(), Some(0));
-    let output = desk.call(&["run", "sweep.toml", "--json", "--shard", "0/2", "--out", "out"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("--json prints the summary of a whole table"));
+    desk.ends(&["init", "sweep"], 0);
+    let (_, said) = desk.ends(&["run", "sweep.toml", "--json", "--shard", "0/2", "--out", "out"], 2);
+    assert!(said.contains("--json prints the summary of a whole table"));
     assert!(!desk.path("out").exists());
 }
 
@@ -76,10 +73,9 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
         (&["run", "good.toml", "--no-such-option"], json!({"exit_code": 2})),
     ];
     for (arguments, want) in cases {
-        let output = desk.call(&[arguments, &["--error-format", "json"]].concat());
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(output.stdout.is_empty());
-        let all = objects(&output.stderr);
+        let (printed, said) = desk.ends(&[arguments, &["--error-format", "json"]].concat(), 2);
+        assert!(printed.is_empty());
+        let all = objects(said.as_bytes());
         let [said] = &all[..] else { panic!("{arguments:?}: {all:?}") };
         assert_eq!(said["level"], "error");
         assert!(said["message"].as_str().is_some_and(|message| message.len() > 10), "{said}");
@@ -152,9 +148,7 @@ fn completions_and_manual_pages_know_every_command() {
     let commands = commands();
     assert!(commands.len() > 12, "{commands:?}");
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        let output = desk.call(&["completions", shell]);
-        assert_eq!(output.status.code(), Some(0));
-        let script = text(&output.stdout);
+        let (script, _) = desk.ends(&["completions", shell], 0);
         for command in &commands {
             assert!(script.contains(command.as_str()), "{command} for {shell}");
         }
@@ -168,20 +162,13 @@ fn completions_and_manual_pages_know_every_command() {
     let steels = text(&shell(&desk, &line).stdout);
     assert!(steels.split_whitespace().count() > 5, "{steels}");
     assert!(steels.split_whitespace().all(|name| name.starts_with("steel-")), "{steels}");
-    let page = |command: &[&str]| {
-        let output = desk.call(&[&["man"], command].concat());
-        assert_eq!(output.status.code(), Some(0), "{command:?}: {}", text(&output.stderr));
-        text(&output.stdout)
-    };
+    let page = |command: &[&str]| desk.ends(&[&["man"], command].concat(), 0).0;
     assert!(page(&[]).contains(".TH plm-impact 1"));
     for command in &commands {
         let page = page(&[command]);
         assert!(page.contains(&format!(".TH plm-impact-{command} 1")), "{page}");
         assert!(page.contains("Examples:"), "{command}");
     }
-    let unknown = desk.call(&["man", "rum"]);
-    assert_eq!(unknown.status.code(), Some(2));
-    assert!(text(&unknown.stderr).contains("did you mean \"run\""), "{}", text(&unknown.stderr));
 }
 
 #[test]
@@ -243,7 +230,7 @@ fn messages_are_coloured_on_a_terminal_alone() {
 #[test]
 fn progress_is_shown_on_a_terminal_alone() {
     let desk = Desk::with("");
-    assert_eq!(desk.call(&["init", "repeat"]).status.code(), Some(0));
+    desk.ends(&["init", "repeat"], 0);
     // impacts of milliseconds each
     let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=100000 --set repeat.impacts=200 \
                 --set output.samples=2 --pictures none";

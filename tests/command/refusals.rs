@@ -1,5 +1,7 @@
-//! What scenarios are refused for, as data: `refusals.toml`. Each entry is read as `plm-impact check` reads it, and the
-//! message must have all its parts.
+//! What input is refused for, as data: `refusals.toml`. A scenario is read as `plm-impact check` reads it; for other files
+//! and for requests the command is run. The message must have all its parts, the exit code is 2, and nothing is written.
+
+use std::collections::BTreeMap;
 
 use plm_impact::run;
 use plm_impact::scenario::Scenario;
@@ -9,40 +11,106 @@ use crate::common::command::{Desk, text};
 
 #[derive(Deserialize)]
 struct Refusals {
-    scenario: Vec<Case>,
+    input: Vec<Case>,
 }
 
-/// A scenario that is good, and the changes that make it bad.
+/// Input that is good, and the changes that make it bad.
 #[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Case {
     about: String,
+    /// The name of the file that is changed.
     file: String,
+    #[serde(default)]
     text: String,
+    /// A file of the repository whose text is the input.
+    copy_of: Option<String>,
     /// What has to be added to the text to make it a whole scenario.
     #[serde(default)]
     to_be_good: String,
+    /// Files beside it, by name.
+    #[serde(default)]
+    beside: BTreeMap<String, String>,
+    /// The arguments of the command that reads the file; without it the file is a scenario.
+    command: Option<String>,
     refused: Vec<Vec<String>>,
 }
 
+/// One entry: the changed text, overrides, the arguments of the command, and the parts of the message.
+struct Change<'a> {
+    text: String,
+    overrides: Vec<String>,
+    command: Option<String>,
+    parts: &'a [String],
+}
+
 impl Case {
-    /// The changed text, the new part of it, and the parts of the message.
-    fn changed(&self) -> impl Iterator<Item = (String, &str, &[String])> {
-        self.refused.iter().map(|entry| {
+    fn text(&self) -> String {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        self.copy_of
+            .as_ref()
+            .map_or_else(|| self.text.clone(), |path| std::fs::read_to_string(root.join(path)).unwrap())
+    }
+
+    fn changes(&self) -> impl Iterator<Item = Change<'_>> {
+        let (text, command) = (self.text(), self.command.clone());
+        self.refused.iter().map(move |entry| {
             let [old, new, parts @ ..] = &entry[..] else { panic!("{}: {entry:?}", self.about) };
-            assert!(!parts.is_empty() && self.text.contains(old), "{}: {entry:?}", self.about);
-            let changed =
-                if old.is_empty() { self.text.clone() + new } else { self.text.replacen(old.as_str(), new, 1) };
-            (changed, new.as_str(), parts)
+            assert!(!parts.is_empty(), "{}: {entry:?}", self.about);
+            let good = Change { text: text.clone(), overrides: Vec::new(), command: command.clone(), parts };
+            match old.as_str() {
+                "" => Change { text: text.clone() + new, ..good },
+                "--set" => Change { overrides: new.split(" & ").map(str::to_owned).collect(), ..good },
+                "call" => Change { command: Some(new.clone()), ..good },
+                old => {
+                    assert!(text.contains(old), "{}: {old} is not in the text", self.about);
+                    Change { text: text.replacen(old, new, 1), ..good }
+                }
+            }
         })
+    }
+
+    /// A directory with this text in the file, and the files beside it.
+    fn desk(&self, text: &str) -> Desk {
+        let desk = Desk::with("");
+        std::fs::remove_file(desk.path("s.toml")).unwrap();
+        for (name, text) in
+            self.beside.iter().map(|(name, text)| (name.as_str(), text.as_str())).chain([(&*self.file, text)])
+        {
+            std::fs::create_dir_all(desk.path(name).parent().unwrap()).unwrap();
+            std::fs::write(desk.path(name), text).unwrap();
+        }
+        desk
+    }
+
+    /// What a command says, which has to end with code 2 and must not write.
+    fn message(&self, change: &Change, command: &str) -> String {
+        let desk = self.desk(&change.text);
+        let before = desk.files("");
+        let arguments: Vec<&str> =
+            command.split(' ').chain(change.overrides.iter().flat_map(|given| ["--set", given])).collect();
+        let output = desk.call(&arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{command}, {:?}: {message}", change.parts);
+        assert!(output.stdout.is_empty(), "{command}: {}", text(&output.stdout));
+        assert_eq!(desk.files(""), before, "{command}");
+        message
     }
 }
 
 fn all() -> Vec<Case> {
-    toml::from_str::<Refusals>(include_str!("refusals.toml")).unwrap().scenario
+    toml::from_str::<Refusals>(include_str!("refusals.toml")).unwrap().input
 }
 
-fn refusal(file: &str, text: &str) -> Option<String> {
-    match Scenario::from_text(file, text, &[]) {
+fn assert_says(message: &str, parts: &[String], about: &str) {
+    for part in parts {
+        assert!(message.contains(part), "{about}: {part:?} is not in\n{message}");
+    }
+    assert!(message.len() < 2000, "{about}, {parts:?}: {} bytes of message", message.len());
+}
+
+fn refusal(file: &str, text: &str, overrides: &[String]) -> Option<String> {
+    match Scenario::from_text(file, text, overrides) {
         Ok(scenario) => run::check(&scenario).err().map(|error| error.to_string()),
         Err(error) => Some(error.to_string()),
     }
@@ -50,34 +118,33 @@ fn refusal(file: &str, text: &str) -> Option<String> {
 
 #[test]
 fn every_wrong_scenario_is_refused_with_what_helps() {
-    for scenario in all() {
-        let good = scenario.text.clone() + &scenario.to_be_good;
-        assert_eq!(refusal(&scenario.file, &good), None, "{}", scenario.about);
-        for (changed, new, parts) in scenario.changed() {
-            let message = refusal(&scenario.file, &changed).unwrap_or_else(|| panic!("{new} is accepted"));
-            for part in parts {
-                assert!(message.contains(part), "{}, {new}: {part:?} is not in\n{message}", scenario.about);
-            }
-            assert!(message.len() < 2000, "{new}: {} bytes of message", message.len());
+    for case in all().iter().filter(|case| case.command.is_none()) {
+        assert_eq!(refusal(&case.file, &(case.text() + &case.to_be_good), &[]), None, "{}", case.about);
+        for change in case.changes() {
+            let message = refusal(&case.file, &change.text, &change.overrides);
+            let message = message.unwrap_or_else(|| panic!("{}, {:?}: accepted", case.about, change.parts));
+            assert_says(&message, change.parts, &case.about);
         }
     }
 }
 
-/// The command says the same, with exit code 2, and writes nothing: one entry of each kind of scenario.
+#[test]
+fn every_other_wrong_file_and_request_is_refused_and_nothing_is_written() {
+    for case in all().iter().filter(|case| case.command.is_some()) {
+        for change in case.changes() {
+            let message = case.message(&change, change.command.as_ref().unwrap());
+            assert_says(&message, change.parts, &case.about);
+        }
+    }
+}
+
+/// The command says of a scenario what the library says: one entry of each kind.
 #[test]
 fn run_and_check_refuse_what_is_refused_and_write_nothing() {
-    for scenario in all() {
-        let (changed, new, parts) = scenario.changed().next().unwrap();
-        let desk = Desk::with("");
-        std::fs::write(desk.path(&scenario.file), changed).unwrap();
-        let before = desk.files("");
+    for case in all().iter().filter(|case| case.command.is_none()) {
+        let change = case.changes().next().unwrap();
         for command in ["run", "check"] {
-            let output = desk.call(&[command, &scenario.file]);
-            let message = text(&output.stderr);
-            assert_eq!(output.status.code(), Some(2), "{command}, {new}: {message}");
-            assert!(output.stdout.is_empty(), "{}", text(&output.stdout));
-            assert!(parts.iter().all(|part| message.contains(part)), "{command}, {new}: {message}");
-            assert_eq!(desk.files(""), before, "{command}, {new}");
+            assert_says(&case.message(&change, &format!("{command} {}", case.file)), change.parts, &case.about);
         }
     }
 }

@@ -13,7 +13,7 @@ use plm_impact::validation::{self, report};
 use tempfile::TempDir;
 
 use crate::common::command::{call, text};
-use crate::common::picture::has_free_border;
+use crate::common::picture::{has_free_border, pixels};
 
 const BUILT_IN: &str = include_str!("../../src/law/plm/coefficients.toml");
 
@@ -74,14 +74,10 @@ fn a_clean_checkout_passes_and_shows_it() {
     for entry in fs::read_dir(directory.path().join("v")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "png") {
-            let mut reader =
-                png::Decoder::new(std::io::BufReader::new(fs::File::open(&path).unwrap())).read_info().unwrap();
-            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-            let info = reader.next_frame(&mut pixels).unwrap();
-            assert_eq!((info.width, info.height), (1600, 1000));
-            assert!(has_free_border(&fs::read(&path).unwrap()), "{}", path.display());
+            let bytes = fs::read(&path).unwrap();
+            assert!(has_free_border(&bytes), "{}", path.display());
             // there are blue points of the reference or of the first case
-            let blue = pixels.chunks(3).filter(|pixel| *pixel == [0x00, 0x72, 0xb2]).count();
+            let blue = pixels(&bytes).1.iter().filter(|pixel| **pixel == [0x00, 0x72, 0xb2]).count();
             assert!(blue > 100 || path.ends_with("error-restitution.png"), "{}: {blue}", path.display());
             pictures += 1;
         }
@@ -128,22 +124,6 @@ fn a_deviation_that_is_no_number_is_the_largest_and_a_miss() {
     let check = Check::mean("mean".to_owned(), String::new(), "none", f64::NAN, tolerance);
     let known = Some(Known { limit: f64::INFINITY, remark: "" });
     assert_eq!(Check { known, ..check }.verdict(), Verdict::Miss);
-}
-
-#[test]
-fn bad_coefficients_and_directories_are_refused() {
-    let directory = TempDir::new().unwrap();
-    fs::write(directory.path().join("bad.toml"), BUILT_IN.replace("first_slope = 1.61", "first_slope = -1")).unwrap();
-    for (arguments, want) in [
-        (["validate", "--coefficients", "bad.toml"], "bad.toml: elastic_approach.first_slope = -1.0 is not allowed"),
-        (["validate", "--coefficients", "missing.toml"], "missing.toml: cannot be read"),
-        (["validate", "--out", "bad.toml"], "bad.toml: cannot be written"),
-    ] {
-        let output = call(directory.path(), &arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(text(&output.stderr).contains(want), "{}", text(&output.stderr));
-        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 1, "{arguments:?}");
-    }
 }
 
 #[test]

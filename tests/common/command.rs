@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// A directory with a scenario in it, `s.toml`.
@@ -25,8 +26,35 @@ impl Desk {
         call(self.0.path(), arguments)
     }
 
+    /// Calls the command, which has to end with this exit code; returns standard output and standard error.
+    #[track_caller]
+    pub fn ends(&self, arguments: &[&str], code: i32) -> (String, String) {
+        let output = self.call(arguments);
+        let said = (text(&output.stdout), text(&output.stderr));
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said:?}");
+        said
+    }
+
+    /// Runs a scenario, with more arguments, into the folder `out`.
+    #[track_caller]
+    pub fn ran(scenario: impl AsRef<[u8]>, more: &[&str]) -> Self {
+        let desk = Self::with(scenario);
+        desk.ends(&[&["run", "s.toml", "--out", "out", "--quiet"], more].concat(), 0);
+        desk
+    }
+
     pub fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
+        fs::read_to_string(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// A file as JSON.
+    pub fn json(&self, name: &str) -> Value {
+        serde_json::from_str(&self.read(name)).unwrap()
+    }
+
+    /// `out/summary.json`.
+    pub fn summary(&self) -> Value {
+        self.json("out/summary.json")
     }
 
     /// The sorted names of the files in a directory.
@@ -47,6 +75,11 @@ pub fn call(directory: &Path, arguments: &[&str]) -> Output {
 
 pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A column of numbers of a CSV file by its name; an empty field is no number.
+pub fn numbers(csv: &str, name: &str) -> Vec<f64> {
+    column(csv, name).iter().map(|field| field.parse().unwrap_or(f64::NAN)).collect()
 }
 
 /// A column of a CSV file by its name.

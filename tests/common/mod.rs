@@ -5,13 +5,15 @@ pub mod command;
 pub mod picture;
 
 use std::cell::Cell;
+use std::ops::Range;
 
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
-use proptest::strategy::Strategy;
+use proptest::prop_oneof;
+use proptest::strategy::{Just, Strategy};
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
 /// A sphere of steel with 5 mm radius on the same steel, at 3 m/s: a scenario to which tests add tables.
@@ -148,6 +150,26 @@ impl Scene {
     pub fn impact(&self, speed: f64, method: Method, tolerance: f64, samples: Option<usize>) -> Impact {
         self.contact().impact(speed, &solver(method, tolerance), samples).unwrap()
     }
+}
+
+/// Random scenes: decades of both Young's moduli, both Poisson's ratios, decades of the radius, and of σ_Y/E*; with the exponent of
+/// the paper or "pressure-shape", and 5000 kg/m³.
+pub fn scenes(
+    modulus: Range<f64>,
+    poissons_ratio: Range<f64>,
+    radius: Range<f64>,
+    strain: Range<f64>,
+) -> impl Strategy<Value = Scene> {
+    let body = || {
+        (modulus.clone(), poissons_ratio.clone())
+            .prop_map(|(log, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log), poissons_ratio })
+    };
+    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
+    (body(), body(), radius, strain, exponent).prop_map(|(sphere, half_space, log_r, log_strain, exponent)| {
+        let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
+        let yield_strength = Some(10_f64.powf(log_strain) * e_star);
+        Scene { radius: 10_f64.powf(log_r), density: 5000.0, sphere, half_space, yield_strength, exponent }
+    })
 }
 
 /// Random scenes: κ from a rigid to a very soft sphere, a_Y/R from 1e-6 to 0.1.

@@ -16,7 +16,7 @@ use plm_impact::scene::{Input, Scene};
 use plm_impact::sweep::evaluator::{Evaluator, Failure, Rows};
 use proptest::prelude::*;
 
-use crate::common::command::{Desk, column, text};
+use crate::common::command::{Desk, column};
 use crate::common::{STEEL, off, solver};
 
 /// A scenario of an exact impact, without `[impact]`.
@@ -232,12 +232,9 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
             true,
         ),
     ] {
-        let desk = Desk::with(format!("{bodies}{tables}"));
-        let output = desk.call(&["run", "s.toml", "--out", "o"]);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let table = desk.read("o/table.csv");
+        let desk = Desk::ran(format!("{bodies}{tables}"), &["--pictures", "none"]);
+        let (table, summary) = (desk.read("out/table.csv"), desk.summary());
         assert_eq!(table.lines().next().unwrap().contains(name), varies, "{table}");
-        let summary: serde_json::Value = serde_json::from_str(&desk.read("o/summary.json")).unwrap();
         // values that all rows have in common are inputs; values that vary are not
         assert_eq!(summary["inputs"][name].is_null(), varies, "{summary}");
         assert!(summary["inputs"]["half_space_yield_strength_from"].as_str().unwrap().starts_with("hardness"));
@@ -267,8 +264,8 @@ fn check_teaches_which_strength_is_meant() {
     let flow = "half_space.flow_stress.power.exponent=0";
     let table = "sweep={\"impact.speed\"=[\"3 m/s\",\"1 cm/s\"]}";
     let indentation = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[indentation]\nsteps = [{ load = \"1 kN\" }]");
-    write(&desk, "i.toml", &indentation);
-    write(&desk, "h.toml", &STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\""));
+    fs::write(desk.path("i.toml"), &indentation).unwrap();
+    fs::write(desk.path("h.toml"), STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"")).unwrap();
     for (file, set, is_said) in [
         ("s.toml", None, true),
         ("s.toml", Some(table), true),
@@ -288,17 +285,11 @@ fn check_teaches_which_strength_is_meant() {
         } else {
             vec![]
         };
-        let output = desk.call(&[&["check", file], &set[..], &repeat[..]].concat());
-        assert_eq!(output.status.code(), Some(0), "{set:?}: {}", text(&output.stderr));
-        assert_eq!(
-            text(&output.stdout).contains("Which strength?"),
-            is_said,
-            "{file} {set:?}: {}",
-            text(&output.stdout)
-        );
-        let run = desk.call(&[&["run", file, "--out", "o", "--force"], &set[..], &repeat[..]].concat());
-        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
-        assert!(!text(&run.stdout).contains("Which strength?") && !text(&run.stderr).contains("Which strength"));
+        let (printed, _) = desk.ends(&[&["check", file], &set[..], &repeat[..]].concat(), 0);
+        assert_eq!(printed.contains("Which strength?"), is_said, "{file} {set:?}: {printed}");
+        let (printed, said) = desk
+            .ends(&[&["run", file, "--out", "o", "--force", "--pictures", "none"], &set[..], &repeat[..]].concat(), 0);
+        assert!(!printed.contains("Which strength?") && !said.contains("strength"), "{file} {set:?}: {said}");
     }
 }
 
@@ -312,9 +303,7 @@ fn a_curve_that_no_metal_has_is_refused_everywhere() {
     for arguments in
         [&["check", "s.toml"][..], &["run", "s.toml", "--out", "o"], &[&["run", "s.toml"], &table[..]].concat()]
     {
-        let output = desk.call(arguments);
-        let message = text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
+        let (_, message) = desk.ends(arguments, 2);
         for part in ["s.toml:", "flow_stress", "between plastic strain 0 and", "Young's modulus", "give a smaller rise"]
         {
             assert!(message.contains(part), "{part}: {message}");
@@ -325,10 +314,6 @@ fn a_curve_that_no_metal_has_is_refused_everywhere() {
     let got = rows(&(STEEL.replace("[impact]", &flow.replace("saturation = 23, ", "")) + axis));
     let is_outside: Vec<bool> = got.results.iter().map(|row| *row == Err(Failure::OutsideLaw)).collect();
     assert_eq!(is_outside, [false, true, true]);
-}
-
-fn write(desk: &Desk, name: &str, content: &str) {
-    fs::write(desk.path(name), content).unwrap();
 }
 
 #[test]

@@ -56,19 +56,6 @@ fn a_contact_with_no_forces_is_the_plain_one_to_the_last_bit() {
 }
 
 #[test]
-fn damping_of_nothing_changes_nothing() {
-    let plain = Scene::steel().contact().closed_form(3.0).unwrap();
-    for forces in [viscous(0.0), hunt_crossley(0.0)] {
-        for method in [Method::Rk8, Method::Dop853] {
-            let impact = under(&Scene::steel(), forces).impact(3.0, &solver(method, 1e-11), None).unwrap();
-            assert!(off(impact.restitution, plain.restitution) < 1e-9);
-            assert!(off(impact.contact_time, plain.contact_time) < 1e-9);
-            assert_eq!(impact.under_forces.unwrap().damping_loss, Some(0.0));
-        }
-    }
-}
-
-#[test]
 fn gravity_alone_keeps_the_balance_of_energy() {
     // ½ m v² + m g δ_m = W(δ_m) and ½ m (e v)² = F_m δ_e/(n + 1) − m g δ_e, with W of the law in units of its yield
     // point
@@ -352,18 +339,5 @@ fn verlet_comes_nearer_with_more_steps() {
         };
         // first order at the kinks and at the end of a contact
         assert!(error(20_000) < 1e-3 && error(20_000) < 0.2 * error(200), "{} {}", error(200), error(20_000));
-    }
-}
-
-#[test]
-fn the_error_of_rk8_falls_with_the_tolerance() {
-    let forces = ScaledForces { weight: 0.0, damping: Some(Damping::HuntCrossley(0.05)) };
-    let law = Scene::steel().law();
-    let exact = closed_form::solve_with(&law, 50.0, &forces).unwrap();
-    for power in 3..=12 {
-        let tolerance = 10_f64.powi(-power);
-        let outcome = course::integrate(&law, 50.0, &forces, &mut Damped::new(tolerance), None).unwrap();
-        assert!(off(outcome.restitution, exact.restitution) < 10.0 * tolerance);
-        assert!(off(outcome.contact_time, exact.contact_time) < 10.0 * tolerance);
     }
 }

@@ -57,44 +57,6 @@ fn impacts_are_those_of_30_digit_arithmetic() {
     }
 }
 
-#[test]
-fn unloadings_of_finite_elements_are_met_as_documented() {
-    let rows = unloadings().unwrap();
-    assert_eq!(rows.len(), 43);
-    let mut off: [Vec<f64>; 4] = Default::default();
-    let mut initial = Vec::new();
-    for (materials, want) in &rows {
-        let bodies = materials.bodies().unwrap().unwrap();
-        let of = |plm: Plm| {
-            let law = plm.law(&bodies).unwrap();
-            // at the same work of loading as the finite elements
-            let x = law.loading.pieces()[law.loading.index_at_work(want.spent)].indentation_at_work(want.spent);
-            let peak = law.loaded_to(x);
-            let restitution = (law.unloading(peak).capacity() / want.spent).sqrt();
-            (peak, restitution / want.restitution - 1.0, law.contact_radius(&peak) * bodies.yield_radius_ratio())
-        };
-        let (peak, restitution, radius) = of(materials.law(UnloadingExponent::PressureShape));
-        let deviations = [
-            restitution,
-            peak.force / want.f - 1.0,
-            peak.indentation / want.x - 1.0,
-            radius / want.contact_radius - 1.0,
-        ];
-        off.iter_mut().zip(deviations).for_each(|(list, deviation)| list.push(deviation));
-        initial.push(of(Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() }).1);
-    }
-    // rms and largest deviation as documented for e, force, indentation and contact radius, plus half a unit of the
-    // last digit
-    let documented = [(0.011, 0.029), (0.014, 0.038), (0.0105, 0.031), (0.0155, 0.036)];
-    for (list, (most, extreme)) in off.iter().zip(documented) {
-        assert!(rms(list) < most + 5e-4, "{}", rms(list));
-        assert!(largest(list.iter().copied()).abs() < extreme + 5e-4, "{}", largest(list.iter().copied()));
-    }
-    // with the initial yield strength e is 2 to 53 % too low
-    assert!((rms(&initial) - 0.231).abs() < 2e-3, "{}", rms(&initial));
-    assert!((largest(initial.into_iter()) + 0.528).abs() < 2e-3);
-}
-
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 const STEEL_SPHERE: Sphere = Sphere { radius: 5e-3, material: STEEL, density: 7850.0, yield_strength: None };
 const STEEL_HALF_SPACE: HalfSpace = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
@@ -218,9 +180,9 @@ fn any_measured_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)>
     })
 }
 
-/// Whether along a law the force rises, dents deepen and e falls, but for these shares: of the dent, of the indentation, and of
-/// e.
-fn is_orderly(law: &Law, bodies: &Bodies, dent: f64, rise: f64) -> Result<(), TestCaseError> {
+/// Whether along a law d ln F/d ln δ is above this bound, dents deepen and e falls, but for these shares: of the indentation, and
+/// of e.
+fn is_orderly(law: &Law, bodies: &Bodies, least_growth: f64, dent: f64, rise: f64) -> Result<(), TestCaseError> {
     let mut before = law.loaded_to(1.0);
     let (mut least, mut deepest_dent) = (1.0_f64, 0.0_f64);
     // up to an indentation of 0.15 R
@@ -229,7 +191,7 @@ fn is_orderly(law: &Law, bodies: &Bodies, dent: f64, rise: f64) -> Result<(), Te
         let x = deepest.powf(f64::from(i) / 400.0);
         let peak = law.loaded_to(x);
         let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
-        prop_assert!(growth > 0.0, "{x}: {growth}");
+        prop_assert!(growth > least_growth, "{x}: {growth}");
         prop_assert!(peak.residual() >= deepest_dent - dent * x, "{x}: {} {deepest_dent}", peak.residual());
         deepest_dent = deepest_dent.max(peak.residual());
         let restitution = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
@@ -247,12 +209,12 @@ proptest! {
     /// behind a knot.
     #[test]
     fn force_rises_dents_deepen_and_restitution_falls((law, bodies, exponent) in any_hardening_law()) {
-        is_orderly(&law, &bodies, 2e-4, if exponent == UnloadingExponent::Paper { 1e-3 } else { 1.2e-3 })?;
+        is_orderly(&law, &bodies, 1.0, 2e-4, if exponent == UnloadingExponent::Paper { 1e-3 } else { 1.2e-3 })?;
     }
 
     #[test]
     fn on_measured_curves_that_level_off_the_same_holds_more_loosely((law, bodies, _) in any_measured_law()) {
-        is_orderly(&law, &bodies, 2e-3, 1e-2)?;
+        is_orderly(&law, &bodies, 1.0, 2e-3, 1e-2)?;
     }
 }
 
@@ -340,7 +302,8 @@ fn a_step_of_the_flow_curve_warns_where_the_contact_reaches_it() {
 /// elements.
 #[test]
 fn one_strength_for_a_metal_that_hardens_is_as_far_off_as_documented() {
-    for (strain, most, extreme) in [(0.002, 0.15, -0.37), (0.08, 0.17, 0.35)] {
+    // the first is the initial yield strength
+    for (strain, most, extreme) in [(0.0, 0.231, -0.528), (0.002, 0.15, -0.37), (0.08, 0.17, 0.35)] {
         let off = unloadings().unwrap().into_iter().map(|(materials, want)| {
             let (strength, half_space) = (materials.yield_strength, materials.half_space());
             let ratio = materials.curve().unwrap().rise(strength, half_space.material.youngs_modulus).at(strain);
@@ -389,32 +352,4 @@ fn a_hardened_dent_is_remembered() {
     assert!(off(again.respond(40.0, None).0, peak.force) < 1e-14);
     assert_eq!(again.loaded_to(80.0), law.loaded_to(80.0));
     assert!(off(again.unloading(again.loaded_to(80.0)).exponent, law.unloading(law.loaded_to(80.0)).exponent) < 1e-14);
-}
-
-/// Prints how long it takes to set up a contact with a flow curve. Run it by
-/// `cargo test --release --test physics hardening -- --ignored --nocapture`.
-#[test]
-#[ignore = "a measurement of time"]
-fn time_to_set_up() {
-    for flow in [FlowCurve::Power { exponent: 0.2 }, FlowCurve::Voce { saturation: 1.5, rate: 15.0 }] {
-        let begin = std::time::Instant::now();
-        for _ in 0..10_000 {
-            std::hint::black_box(steel(Some(flow.clone()), UnloadingExponent::PressureShape));
-        }
-        println!("{flow:?}: {:.2} us", begin.elapsed().as_secs_f64() * 100.0);
-        let contact = steel(Some(flow.clone()), UnloadingExponent::PressureShape);
-        let plain = steel(None, UnloadingExponent::PressureShape);
-        for (name, contact) in [("hardening", contact), ("plain", plain)] {
-            let (_, law, q) = contact.scaled(3.0).unwrap();
-            let begin = std::time::Instant::now();
-            for i in 0..100_000 {
-                std::hint::black_box(closed_form::solve(law, q * (1.0 + 1e-6 * f64::from(i))));
-            }
-            println!(
-                "  {name}: {:.0} ns an impact, {} pieces",
-                begin.elapsed().as_secs_f64() * 1e4,
-                law.loading.pieces().len()
-            );
-        }
-    }
 }

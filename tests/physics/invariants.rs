@@ -5,31 +5,14 @@ use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
 use proptest::prelude::*;
 
-use crate::common::{STEPPING, Scene, off};
+use crate::common::{STEPPING, Scene, off, scenes};
 
 const TOLERANCE: f64 = 1e-10;
 
 /// A random scene and v/v_Y: radius 1 nm to 10 m, moduli 1 MPa to 10 TPa, any Poisson's ratio, σ_Y/E* from 1e-5 to 0.1.
 fn any_impact() -> impl Strategy<Value = (Scene, f64)> {
-    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
-    let body = || {
-        (6.0..13.0_f64, -0.9..0.49_f64)
-            .prop_map(|(log_e, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log_e), poissons_ratio })
-    };
-    (body(), body(), -9.0..1.0_f64, 2.0..4.3_f64, -5.0..-1.0_f64, -3.0..4.0_f64, exponent).prop_map(
-        |(sphere, half_space, log_r, log_rho, log_strength, log_q, exponent)| {
-            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
-            let scene = Scene {
-                radius: 10_f64.powf(log_r),
-                density: 10_f64.powf(log_rho),
-                sphere,
-                half_space,
-                yield_strength: Some(10_f64.powf(log_strength) * e_star),
-                exponent,
-            };
-            (scene, 10_f64.powf(log_q))
-        },
-    )
+    (scenes(6.0..13.0, -0.9..0.49, -9.0..1.0, -5.0..-1.0), 2.0..4.3_f64, -3.0..4.0_f64)
+        .prop_map(|(scene, log_rho, log_q)| (Scene { density: 10_f64.powf(log_rho), ..scene }, 10_f64.powf(log_q)))
 }
 
 /// The largest rise of e after a knot, by the definition of the law: 0.02 % for κ > 0.4 (0.03 % with the exponent

@@ -6,7 +6,7 @@ use plm_impact::material::Material;
 use plm_impact::math::power::quarter_period;
 use proptest::prelude::*;
 
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::{STEPPING, Scene, off, scenes, solver};
 
 const EXPONENTS: [UnloadingExponent; 3] =
     [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.8)];
@@ -244,26 +244,8 @@ fn a_dent_on_the_hertz_piece_is_cut_there() {
 
 /// A random scene, the first speed over v_Y, and the second speed over the first.
 fn any_pair() -> impl Strategy<Value = (Scene, f64, f64)> {
-    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
-    let body = || {
-        (8.0..12.0_f64, 0.0..0.49_f64)
-            .prop_map(|(log_e, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log_e), poissons_ratio })
-    };
-    (body(), body(), -6.0..0.0_f64, -4.0..-1.0_f64, 0.001..4.0_f64, -4.0..2.0_f64, exponent).prop_map(
-        |(sphere, half_space, log_r, log_strength, log_q, log_ratio, exponent)| {
-            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
-            let strength = Some(10_f64.powf(log_strength) * e_star);
-            let scene = Scene {
-                radius: 10_f64.powf(log_r),
-                density: 5000.0,
-                sphere,
-                half_space,
-                yield_strength: strength,
-                exponent,
-            };
-            (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio))
-        },
-    )
+    (scenes(8.0..12.0, 0.0..0.49, -6.0..0.0, -4.0..-1.0), 0.001..4.0_f64, -4.0..2.0_f64)
+        .prop_map(|(scene, log_q, log_ratio)| (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio)))
 }
 
 proptest! {

@@ -8,7 +8,7 @@ use plm_impact::repeat::flight::Flight;
 use plm_impact::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
 use proptest::prelude::*;
 
-use crate::common::{Scene, off, solver};
+use crate::common::{Scene, off, scenes, solver};
 
 const GRAVITY: f64 = 9.81;
 
@@ -278,26 +278,11 @@ fn equal_shots_saturate_and_softer_ones_do_nothing() {
 /// A random scene that yields under gravity, the first speed over v_Y, the second speed over the first, and weight over
 /// yield force, up to a fifth.
 fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
-    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
-    (
-        9.0..11.5_f64,
-        9.0..11.5_f64,
-        -4.0..-0.5_f64,
-        -3.5..-1.5_f64,
-        0.1..3.0_f64,
-        -2.0..1.0_f64,
-        -8.0..-0.7_f64,
-        exponent,
-    )
-        .prop_map(|(log_s, log_h, log_r, log_strength, log_q, log_ratio, log_weight, exponent)| {
-            let material = |log: f64| Material { youngs_modulus: 10_f64.powf(log), poissons_ratio: 0.3 };
-            let (sphere, half_space) = (material(log_s), material(log_h));
-            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
-            let strength = Some(10_f64.powf(log_strength) * e_star);
-            let radius = 10_f64.powf(log_r);
-            let scene = Scene { radius, density: 5000.0, sphere, half_space, yield_strength: strength, exponent };
+    (scenes(9.0..11.5, 0.2..0.4, -4.0..-0.5, -3.5..-1.5), 0.1..3.0_f64, -2.0..1.0_f64, -8.0..-0.7_f64).prop_map(
+        |(scene, log_q, log_ratio, log_weight)| {
             (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio), 10_f64.powf(log_weight))
-        })
+        },
+    )
 }
 
 proptest! {

@@ -1,7 +1,7 @@
 //! `[output] columns`: a table with fewer results, and the output of `check` for a sweep. Tested with the command as a
 //! process.
 
-use crate::common::command::{self, Desk};
+use crate::common::command::Desk;
 
 /// A scenario without `[output]`, which tests can add, and without a yield strength.
 const ELASTIC: &str = r#"
@@ -20,10 +20,8 @@ const YIELDING: &str = "yield_strength = \"345 MPa\"\n";
 const SWEEP: &str = "[sweep]\n\"impact.speed\" = { logspace = [\"1 mm/s\", \"10 m/s\"], points = 21 }\n";
 
 fn table(text: &str) -> Vec<Vec<String>> {
-    let desk = Desk::with(text);
-    let output = desk.call(&["run", "s.toml", "--out", "out"]);
-    assert_eq!(output.status.code(), Some(0), "{}", command::text(&output.stderr));
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_path(desk.path("out/table.csv")).unwrap();
+    let table = Desk::ran(text, &["--pictures", "none"]).read("out/table.csv");
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(table.as_bytes());
     reader.records().map(|record| record.unwrap().iter().map(str::to_owned).collect()).collect()
 }
 
@@ -43,29 +41,10 @@ fn a_table_has_the_columns_named_and_the_same_digits() {
 }
 
 #[test]
-fn columns_that_cannot_be_are_refused() {
-    let table = [
-        (format!("{YIELDING}{SWEEP}"), "[\"peak_force\"]", "did you mean \"peak_force_N\"?"),
-        (format!("{YIELDING}{SWEEP}"), "[\"peak_force_N\", \"peak_force_N\"]", "named twice"),
-        (SWEEP.to_owned(), "[\"dent_radius_m\"]", "there is no dent"),
-        (YIELDING.to_owned(), "[\"peak_force_N\"]", "this scenario is one impact"),
-    ];
-    for (tables, columns, want) in table {
-        let desk = Desk::with(format!("{ELASTIC}{tables}[output]\ncolumns = {columns}\n"));
-        let output = desk.call(&["run", "s.toml", "--out", "out"]);
-        let message = command::text(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(message.contains("output.columns: ") && message.contains(want), "{want}: {message}");
-        assert!(!desk.path("out").exists());
-    }
-}
-
-#[test]
 fn check_says_what_a_sweep_will_be() {
     let strengths = "\"half_space.yield_strength\" = [\"200 MPa\", \"345 MPa\"]\n";
-    let output = Desk::with(format!("{ELASTIC}{YIELDING}{SWEEP}{strengths}")).call(&["check", "s.toml"]);
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let check = |tables: &str| Desk::with(format!("{ELASTIC}{YIELDING}{tables}")).ends(&["check", "s.toml"], 0).0;
+    let text = check(&format!("{SWEEP}{strengths}"));
     for want in [
         "42 cases",
         "21 values from 1 mm/s to 10 m/s, evenly in the logarithm",
@@ -76,8 +55,7 @@ fn check_says_what_a_sweep_will_be() {
         assert!(text.contains(want), "{want}: {text}");
     }
     let random = "[monte_carlo]\nsamples = 10\nseed = 3\n\"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"300 MPa\" } }\n";
-    let output = Desk::with(format!("{ELASTIC}{YIELDING}{random}")).call(&["check", "s.toml"]);
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = check(random);
     // the share of the normal distribution above 0 is Φ(345/300) = Φ(1.15) = 0.8749
     assert!(text.contains("10 cases, drawn with seed 3") && text.contains("keeps 87.49 %"), "{text}");
 }

@@ -3,10 +3,11 @@
 
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
+
+use crate::common::command::Desk;
 
 const BASE: &str = r#"
 sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = "7850 kg/m^3" }
@@ -30,14 +31,11 @@ samples = 70_000
 "half_space.yield_strength" = { lognormal = { mean = 345e6, sd = 30e6 } }
 "#;
 
-/// Runs a sweep in a directory of its own, and returns the exit code.
-fn run(tables: &str, out: &Path, arguments: &[&str]) -> Option<i32> {
-    fs::create_dir_all(out).unwrap();
-    let file = out.join("scenario.toml");
-    fs::write(&file, format!("{BASE}{tables}")).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    command.arg("run").args(arguments).arg("--out").args([out, &file]).stderr(Stdio::null()).stdout(Stdio::null());
-    command.status().unwrap().code()
+/// Runs a sweep, which ends with this code.
+fn run(tables: &str, code: i32, arguments: &[&str]) -> Desk {
+    let desk = Desk::with(format!("{BASE}{tables}"));
+    desk.ends(&[&["run", "s.toml", "--out", "out", "--pictures", "none"], arguments].concat(), code);
+    desk
 }
 
 /// Compares every field, and returns the number of row groups.
@@ -66,33 +64,25 @@ fn compare(csv: &Path, parquet: &Path) -> usize {
 #[test]
 fn row_groups_hold_what_the_csv_table_holds() {
     for (tables, code) in [(GRID, 1), (RANDOM, 0)] {
-        let directory = tempfile::tempdir().unwrap();
-        let (csv, parquet) = (directory.path().join("csv"), directory.path().join("parquet"));
-        assert_eq!(run(tables, &csv, &[]), Some(code));
-        assert_eq!(run(tables, &parquet, &["--format", "parquet"]), Some(code));
-        let row_groups = compare(&csv.join("table.csv"), &parquet.join("table.parquet"));
+        let (csv, parquet) = (run(tables, code, &[]), run(tables, code, &["--format", "parquet"]));
+        let row_groups = compare(&csv.path("out/table.csv"), &parquet.path("out/table.parquet"));
         assert!(row_groups > 0, "{row_groups} row groups");
-        // the summaries have to be the same, except for the command and the place of the scenario
-        let summary = |out: &Path| {
-            let text = fs::read_to_string(out.join("summary.json")).unwrap();
-            let mut summary: serde_json::Value = serde_json::from_str(&text).unwrap();
-            for of_run in ["command", "scenario_file"] {
-                summary["provenance"].as_object_mut().unwrap().remove(of_run).unwrap();
-            }
+        // the summaries have to be the same, except for the command
+        let summaries = [&csv, &parquet].map(|desk| {
+            let mut summary = desk.summary();
+            summary["provenance"].as_object_mut().unwrap().remove("command").unwrap();
             summary
-        };
-        assert_eq!(summary(&csv), summary(&parquet));
+        });
+        assert_eq!(summaries[0], summaries[1]);
     }
 }
 
 #[test]
 fn the_bytes_do_not_depend_on_the_number_of_threads() {
     for (tables, code) in [(GRID, 1), (RANDOM, 0)] {
-        let directory = tempfile::tempdir().unwrap();
         let table = |threads: &str| {
-            let out = directory.path().join(threads);
-            assert_eq!(run(tables, &out, &["--format", "parquet", "--threads", threads]), Some(code));
-            fs::read(out.join("table.parquet")).unwrap()
+            let desk = run(tables, code, &["--format", "parquet", "--threads", threads]);
+            fs::read(desk.path("out/table.parquet")).unwrap()
         };
         let one = table("1");
         assert!(one == table("2") && one == table("7"));
@@ -102,9 +92,8 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
 /// The table of contents has the range of each column in a row group, so a reader can skip row groups.
 #[test]
 fn row_groups_tell_the_range_of_their_numbers() {
-    let directory = tempfile::tempdir().unwrap();
-    assert_eq!(run(RANDOM, directory.path(), &["--format", "parquet"]), Some(0));
-    let reader = SerializedFileReader::new(File::open(directory.path().join("table.parquet")).unwrap()).unwrap();
+    let desk = run(RANDOM, 0, &["--format", "parquet"]);
+    let reader = SerializedFileReader::new(File::open(desk.path("out/table.parquet")).unwrap()).unwrap();
     let mut next = 0;
     for group in reader.metadata().row_groups() {
         let parquet::file::statistics::Statistics::Int64(cases) = group.column(0).statistics().unwrap() else {

@@ -1,96 +1,29 @@
 //! Tables: numbers compared with the reference, and edge cases of axes.
 
 mod random;
-mod refusals;
-
-use std::path::Path;
-use std::process::{Command, Output};
 
 use approx::assert_relative_eq;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::evaluator::{Evaluator, Rows};
 
 use crate::common::STEEL;
+use crate::common::command::{Desk, column};
+
+/// The table of a scenario that runs, and its summary.
+fn table(text: &str) -> (String, serde_json::Value) {
+    let desk = Desk::ran(text, &["--pictures", "none"]);
+    (desk.read("out/table.csv"), desk.summary())
+}
+
+fn summary(tables: &str) -> serde_json::Value {
+    table(&format!("{STEEL}{tables}")).1
+}
 
 fn rows(text: &str) -> Rows {
     let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();
     let mut rows = Rows::default();
     Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
     rows
-}
-
-fn run(text: &str, directory: &Path) -> Output {
-    let file = directory.join("scenario.toml");
-    std::fs::write(&file, text).unwrap();
-    let program = env!("CARGO_BIN_EXE_plm-impact");
-    Command::new(program).arg("run").arg(file).arg("--out").arg(directory.join("out")).output().unwrap()
-}
-
-/// The message for a scenario that is refused with exit code 2; nothing may be written.
-fn refusal(tables: &str) -> String {
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{STEEL}{tables}"), directory.path());
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{tables}: {text}");
-    assert!(!directory.path().join("out").exists(), "{tables}");
-    text
-}
-
-#[test]
-fn rows_agree_with_the_reference() {
-    let reference = include_str!("../../src/reference/oracle.csv");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(reference.as_bytes());
-    let mut count = 0;
-    for record in reader.records().map(Result::unwrap) {
-        let exponent = record[9].parse::<f64>().map_or_else(|_| format!("{:?}", &record[9]), |n| format!("{n:?}"));
-        let text = format!(
-            r#"
-[sphere]
-radius = {}
-youngs_modulus = {}
-poissons_ratio = {}
-density = {}
-[half_space]
-youngs_modulus = {}
-poissons_ratio = {}
-yield_strength = {}
-[impact]
-speed = 1.0
-[law.plm]
-unloading_exponent = {exponent}
-[sweep]
-"impact.speed" = [{}]
-"#,
-            float(&record[1]),
-            sphere_modulus(&record[2]),
-            float(&record[3]),
-            float(&record[4]),
-            float(&record[5]),
-            float(&record[6]),
-            float(&record[7]),
-            float(&record[8]),
-        );
-        let row = rows(&text).results[0].unwrap();
-        let got = [row.restitution, row.contact_time, row.peak_force, row.peak_indentation, row.residual_indentation];
-        for (got, column) in got.into_iter().zip([10, 11, 13, 14, 15]) {
-            let want: f64 = record[column].parse().unwrap();
-            // the closed form is accurate to 5e-14 (tests/physics/oracle.rs)
-            assert!((got - want).abs() <= 1e-12 * want.abs(), "{}, column {column}: {got} against {want}", &record[0]);
-        }
-        count += 1;
-    }
-    assert!(count > 10);
-}
-
-fn float(text: &str) -> String {
-    format!("{:?}", text.parse::<f64>().unwrap())
-}
-
-fn sphere_modulus(text: &str) -> String {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => format!("{value:?}"),
-        _ => "\"rigid\"".to_owned(),
-    }
 }
 
 #[test]
@@ -100,10 +33,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
 "half_space.yield_strength" = ["345 MPa", "900 MPa"]
 "sphere.radius" = { linspace = ["2 mm", "5 mm"], points = 1 }
 "#;
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{STEEL}{sweep}"), directory.path());
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let table = std::fs::read_to_string(directory.path().join("out/table.csv")).unwrap();
+    let (table, _) = table(&format!("{STEEL}{sweep}"));
     let swept: Vec<String> = table.lines().map(|line| line.split(',').take(4).collect::<Vec<_>>().join(",")).collect();
     // if the first limit is larger, the axis falls; with one point the axis has only the first limit
     let want = [
@@ -130,16 +60,12 @@ fn axes_multiply_and_the_first_varies_slowest() {
     assert_eq!(number(5), impact.contact_time);
     assert_eq!(number(9), impact.dent_radius.unwrap());
     assert_relative_eq!(number(10) + number(11), 1.0, max_relative = 1e-14);
-    assert!(directory.path().join("out/restitution.png").exists());
 }
 
 #[test]
 fn an_elastic_half_space_has_no_plastic_columns() {
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{elastic}[sweep]\n\"impact.speed\" = [1, 2]\n"), directory.path());
-    assert_eq!(output.status.code(), Some(0));
-    let table = std::fs::read_to_string(directory.path().join("out/table.csv")).unwrap();
+    let (table, _) = table(&format!("{elastic}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let header = table.lines().next().unwrap();
     assert_eq!(
         header,
@@ -172,10 +98,8 @@ fn the_unloading_exponent_can_be_swept() {
 
 /// What identifies a row of a table whatever the order of the axes: its values by the names of their columns, and its results.
 fn named_rows(bodies: &str, axes: &[&str]) -> Vec<String> {
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")), directory.path());
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let mut reader = csv::Reader::from_path(directory.path().join("out/table.csv")).unwrap();
+    let (table, _) = table(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")));
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
     let names = reader.headers().unwrap().clone();
     let row = |record: csv::StringRecord| {
         let mut fields: Vec<String> =
@@ -250,27 +174,17 @@ law = ["plm", "thornton"]
         assert_eq!(e(case), contact.closed_form(3.0).unwrap().restitution, "{exponent}");
     }
     assert_eq!(e(19_999), contact(&[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
-    let directory = tempfile::tempdir().unwrap();
-    let table = |threads: &str| {
-        let (file, out) = (directory.path().join("s.toml"), directory.path().join(threads));
-        std::fs::write(&file, &text).unwrap();
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        let run = command.arg("run").args([&file]).arg("--out").arg(&out).args(["--threads", threads]).output();
-        assert_eq!(run.unwrap().status.code(), Some(0));
-        std::fs::read(out.join("table.csv")).unwrap()
-    };
+    let table = |threads: &str| Desk::ran(&text, &["--pictures", "none", "--threads", threads]).read("out/table.csv");
     let one = table("1");
     assert!(one == table("2") && one == table("3"));
 }
 
 #[test]
 fn a_case_without_a_result_is_a_row_with_a_status() {
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"), directory.path());
-    assert_eq!(output.status.code(), Some(1));
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert!(text.contains("2 of 3 cases have no result"), "{text}");
-    let table = std::fs::read_to_string(directory.path().join("out/table.csv")).unwrap();
+    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"));
+    let (_, said) = desk.ends(&["run", "s.toml", "--out", "out"], 1);
+    assert!(said.contains("2 of 3 cases have no result"), "{said}");
+    let table = desk.read("out/table.csv");
     let lines: Vec<&str> = table.lines().collect();
     assert!(lines[1].ends_with(",ok"));
     assert_eq!(lines[2], "1,1e-250,,,,,,,,,out_of_float_range");
@@ -282,29 +196,20 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     // gravity is so large that the sphere leaves a dent
     let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
-    let directory = tempfile::tempdir().unwrap();
-    let file = directory.path().join("scenario.toml");
-    std::fs::write(&file, &text).unwrap();
-    let out = directory.path().join("out");
-    let table = |more: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-        let output = command.arg("run").arg(&file).arg("--out").arg(&out).args(more).output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    };
-    table(&[]);
-    let whole = std::fs::read_to_string(out.join("table.csv")).unwrap();
+    let desk = Desk::ran(&text, &[]);
+    let whole = desk.read("out/table.csv");
     assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
     for key in ["restitution", "recovered_fraction", "plastic_fraction"] {
-        let fields = crate::common::command::column(&whole, key);
+        let fields = column(&whole, key);
         assert!(fields[0].is_empty() && !fields[1].is_empty() && fields[2].is_empty(), "{key}: {fields:?}");
     }
-    assert!(crate::common::command::column(&whole, "status").iter().all(|status| status == "ok"));
-    let residual = crate::common::command::column(&whole, "residual_indentation_m");
+    assert!(column(&whole, "status").iter().all(|status| status == "ok"));
+    let residual = column(&whole, "residual_indentation_m");
     assert!(residual.iter().all(|depth| depth.parse::<f64>().unwrap() > 1e-3), "{residual:?}");
     // such a row counts among those that are there when a run goes on
-    table(&["--shard", "0/1"]);
-    table(&[]);
-    assert_eq!(std::fs::read_to_string(out.join("table.csv")).unwrap(), whole);
+    desk.ends(&["run", "s.toml", "--out", "out", "--shard", "0/1"], 0);
+    desk.ends(&["run", "s.toml", "--out", "out"], 0);
+    assert_eq!(desk.read("out/table.csv"), whole);
 }
 
 #[test]
@@ -315,62 +220,6 @@ fn shares_beyond_double_precision_are_a_status_and_no_number() {
     assert_eq!(results[0].unwrap_err().name(), "out_of_float_range");
     let share = results[1].unwrap().plastic_fraction;
     assert!(share > 1e6 && share.is_finite(), "{share}");
-}
-
-fn summary(tables: &str) -> serde_json::Value {
-    let directory = tempfile::tempdir().unwrap();
-    let output = run(&format!("{STEEL}{tables}"), directory.path());
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&std::fs::read(directory.path().join("out/summary.json")).unwrap()).unwrap()
-}
-
-#[test]
-fn long_axes_get_a_map_and_random_values_a_histogram() {
-    let directory = tempfile::tempdir().unwrap();
-    let axes = "\"impact.speed\" = { logspace = [1e-3, 10], points = 20 }\n\"sphere.radius\" = { linspace = [1e-3, 1e-2], points = 9 }\n";
-    assert_eq!(run(&format!("{STEEL}[sweep]\n{axes}"), directory.path()).status.code(), Some(0));
-    for name in ["restitution.png", "restitution_map.png"] {
-        let bytes = std::fs::read(directory.path().join("out").join(name)).unwrap();
-        let info = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap().info().size();
-        assert_eq!(info, plm_impact::plot::SIZE, "{name}");
-    }
-    let random = "[monte_carlo]\nsamples = 50\n\"impact.speed\" = { uniform = [1, 2] }\n";
-    assert_eq!(run(&format!("{STEEL}{random}"), directory.path()).status.code(), Some(0));
-    assert!(directory.path().join("out/restitution_histogram.png").exists());
-}
-
-#[cfg(feature = "parquet")]
-#[test]
-fn a_parquet_table_holds_what_the_csv_table_holds() {
-    use parquet::file::reader::{FileReader, SerializedFileReader};
-    let directory = tempfile::tempdir().unwrap();
-    let sweep = "[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\"]\n\"impact.speed\" = [1e-3, 1, 1e200]\n";
-    assert_eq!(run(&format!("{STEEL}{sweep}"), directory.path()).status.code(), Some(1));
-    let (file, out) = (directory.path().join("scenario.toml"), directory.path().join("out"));
-    let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    assert_eq!(
-        command.args(["run", "--format", "parquet", "--out"]).args([&out, &file]).status().unwrap().code(),
-        Some(1)
-    );
-    let mut csv = csv::Reader::from_path(out.join("table.csv")).unwrap();
-    let names: Vec<String> = csv.headers().unwrap().iter().map(str::to_owned).collect();
-    let reader = SerializedFileReader::new(std::fs::File::open(out.join("table.parquet")).unwrap()).unwrap();
-    let mut count = 0;
-    for (row, record) in reader.get_row_iter(None).unwrap().map(Result::unwrap).zip(csv.records().map(Result::unwrap)) {
-        for ((name, field), (column, text)) in row.get_column_iter().zip(names.iter().zip(&record)) {
-            assert_eq!(name, column);
-            let same = match field {
-                parquet::record::Field::Null => text.is_empty(),
-                parquet::record::Field::Double(value) => text.parse() == Ok(*value),
-                parquet::record::Field::Long(value) => text.parse() == Ok(*value),
-                parquet::record::Field::Str(value) => text == value,
-                _ => false,
-            };
-            assert!(same, "{name}: {field} against {text}");
-        }
-        count += 1;
-    }
-    assert_eq!(count, 6);
 }
 
 /// The corners of few axes are all computed; of 16 384, those on one axis and a sample. The speeds are the last axis, which a
@@ -426,4 +275,56 @@ fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
     }
     let random = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 100] }\n";
     assert!(summary(random)["warnings"][0].as_str().unwrap().contains("is beyond 0.45"));
+}
+
+#[test]
+fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
+    let same = |without: &str, tables: &str| {
+        assert!(STEEL.contains(without), "{without}");
+        let gap = STEEL.replacen(without, "", 1);
+        // the same scenario with the key also in its own table
+        let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
+        assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
+    };
+    same("[impact]\nspeed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
+    same("speed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");
+    same("radius = \"5 mm\"\n", "[sweep]\n\"sphere.diameter\" = { linspace = [0.01, 0.02], points = 3 }\n");
+    same("density = \"7850 kg/m^3\"\n", "[monte_carlo]\nsamples = 5\n\"sphere.density\" = { uniform = [7e3, 8e3] }\n");
+    let modulus =
+        "[monte_carlo]\nsamples = 5\n\"sphere.youngs_modulus\" = { normal = { mean = \"200 GPa\", sd = 1e9 } }\n";
+    same("youngs_modulus = \"210 GPa\"\n", modulus);
+    let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
+    same("yield_strength = \"345 MPa\"\n", strength);
+    // a drop height needs gravity, which may be an axis too
+    let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
+    assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));
+}
+
+#[test]
+fn a_tolerance_can_vary_wherever_auto_integrates_under_gravity_and_only_there() {
+    // a law whose branches are not powers has no closed form under gravity: its rows are integrated with the tolerance
+    let table = "[gravity]\nacceleration = 9.81\n[sweep]\n\"solver.tolerance\" = [1e-3, 1e-9]\n";
+    for (law, is_stepped) in [
+        ("[law.stronge]\n", true),
+        ("[law.jackson_green]\n", true),
+        ("[law.yigit_christoforou]\n", true),
+        ("[law.mesarovic_johnson]\n", true),
+        ("[law.thornton]\n", false),
+        ("", false),
+    ] {
+        let scenario = format!("{law}{table}");
+        if is_stepped {
+            let results = rows(&format!("{STEEL}{scenario}")).results;
+            let e: Vec<f64> = results.iter().map(|row| row.as_ref().unwrap().restitution).collect();
+            assert!(e.len() == 2 && e[0] != e[1] && (e[0] - e[1]).abs() < 1e-2, "{law}: {e:?}");
+        } else {
+            let scenario = Scenario::from_text("test", &format!("{STEEL}{scenario}"), &[]).unwrap();
+            let text = scenario.plan().unwrap_err().to_string();
+            assert!(text.contains("the closed form takes no steps"), "{law}: {text}");
+        }
+    }
+    // it is enough that one law of an axis has no closed form
+    let laws = table.to_owned() + "law = [\"plm\", \"stronge\"]\n";
+    assert_eq!(rows(&format!("{STEEL}{laws}")).results.len(), 4);
 }

@@ -3,17 +3,14 @@
 
 use super::super::ValidationError;
 use super::super::hardening::{at_energy, law};
-use super::{Picture, SISTER, log_sampled};
+use super::{Picture, log_sampled};
 use crate::law::PlmCoefficients;
-use crate::plot::{Axis, Chart, Series};
+use crate::plot::{Axis, Chart, Series, Style};
 use crate::reference::hardening::unloadings;
 
 /// The materials that are drawn, and their names in the picture.
-const DRAWN: [(&str, &str); 3] = [
-    ("c3n10", "steel, power law, N = 0.1"),
-    ("alvoce", "aluminium, Voce"),
-    ("cun30", "annealed copper, power law, N = 0.3"),
-];
+const DRAWN: [(&str, &str); 3] =
+    [("c3n10", "steel, N = 0.1"), ("alvoce", "aluminium, Voce"), ("cun30", "copper, N = 0.3")];
 
 pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
     let rows = unloadings()?;
@@ -23,18 +20,20 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
         let Some((materials, _)) = of_material.first() else { continue };
         let points: Vec<(f64, f64)> = of_material.iter().map(|(_, row)| (row.x, row.restitution)).collect();
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
-        series.push(Series::points(format!("{called}: finite elements"), points).styled(i));
+        series.push(Series::points(called, points).styled(i));
         for (which, hardens) in [true, false].into_iter().enumerate() {
             let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
             let curve =
                 log_sampled(1.0, 1.2 * deepest, 300, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
-            let what = if hardens { "law with its flow curve" } else { "law with its initial yield strength" };
-            series.push(Series::bare(format!("{called}: {what}"), curve).styled(i + SISTER * which));
+            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
         }
     }
     let axes = [
         Axis::log("Peak indentation over that at first yield", ""),
         Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
     ];
-    Ok(("hardening-restitution".to_owned(), Chart::new("Restitution on metals that harden", axes, series)))
+    let chart = Chart::new("Restitution on metals that harden", axes, series);
+    let chart =
+        chart.with_branches(&["law, flow curve", "law, initial strength"]).with_notes(["points: finite elements"]);
+    Ok(("hardening-restitution".to_owned(), chart))
 }

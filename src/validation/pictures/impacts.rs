@@ -2,9 +2,9 @@
 
 use super::super::EXPONENTS;
 use super::super::dynamic::Case;
-use super::{Picture, SISTER, slug};
+use super::{Picture, slug};
 use crate::impact::TraceRow;
-use crate::plot::{Axis, Chart, Series};
+use crate::plot::{Axis, Chart, Series, Style};
 use crate::reference::impacts::Sample;
 
 /// An indentation: its name, its value in the reference, and its value in the law.
@@ -23,21 +23,26 @@ fn notes(case: &Case) -> Vec<String> {
     let of_reference = format!("  finite elements: {:.4}", case.reference.restitution);
     let with_waves = case.impacts.last().and_then(|impact| impact.restitution_with_waves());
     let with_waves = with_waves.map(|restitution| format!("  … with waves: {restitution:.4}"));
-    ["Restitution".to_owned(), of_reference].into_iter().chain(of_law).chain(with_waves).collect()
+    ["points: finite elements".to_owned(), "Restitution".to_owned(), of_reference]
+        .into_iter()
+        .chain(of_law)
+        .chain(with_waves)
+        .collect()
 }
 
 pub(super) fn picture(case: &Case) -> Picture {
     let mut series = Vec::new();
     for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
         let points = case.samples.iter().map(|sample| (of_sample(sample), sample.force));
-        series.push(Series::points(format!("{name}, finite elements"), points.collect()).styled(i));
-        for (which, (impact, (_, exponent))) in case.impacts.iter().zip(EXPONENTS).enumerate() {
+        series.push(Series::points(name, points.collect()).styled(i));
+        for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            series.push(Series::bare(format!("{name}, {exponent}"), curve).styled(i + SISTER * which));
+            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
         }
     }
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
     let slug = slug(case.name);
     let title = format!("Impact {} (scenarios/dynamic-fe-{slug}.toml)", case.name);
-    (format!("impact-{slug}-force-indentation"), Chart::new(title, axes, series).with_notes(notes(case)))
+    let chart = Chart::new(title, axes, series).with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes(case));
+    (format!("impact-{slug}-force-indentation"), chart)
 }

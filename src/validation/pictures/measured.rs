@@ -36,21 +36,21 @@ pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Validat
     let steels = steels()?;
     let ends = steels.iter().flat_map(Steel::ends).collect();
     let mut series = vec![
-        Series::points("measured, ends of the ranges of ten steels", ends),
-        Series::bare("between them: lowest and highest of the ten", band(&steels)).styled(0),
+        Series::points("measured, ten steels", ends).and("ends of their ranges"),
+        Series::bare("between them", band(&steels)).and("lowest and highest").styled(0),
     ];
     if let Some(device) = devices()?.first() {
         let lines = [
-            (1.0, "law, tensile strength as yield strength"),
-            (YIELD_RATIO, "law, 0.2 % yield strength, 0.65 × tensile"),
+            (1.0, "law, tensile strength", "as yield strength"),
+            (YIELD_RATIO, "law, 0.2 % strength", "0.65 × tensile"),
         ];
-        for (i, (share, name)) in lines.into_iter().enumerate() {
+        for (i, (share, name, taken)) in lines.into_iter().enumerate() {
             let mut points = Vec::new();
             for step in 0..=60 {
                 let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
                 points.push((tensile, 1000.0 * restitution(device, 1e6 * share * tensile, &coefficients)?));
             }
-            series.push(Series::bare(name, points).styled(1 + i));
+            series.push(Series::bare(name, points).and(taken).styled(1 + i));
         }
     }
     let axes =

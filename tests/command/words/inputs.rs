@@ -3,14 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::common::STEEL;
-use crate::common::command::{Desk, text};
+use crate::common::command::Desk;
 
 fn inputs(scene: &str) -> Value {
-    let desk = Desk::with(scene);
-    let output = desk.call(&["run", "s.toml", "--out", "out"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let summary: Value = serde_json::from_str(&desk.read("out/summary.json")).unwrap();
-    summary["inputs"].clone()
+    Desk::ran(scene, &["--pictures", "none"]).summary()["inputs"].clone()
 }
 
 fn holds(inputs: &Value, wanted: &Value) {

@@ -1,52 +1,35 @@
 //! Random scenes with gravity and damping: the energy ledger closes, and damping only takes energy.
 
 use plm_impact::impact::{Damping, Fate, Forces, Method};
-use plm_impact::law::UnloadingExponent;
-use plm_impact::material::Material;
 use proptest::prelude::*;
 
 use super::{fate, under};
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::{STEPPING, Scene, off, scenes, solver};
 
 /// A random scene as in `invariants.rs`, with any damping, and with gravity from none to thousands of times the gravity
 /// at which the weight yields the half-space.
 fn any_impact() -> impl Strategy<Value = (Scene, f64, Forces)> {
-    let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
-    let body = || {
-        (6.0..13.0_f64, -0.9..0.49_f64)
-            .prop_map(|(log_e, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log_e), poissons_ratio })
-    };
     let pull = prop_oneof![Just(None), (-6.0..2.0_f64).prop_map(Some)];
     let drag = prop_oneof![
         Just(None),
         (-4.0..1.0_f64).prop_map(|log| Some(Damping::HuntCrossley(10_f64.powf(log)))),
         (-4.0..0.5_f64).prop_map(|log| Some(Damping::Viscous(10_f64.powf(log))))
     ];
-    (body(), body(), -6.0..0.0_f64, -5.0..-1.0_f64, -2.0..3.0_f64, exponent, pull, drag).prop_map(
-        |(sphere, half_space, log_r, log_strength, log_q, exponent, pull, drag)| {
-            let e_star = 1.0 / (1.0 / sphere.plane_strain_modulus() + 1.0 / half_space.plane_strain_modulus());
-            let scene = Scene {
-                radius: 10_f64.powf(log_r),
-                density: 5000.0,
-                sphere,
-                half_space,
-                yield_strength: Some(10_f64.powf(log_strength) * e_star),
-                exponent,
-            };
-            let contact = scene.contact();
-            let speed = 10_f64.powf(log_q) * contact.yield_speed().unwrap();
-            let heavy = contact.pair().yield_point.unwrap().force / contact.mass();
-            let gravity = pull.map(|log| heavy * 10_f64.powf(log));
-            let free = contact.with_forces(Forces { gravity, damping: None }).closed_form(speed).unwrap();
-            let fastest = speed.hypot((2.0 * gravity.unwrap_or(0.0) * free.peak_indentation).sqrt());
-            let damping = match drag {
-                // χ times the largest speed is from 1e-4 to 10
-                Some(Damping::HuntCrossley(chi)) => Some(Damping::HuntCrossley(chi / fastest)),
-                other => other,
-            };
-            (scene, speed, Forces { gravity, damping })
-        },
-    )
+    let scenes = scenes(6.0..13.0, -0.9..0.49, -6.0..0.0, -5.0..-1.0);
+    (scenes, -2.0..3.0_f64, pull, drag).prop_map(|(scene, log_q, pull, drag)| {
+        let contact = scene.contact();
+        let speed = 10_f64.powf(log_q) * contact.yield_speed().unwrap();
+        let heavy = contact.pair().yield_point.unwrap().force / contact.mass();
+        let gravity = pull.map(|log| heavy * 10_f64.powf(log));
+        let free = contact.with_forces(Forces { gravity, damping: None }).closed_form(speed).unwrap();
+        let fastest = speed.hypot((2.0 * gravity.unwrap_or(0.0) * free.peak_indentation).sqrt());
+        let damping = match drag {
+            // χ times the largest speed is from 1e-4 to 10
+            Some(Damping::HuntCrossley(chi)) => Some(Damping::HuntCrossley(chi / fastest)),
+            other => other,
+        };
+        (scene, speed, Forces { gravity, damping })
+    })
 }
 
 proptest! {

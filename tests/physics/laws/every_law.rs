@@ -1,6 +1,6 @@
 //! Properties of every whole law, and the limits of their ranges.
 
-use plm_impact::impact::{Contact, Damping, Event, Forces, ImpactError, Method, TraceRow, closed_form};
+use plm_impact::impact::{Contact, Damping, Forces, ImpactError, Method, closed_form};
 use plm_impact::law::Combined;
 use plm_impact::law::catalogue::brake::Brake;
 use plm_impact::law::catalogue::jackson_green::JacksonGreen;
@@ -40,41 +40,6 @@ fn integrators_and_quadrature_agree_on_every_law() {
         }
         assert!(compared >= 6, "{name}: {compared} of {} peaks", PEAKS.len());
     }
-}
-
-#[test]
-fn a_trace_under_forces_tells_of_yield_and_knots_where_the_plain_one_does() {
-    let gravity = Forces { gravity: Some(9.81), damping: None };
-    let hunt_crossley = Forces { gravity: None, damping: Some(Damping::HuntCrossley(1e-3)) };
-    let mut compared = 0;
-    // two speeds: near the yield speeds of the laws, and far beyond
-    for (speed, (name, law)) in
-        [0.025, 1.0].into_iter().flat_map(|speed| whole_laws().into_iter().map(move |l| (speed, l)))
-    {
-        let contact = contact(&Scene::case_3(), &law);
-        let told = |contact: &Contact, method: Method| {
-            let trace = contact.impact(speed, &solver(method, 1e-10), Some(20)).map(|impact| impact.trace);
-            let on_curve = |event: &Event| matches!(event, Event::Yield | Event::Knot);
-            let rows = |trace: Vec<TraceRow>| -> Vec<(Event, f64)> {
-                trace.iter().filter_map(|row| Some((row.event.filter(on_curve)?, row.indentation))).collect()
-            };
-            trace.map(rows)
-        };
-        let Ok(plain) = told(&contact, Method::Rk8) else { continue };
-        for (forces, method) in
-            [gravity, hunt_crossley].into_iter().flat_map(|forces| STEPPING.map(|(method, _)| (forces, method)))
-        {
-            let forced = told(&contact.clone().with_forces(forces), method);
-            let forced = forced.unwrap_or_else(|error| panic!("{name} by {method:?} under {forces:?}: {error}"));
-            let kinds = |rows: &[(Event, f64)]| rows.iter().map(|(event, _)| *event).collect::<Vec<_>>();
-            assert_eq!(kinds(&forced), kinds(&plain), "{name} by {method:?} under {forces:?}");
-            for ((event, got), (_, want)) in forced.iter().zip(&plain) {
-                assert!(off(*got, *want) < 1e-12, "{name} by {method:?}: {event:?} at {got} instead of {want}");
-            }
-        }
-        compared += 1;
-    }
-    assert!(compared >= 39, "{compared} traces");
 }
 
 #[test]

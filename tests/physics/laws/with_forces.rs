@@ -1,6 +1,6 @@
 //! Every law under gravity and damping, with its own unloading branch, first yield and elastic regime.
 
-use plm_impact::impact::{Contact, Damping, Event, Forces, Impact, Method, Spot, Warning};
+use plm_impact::impact::{Contact, Damping, Event, Forces, Impact, ImpactError, Method, Spot, Warning};
 use plm_impact::law::catalogue::stronge::Stronge;
 use plm_impact::law::catalogue::thornton::Thornton;
 use plm_impact::law::catalogue::walton_braun::WaltonBraun;
@@ -49,8 +49,11 @@ fn damping_of_nothing_changes_no_law_at_any_speed() {
     for (name, choice) in laws() {
         let mut compared = 0;
         let plain = contact(&Scene::case_3(), &choice);
-        let none = under(&Scene::case_3(), &choice, None, Some(NOTHING));
-        for share in [1e-3, 0.1, 0.5, 0.9, 1.1, 3.0, 50.0] {
+        for (damping, share) in [NOTHING, Damping::HuntCrossley(0.0)]
+            .into_iter()
+            .flat_map(|damping| [1e-3, 0.1, 0.5, 0.9, 1.1, 3.0, 50.0].map(|share| (damping, share)))
+        {
+            let none = under(&Scene::case_3(), &choice, None, Some(damping));
             let speed = share * unit_speed(&plain);
             match (plain.closed_form(speed), none.impact(speed, &solver(Method::Rk8, 1e-12), None)) {
                 (Ok(want), Ok(got)) => {
@@ -58,13 +61,14 @@ fn damping_of_nothing_changes_no_law_at_any_speed() {
                     assert!(off(got.peak_force, want.peak_force) < 1e-10, "{name} at {share}");
                     assert!(off(got.contact_time, want.contact_time) < 1e-10, "{name} at {share}");
                     assert_eq!(got.has_dent(), want.has_dent(), "{name} at {share}");
+                    assert_eq!(got.under_forces.unwrap().damping_loss, Some(0.0), "{name} at {share}");
                     compared += 1;
                 }
                 (Err(_), Err(_)) => {}
                 (want, got) => panic!("{name} at {share}: {:?} but {:?}", want.err(), got.err()),
             }
         }
-        assert!(compared >= 1, "{name}: {compared} of 7 speeds");
+        assert!(compared >= 1, "{name}: {compared} of 14 impacts");
     }
 }
 
@@ -91,31 +95,55 @@ fn a_law_without_an_elastic_regime_loses_as_much_below_first_yield() {
 }
 
 #[test]
-fn traces_under_forces_stop_where_each_law_yields() {
+fn traces_under_forces_tell_of_yield_and_knots_where_each_law_has_them() {
     let scene = Scene::case_3();
     let late = LawChoice::Thornton(Thornton { yield_pressure: Some(2e9) });
+    let forces = [
+        (Some(9.81), None),
+        (None, Some(Damping::Viscous(0.05))),
+        (Some(9.81), Some(Damping::HuntCrossley(0.1))),
+        (None, Some(Damping::HuntCrossley(1e-3))),
+        (None, Some(Damping::Viscous(1e-3))),
+    ];
+    let told = |contact: &Contact, speed: f64, method: Method| {
+        let trace = contact.impact(speed, &solver(method, 1e-10), Some(20))?.trace;
+        let on_curve = |event: &Event| matches!(event, Event::Yield | Event::Knot);
+        let rows = trace.iter().filter_map(|row| Some((row.event.filter(on_curve)?, row.indentation)));
+        Ok::<_, ImpactError>(rows.collect::<Vec<(Event, f64)>>())
+    };
+    let mut compared = 0;
     for (name, choice) in laws().into_iter().chain([("thornton, late".to_owned(), late)]) {
         let plain = contact(&scene, &choice);
-        let until = plain.yields_at().map(|(indentation, _)| indentation);
-        let weak = [Damping::HuntCrossley(1e-3), Damping::Viscous(1e-3)].map(|damping| (None, Some(damping)));
-        let strong = (None, Some(Damping::Viscous(0.05)));
-        let both = (Some(9.81), Some(Damping::HuntCrossley(0.1)));
-        for (gravity, damping) in [(Some(9.81), None), strong, both].into_iter().chain(weak) {
-            // 5 m/s, beyond the ranges that any of these laws refuses
-            let contact = under(&scene, &choice, gravity, damping);
-            for (method, _) in STEPPING {
-                let impact = contact.impact(5.0, &solver(method, 1e-9), Some(20)).unwrap();
-                let at: Vec<f64> = impact
-                    .trace
-                    .iter()
-                    .filter(|row| row.event == Some(Event::Yield))
-                    .map(|row| row.indentation)
-                    .collect();
-                assert_eq!(at.len(), usize::from(until.is_some()), "{name} {method:?}: {at:?}");
-                assert!(at.iter().zip(until).all(|(at, until)| off(*at, until) < 1e-12), "{name}: {at:?} {until:?}");
+        // near the yield speeds of the laws, far beyond, and beyond the ranges that any of these laws refuses
+        for speed in [0.025, 1.0, 5.0] {
+            let Ok(want) = told(&plain, speed, Method::Rk8) else { continue };
+            let yields: Vec<f64> = want.iter().filter(|(event, _)| *event == Event::Yield).map(|(_, at)| *at).collect();
+            let until = plain.yields_at().map(|(indentation, _)| indentation);
+            assert!(yields.len() == usize::from(until.is_some()) || speed < 1.0, "{name}: {yields:?}");
+            assert!(
+                yields.iter().zip(until).all(|(at, until)| off(*at, until) < 1e-12),
+                "{name}: {yields:?} {until:?}"
+            );
+            for ((gravity, damping), (method, _)) in
+                forces.iter().flat_map(|forces| STEPPING.map(|method| (forces, method)))
+            {
+                // strong damping may end a slow impact before the knots of the plain one
+                if speed < 5.0 && damping.is_some() && *damping != forces[3].1 {
+                    continue;
+                }
+                let got = told(&under(&scene, &choice, *gravity, *damping), speed, method);
+                let got = got.unwrap_or_else(|error| panic!("{name} by {method:?} under {damping:?}: {error}"));
+                let is_whole = *damping == forces[3].1 || damping.is_none();
+                assert!(!is_whole || got.len() == want.len(), "{name} by {method:?}: {got:?} {want:?}");
+                for ((event, at), (wanted, place)) in got.iter().zip(&want) {
+                    assert!(event == wanted && off(*at, *place) < 1e-12, "{name} by {method:?}: {event:?} at {at}");
+                }
+                assert!(got.iter().any(|(event, _)| *event == Event::Yield) || yields.is_empty(), "{name} {method:?}");
             }
+            compared += 1;
         }
     }
+    assert!(compared >= 60, "{compared} traces");
 }
 
 /// The force at δ during unloading, from the peak and the dent of an impact, by the printed formula of each law.
