@@ -16,7 +16,6 @@ mod work;
 #[pyo3::pymodule]
 mod _core {
     use pyo3::prelude::*;
-    use pyo3::types::{PyDict, PyList};
     use serde_json::json;
 
     use super::convert::from_json;
@@ -36,25 +35,15 @@ mod _core {
 
     /// The contact laws, each as a dict: name, title, source, loading, unloading, validity, confidence.
     #[pyfunction]
-    fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
-        let laws = PyList::empty(py);
-        for law in LawChoice::all() {
+    fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        let laws = LawChoice::all().into_iter().map(|law| {
             let about = law.about();
-            let entry = PyDict::new(py);
-            for (name, text) in [
-                ("name", about.name),
-                ("title", about.title),
-                ("source", about.source),
-                ("loading", about.loading),
-                ("unloading", about.unloading),
-                ("validity", about.validity),
-                ("confidence", about.confidence),
-            ] {
-                entry.set_item(name, text)?;
-            }
-            laws.append(entry)?;
-        }
-        Ok(laws)
+            json!({
+                "name": about.name, "title": about.title, "source": about.source, "loading": about.loading,
+                "unloading": about.unloading, "validity": about.validity, "confidence": about.confidence,
+            })
+        });
+        from_json(py, &laws.collect())
     }
 
     /// The materials that scenarios may name, each as a dict: name, title, note, and properties. Each property has the

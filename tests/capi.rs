@@ -39,17 +39,32 @@ fn the_header_is_that_of_the_source() {
     assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
 }
 
-/// Builds a static library of this crate, from the library that this test is linked with, and returns its path. The tests of the
-/// plug-in for LAMMPS take it too.
+/// The library that this test is linked with, as cargo says it.
+fn linked(target: &Path) -> String {
+    let features = if cfg!(feature = "parquet") { "parquet,capi" } else { "capi" };
+    let cargo = Command::new(env!("CARGO"))
+        .current_dir(root())
+        .args(["test", "--quiet", "--no-run", "--test", "capi", "--message-format", "json", "--features", features])
+        .arg("--target-dir")
+        .arg(target)
+        .output()
+        .unwrap();
+    assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
+    let text = String::from_utf8(cargo.stdout).unwrap();
+    let words = text.split('"').filter(|word| word.contains("libplm_impact-") && word.ends_with(".rlib"));
+    words.last().unwrap_or_else(|| panic!("no library in\n{text}")).to_owned()
+}
+
+/// Makes a static library of it and returns its path. The tests of the plug-in for LAMMPS take it too.
 fn library() -> PathBuf {
-    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().join("debug");
-    let (source, library) = (target.join("staticlib.rs"), target.join("libplm_impact.a"));
+    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
+    let (source, library) = (target.join("tmp/staticlib.rs"), target.join("debug/libplm_impact.a"));
     fs::write(&source, "pub use plm_impact::capi::*;").unwrap();
     let built = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--edition", "2024", "--crate-type", "staticlib", "--extern"])
-        .arg(format!("plm_impact={}", target.join("libplm_impact.rlib").display()))
+        .arg(format!("plm_impact={}", linked(&target)))
         .arg("-L")
-        .arg(format!("dependency={}", target.join("deps").display()))
+        .arg(format!("dependency={}", target.join("debug/deps").display()))
         .args([Path::new("-o"), &library, &source])
         .output()
         .unwrap();

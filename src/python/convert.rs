@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods as _, PyUntypedArrayMethods as 
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple, PyType};
+use pyo3::types::{PyBool, PyFloat, PyInt, PyList, PyMapping, PyString, PyTuple, PyType};
 use serde_json::Value;
 
 use crate::error::{Details, Error};
@@ -150,26 +150,7 @@ pub fn refuse_lost(value: &Bound<'_, PyAny>, place: &str) -> PyResult<()> {
 
 /// JSON as Python objects.
 pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match value {
-        Value::Null => py.None().into_bound(py),
-        Value::Bool(word) => PyBool::new(py, *word).to_owned().into_any(),
-        Value::Number(number) => match number.as_u64() {
-            Some(number) => number.into_pyobject(py)?.into_any(),
-            None => number.as_f64().unwrap_or(f64::NAN).into_pyobject(py)?.into_any(),
-        },
-        Value::String(text) => PyString::new(py, text).into_any(),
-        Value::Array(items) => {
-            let items = items.iter().map(|item| from_json(py, item)).collect::<PyResult<Vec<_>>>()?;
-            PyList::new(py, items)?.into_any()
-        }
-        Value::Object(map) => {
-            let dict = PyDict::new(py);
-            for (name, inner) in map {
-                dict.set_item(name, from_json(py, inner)?)?;
-            }
-            dict.into_any()
-        }
-    })
+    py.import("json")?.call_method1("loads", (value.to_string(),))
 }
 
 /// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.

@@ -6,10 +6,7 @@ mod error_control;
 mod peak_force;
 mod properties;
 
-use plm_impact::impact::{
-    Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, ScaledForces, Solver, closed_form, course,
-};
-use plm_impact::integrate::damped::Damped;
+use plm_impact::impact::{Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, ScaledForces, Solver};
 
 use crate::common::{STEPPING, Scene, off, solver};
 

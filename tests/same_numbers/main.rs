@@ -17,22 +17,14 @@
 //! ```sh
 //! PLM_IMPACT_RECORD=write cargo test --test same_numbers
 //! ```
-//!
-//! To see how much all numbers changed, compare with the earlier program in full digits. The comparison fails if any
-//! number differs in any digit, and lists the largest difference for every column:
-//!
-//! ```sh
-//! PLM_IMPACT_OTHER=path/to/the/old/plm-impact cargo test --test same_numbers -- --ignored
-//! ```
 
 #![allow(clippy::unwrap_used)]
 
 mod numbers;
-mod other;
 mod record;
 mod runs;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use numbers::{Cell, Columns};
 use rayon::prelude::*;
@@ -55,19 +47,6 @@ fn no_number_has_moved() {
         }
         Some(other) => panic!("PLM_IMPACT_RECORD is \"{other}\": leave it out, or set it to \"write\""),
     }
-}
-
-#[test]
-#[ignore = "needs another program, PLM_IMPACT_OTHER"]
-fn every_number_is_that_of_the_other_program() {
-    let other = std::env::var_os("PLM_IMPACT_OTHER").expect("PLM_IMPACT_OTHER is the path of the other plm-impact");
-    let other = PathBuf::from(other).canonicalize().expect("PLM_IMPACT_OTHER must be the path of a program");
-    let differences = |run: &runs::Run| {
-        let [theirs, ours] = [&other, Path::new(PROGRAM)].map(|program| numbers::columns(program, run));
-        other::differences(&run.name, &theirs, &ours)
-    };
-    let differences: Vec<_> = runs::all().par_iter().flat_map_iter(differences).collect();
-    refuse(&differences);
 }
 
 fn refuse(differences: &[String]) {
@@ -145,10 +124,7 @@ fn what_differs_is_seen() {
     ];
     for after in &changed {
         assert_eq!(record::differences(&recorded(&before), &runs_of(after)).len(), 1, "{after:?}");
-        assert_eq!(other::differences("a run", &before, after).len(), 1, "{after:?}");
     }
-    let bits = numbers_of(&[1.0, 3.0_f64.next_up(), -2.0, 5.0]);
-    assert_eq!(other::differences("a run", &before, &bits).len(), 1);
     assert_eq!(record::differences(&recorded(&before), &Runs::new()).len(), 1);
     assert_eq!(record::differences(&Record::new(), &runs_of(&before)).len(), 1);
 
@@ -160,7 +136,6 @@ fn what_differs_is_seen() {
     let mut more = before.clone();
     more.insert(("trace.csv".to_owned(), "new".to_owned()), vec![Cell::Empty]);
     assert!(record::differences(&recorded(&before), &runs_of(&more)).is_empty());
-    assert!(other::differences("a run", &before, &more).is_empty());
 
     let [zero, tiny] = [&[0.0, 0.0], &[0.0, 1e-20]].map(|numbers| numbers_of(numbers));
     assert_eq!(record::differences(&recorded(&zero), &runs_of(&tiny)).len(), 1);
