@@ -72,8 +72,9 @@ pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
 /// Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
 ///
 /// The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
-/// (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation or a number of the memory is NaN
-/// or infinite, if the force would be, or if a pointer is NULL; the memory then stays as it was.
+/// (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation is NaN or infinite, if the force
+/// would be, if no contact can have this memory (a number that is negative, NaN or infinite, or a third number larger
+/// than the first), or if a pointer is NULL; the memory then stays as it was.
 ///
 /// The law has no elastic waves: see `plm_contact_restitution_with_waves`.
 ///

@@ -24,9 +24,14 @@ impl Memory {
         self.indentation - self.elastic_approach
     }
 
-    /// Whether this memory, and an indentation beside it, are numbers that a contact can have.
-    fn is_finite_beside(&self, indentation: f64) -> bool {
-        [indentation, self.indentation, self.force, self.elastic_approach].into_iter().all(f64::is_finite)
+    /// Whether this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
+    /// larger than δ_m by rounding.
+    fn is_possible_beside(&self, indentation: f64) -> bool {
+        let Self { indentation: largest, force, elastic_approach } = *self;
+        [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
+            && force >= 0.0
+            && 0.0 <= elastic_approach
+            && elastic_approach <= largest * (1.0 + 1e-9)
     }
 
     fn peak(&self, length: f64, force: f64) -> Option<Peak> {
@@ -51,10 +56,10 @@ impl Contact {
     /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is put into `memory`.
     ///
     /// Below the largest indentation so far the force is that of the unloading branch, beyond it that of the loading curve.
-    /// It is 0 for δ ≤ 0. If δ or the memory is NaN or infinite, or the force would be, the force is NaN and the memory stays
-    /// as it was.
+    /// It is 0 for δ ≤ 0. If δ is NaN or infinite, or the force would be, or no contact can have this memory (a number that is
+    /// negative, NaN or infinite, or more recovered than δ_m), the force is NaN and the memory stays as it was.
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
-        if !memory.is_finite_beside(indentation) {
+        if !memory.is_possible_beside(indentation) {
             return f64::NAN;
         }
         let Some((scales, law)) = &self.yielding else {
@@ -72,7 +77,7 @@ impl Contact {
                 force: peak.force * scales.force,
                 elastic_approach: peak.elastic_approach * scales.length,
             };
-            if !reached.is_finite_beside(indentation) {
+            if !reached.is_possible_beside(indentation) {
                 return f64::NAN;
             }
             *memory = reached;
@@ -82,7 +87,7 @@ impl Contact {
 
     /// How the work is divided after [`Contact::force`] gave this `force` at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
-        if !memory.is_finite_beside(indentation) {
+        if !memory.is_possible_beside(indentation) {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
         let Some((scales, law)) = &self.yielding else {
@@ -100,7 +105,7 @@ impl Contact {
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
     /// the loading curve beyond.
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
-        if !memory.is_finite_beside(indentation) {
+        if !memory.is_possible_beside(indentation) {
             return f64::NAN;
         }
         let Some((scales, law)) = &self.yielding else {
