@@ -15,9 +15,12 @@ use common::command::text;
 use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-const PAGES: [&str; 6] = [
+const PAGES: [&str; 9] = [
     "README.md",
     "scenarios/README.md",
+    "scenarios/gallery.md",
+    "scenarios/keys.md",
+    "scenarios/results.md",
     "plots/bench/README.md",
     "plots/bench/python.md",
     "plots/lammps/README.md",
@@ -134,7 +137,7 @@ fn gallery(scenario: &str) -> Vec<PathBuf> {
 /// The pictures of the gallery have to be those that a run has just drawn. `PLM_IMPACT_GALLERY=write` copies the drawn
 /// ones into the gallery; look at them then.
 fn compare_with_gallery(scenario: &str, clone: &Clone) {
-    let shown = read("README.md") + &read("scenarios/README.md");
+    let shown = PAGES.map(read).concat();
     for picture in gallery(scenario) {
         let within = format!("{scenario}/{}", picture.file_name().unwrap().to_str().unwrap());
         assert!(shown.contains(&format!("plots/gallery/{within})")), "no page shows {within}");

@@ -178,7 +178,6 @@ fn the_examples_of_every_help_run() {
     let prepared = "plm-impact init; plm-impact init sweep; mkdir -p scenarios measurements .local/share/bash-completion/completions";
     assert!(shell(&desk, prepared).status.success());
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/");
-    fs::copy(format!("{root}scenarios/README.md"), desk.path("scenarios/README.md")).unwrap();
     for (number, case) in [(1, 1), (2, 3)] {
         let from = format!("{root}src/reference/fe_loading_case{case}.csv");
         fs::copy(from, desk.path(&format!("curve-{number}.csv"))).unwrap();
