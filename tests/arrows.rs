@@ -88,78 +88,38 @@ fn stripped(text: &str) -> String {
     out
 }
 
-/// All paths of a `use` tree such as `crate::law::{Law, curve::{Piece, Shape}}`.
-fn leaves(tree: &str) -> Vec<String> {
-    let tree = tree.trim();
-    let Some((head, inner)) = tree.split_once('{') else {
-        return vec![tree.split(" as ").next().unwrap().trim().to_owned()];
-    };
-    let inner = inner.trim_end().strip_suffix('}').unwrap_or(inner);
-    let (mut depth, mut start, mut parts) = (0, 0, Vec::new());
-    for (at, c) in inner.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' => depth -= 1,
-            ',' if depth == 0 => {
-                parts.push(&inner[start..at]);
-                start = at + 1;
-            }
+/// The paths in the code, as `crate::law::Law` or `Law`, those of a `use` tree to its leaves, and whether a `pub use` has them.
+fn paths(code: &str) -> BTreeSet<(bool, String)> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+    // what stands before the open braces
+    let (mut stems, mut found): (Vec<String>, _) = (Vec::new(), BTreeSet::new());
+    let (mut public, mut before) = (false, "");
+    let code = code.replace("pub(crate) use", "pub use").replace("pub(super) use", "pub use");
+    for piece in code.split_inclusive(|c| !is_part(c)) {
+        let word = piece.trim_end_matches(|c| !is_part(c));
+        let stem = stems.last().cloned().unwrap_or_default();
+        let path = if word == "self" { stem.clone() } else { format!("{stem}{word}") };
+        public = public || (word, before) == ("use", "pub");
+        let is_name = word.starts_with(char::is_alphabetic) && word != "as" && !["as", "mod"].contains(&before);
+        if is_name && !piece.ends_with("::{") {
+            found.insert((public, path.trim_end_matches(':').to_owned()));
+        }
+        match &piece[word.len()..] {
+            "{" => stems.push(if word.ends_with("::") { path } else { String::new() }),
+            "}" => drop(stems.pop()),
+            ";" => public = false,
             _ => {}
         }
+        before = if word.is_empty() { before } else { word };
     }
-    parts.push(&inner[start..]);
-    parts
-        .into_iter()
-        .filter(|part| !part.trim().is_empty())
-        .flat_map(leaves)
-        .map(|leaf| if leaf == "self" { head.trim_end_matches("::").to_owned() } else { format!("{head}{leaf}") })
-        .collect()
-}
-
-/// The `use` statements of a file (whether public, and the tree), and the code without them and without `mod` lines.
-fn uses(code: &str) -> (Vec<(bool, String)>, String) {
-    let (mut found, mut rest) = (Vec::new(), String::new());
-    let mut statement: Option<(bool, String)> = None;
-    for line in code.lines() {
-        let trimmed = line.trim_start();
-        let public = trimmed.starts_with("pub use ")
-            || trimmed.starts_with("pub(crate) use ")
-            || trimmed.starts_with("pub(super) use ");
-        if statement.is_none() && (public || trimmed.starts_with("use ")) {
-            statement = Some((public, String::new()));
-        }
-        if let Some((_, text)) = &mut statement {
-            text.push_str(trimmed);
-            text.push(' ');
-            if trimmed.ends_with(';') {
-                let (public, text) = statement.take().unwrap();
-                let tree = text.trim_end().trim_end_matches(';').split_once("use ").unwrap().1.to_owned();
-                found.push((public, tree));
-            }
-        } else if !trimmed.contains("mod ") {
-            rest.push_str(line);
-            rest.push('\n');
-        }
-    }
-    (found, rest)
-}
-
-/// Names and paths in the code itself: `Piece`, `crate::law::Law`.
-fn inline(code: &str) -> BTreeSet<String> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-    code.replace("pub(in ", "")
-        .split(|c| !is_part(c))
-        .map(|path| path.trim_end_matches(':'))
-        .filter(|path| path.starts_with(char::is_alphabetic))
-        .map(str::to_owned)
-        .collect()
+    found
 }
 
 /// The crate as a graph: every file, and the files it uses.
 fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
     let sources = sources();
     let modules: BTreeSet<Module> = sources.iter().map(|source| source.module.clone()).collect();
-    let parsed: Vec<_> = sources.iter().map(|source| (source.module.clone(), uses(&source.code))).collect();
+    let parsed: Vec<_> = sources.iter().map(|source| (source.module.clone(), paths(&source.code))).collect();
     let absolute = |module: &Module, path: &str| -> Option<Vec<String>> {
         let mut parts = path.split("::").map(str::to_owned).peekable();
         let mut at = match parts.next()?.as_str() {
@@ -180,13 +140,10 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
     };
     // what the front file of a folder re-exports, and from where
     let mut exports: BTreeMap<Vec<String>, Vec<String>> = BTreeMap::new();
-    for (module, (statements, _)) in &parsed {
-        for (_, tree) in statements.iter().filter(|(public, _)| *public) {
-            for leaf in leaves(tree) {
-                let name = leaf.rsplit("::").next().unwrap().to_owned();
-                if let Some(target) = absolute(module, &leaf) {
-                    exports.insert([module.as_slice(), &[name]].concat(), target);
-                }
+    for (module, paths) in &parsed {
+        for (_, path) in paths.iter().filter(|(public, _)| *public) {
+            if let Some(target) = absolute(module, path) {
+                exports.insert([module.as_slice(), &[target.last().unwrap().clone()]].concat(), target);
             }
         }
     }
@@ -200,20 +157,15 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
         (0..=path.len()).rev().map(|n| path[..n].to_vec()).find(|module| modules.contains(module)).unwrap()
     };
     let mut graph = BTreeMap::new();
-    for (module, (statements, code)) in &parsed {
-        let named = statements.iter().filter(|(public, _)| !public).flat_map(|(_, tree)| leaves(tree));
+    for (module, paths) in &parsed {
         // a plain name may be a name that the file re-exports
-        let own = |path: String| match exports.get(&[module.as_slice(), std::slice::from_ref(&path)].concat()) {
+        let own = |path: &String| match exports.get(&[module.as_slice(), std::slice::from_ref(path)].concat()) {
             Some(target) => Some(target.clone()),
-            None if path.contains("::") => absolute(module, &path),
+            None if path.contains("::") => absolute(module, path),
             None => None,
         };
-        let used: BTreeSet<Module> = named
-            .filter_map(|path| absolute(module, &path))
-            .chain(inline(code).into_iter().filter_map(own))
-            .map(|path| file_of(&path))
-            .filter(|used| used != module && !used.is_empty())
-            .collect();
+        let named = paths.iter().filter(|(public, _)| !public).filter_map(|(_, path)| own(path));
+        let used = named.map(|path| file_of(&path)).filter(|used| used != module && !used.is_empty()).collect();
         graph.insert(module.clone(), used);
     }
     graph
@@ -272,18 +224,15 @@ fn no_files_form_a_circle() {
     assert!(circles.is_empty(), "circles of files:\n{}", circles.join("\n"));
 }
 
-/// A test of the reader of `use` trees itself.
+/// A test of the reader itself.
 #[test]
 fn a_use_tree_is_read_to_its_leaves() {
-    assert_eq!(
-        leaves("crate::law::{self, Law, curve::{Piece, Shape as S}}"),
-        ["crate::law", "crate::law::Law", "crate::law::curve::Piece", "crate::law::curve::Shape"]
-    );
-    assert!(
-        inline("let x = crate::power::power(super::y);")
-            .is_superset(&["crate::power::power", "super::y"].map(str::to_owned).into())
-    );
-    let (statements, rest) = uses("pub use a::B;\nuse super::{\n    C,\n};\nfn f() {}\n");
-    assert_eq!(statements, [(true, "a::B".to_owned()), (false, "super::{ C, }".to_owned())]);
-    assert_eq!(rest.trim(), "fn f() {}");
+    let code = "pub use a::B;\npub(crate) use crate::law::{\n    self, Law, curve::{Piece, Shape as S},\n};\nlet x = m::f(super::y);";
+    let found = |public: bool| -> Vec<String> {
+        let kept = paths(code).into_iter().filter(|(of, path)| *of == public && path.contains("::"));
+        kept.map(|(_, path)| path).collect()
+    };
+    let exported = ["a::B", "crate::law", "crate::law::Law", "crate::law::curve::Piece", "crate::law::curve::Shape"];
+    assert_eq!(found(true), exported);
+    assert_eq!(found(false), ["m::f", "super::y"]);
 }

@@ -13,10 +13,6 @@ const SPEEDS: [f64; 13] = [0.1, 0.999, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 1
 /// The steppers, and the closed form, whose traces are made of the exact motion.
 const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
 
-fn rows(impact: &Impact, event: Event) -> Vec<&TraceRow> {
-    impact.trace.iter().filter(|row| row.event == Some(event)).collect()
-}
-
 fn scenes() -> [Scene; 3] {
     let mut soft = Scene::steel();
     soft.sphere.youngs_modulus = 5e9;
@@ -25,73 +21,49 @@ fn scenes() -> [Scene; 3] {
 }
 
 #[test]
-fn sphere_separates_at_the_dent_and_nowhere_else() {
+fn events_come_once_and_in_order_with_the_state_of_the_summary() {
     for scene in scenes() {
         for share in SPEEDS {
             for (method, _) in TRACING {
-                let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(50));
-                let last = impact.trace.last().unwrap();
-                assert_eq!(last.event, Some(Event::Separation));
-                assert_eq!(last.force, 0.0, "{} at {share} v_Y", method.name());
-                let miss = (last.indentation - impact.residual_indentation).abs();
-                assert!(miss <= 1e-12 * impact.residual_indentation, "{} at {share} v_Y: {miss:e}", method.name());
-                assert!(off(-last.speed, impact.rebound_speed) < 1e-15 && off(last.time, impact.contact_time) < 1e-15);
-                // F = 0 occurs at first touch and at separation only
-                assert_eq!(impact.trace.iter().filter(|row| row.force == 0.0).count(), 2);
+                check_events(&scene, share, method);
             }
         }
     }
 }
 
-#[test]
-fn peak_has_no_speed_and_the_summarys_state() {
-    for scene in scenes() {
-        for share in SPEEDS {
-            for (method, _) in TRACING {
-                let impact = scene.impact(share * scene.yield_speed(), method, 1e-10, Some(50));
-                let peaks = rows(&impact, Event::Peak);
-                assert_eq!(peaks.len(), 1);
-                assert_eq!(peaks[0].speed, 0.0);
-                assert_eq!(peaks[0].indentation, impact.peak_indentation);
-                assert_eq!(peaks[0].force, impact.peak_force);
-                assert_eq!(peaks[0].time, impact.loading_time);
-                assert!(impact.trace.iter().all(|row| row.indentation <= impact.peak_indentation));
-            }
-        }
+fn check_events(scene: &Scene, share: f64, method: Method) {
+    let contact = scene.contact();
+    let (law, unit) = (scene.law(), contact.pair().yield_point.unwrap().indentation);
+    let impact = scene.impact(share * contact.yield_speed().unwrap(), method, 1e-10, Some(50));
+    let case = format!("{} at {share} v_Y", method.name());
+    let x_m = impact.peak_indentation / unit;
+    let passed = law.loading.pieces().iter().skip(1).filter(|piece| piece.start < x_m);
+    let mut want: Vec<(Event, f64)> = vec![(Event::Touch, 0.0)];
+    if share > 1.0 {
+        want.push((Event::Yield, 1.0));
     }
-}
-
-#[test]
-fn every_passed_knot_is_there_once_and_in_order() {
-    for scene in scenes() {
-        let contact = scene.contact();
-        let yield_point = contact.pair().yield_point.unwrap();
-        let law = scene.law();
-        for share in SPEEDS {
-            for (method, _) in TRACING {
-                let impact = scene.impact(share * contact.yield_speed().unwrap(), method, 1e-10, Some(50));
-                let x_m = impact.peak_indentation / yield_point.indentation;
-                let passed = law.loading.pieces().iter().skip(1).filter(|piece| piece.start < x_m);
-                let mut want: Vec<(Event, f64)> = vec![(Event::Touch, 0.0)];
-                if share > 1.0 {
-                    want.push((Event::Yield, 1.0));
-                }
-                want.extend(passed.map(|piece| (Event::Knot, piece.start)));
-                want.push((Event::Peak, x_m));
-                want.push((Event::Separation, impact.residual_indentation / yield_point.indentation));
-                let got: Vec<_> = impact.trace.iter().filter(|row| row.event.is_some()).collect();
-                assert_eq!(got.len(), want.len(), "{} at {share} v_Y", method.name());
-                for (row, (event, x)) in got.iter().zip(want) {
-                    assert_eq!(row.event, Some(event), "{} at {share} v_Y", method.name());
-                    // the row is on the knot up to rounding, not beyond it
-                    let miss = (row.indentation / yield_point.indentation - x).abs();
-                    assert!(miss <= 2e-15 * x, "{} at {share} v_Y: {event:?} misses by {miss:e}", method.name());
-                }
-                // no event occurs twice at the same time: the times rise strictly
-                assert!(got.windows(2).all(|pair| pair[0].time < pair[1].time), "{} at {share} v_Y", method.name());
-            }
-        }
+    want.extend(passed.map(|piece| (Event::Knot, piece.start)));
+    want.extend([(Event::Peak, x_m), (Event::Separation, impact.residual_indentation / unit)]);
+    let got: Vec<_> = impact.trace.iter().filter(|row| row.event.is_some()).collect();
+    assert_eq!(got.len(), want.len(), "{case}");
+    for (row, (event, x)) in got.iter().zip(want) {
+        assert_eq!(row.event, Some(event), "{case}");
+        // the row is on the knot up to rounding, not beyond it
+        let miss = (row.indentation / unit - x).abs();
+        assert!(miss <= 2e-15 * x, "{case}: {event:?} misses by {miss:e}");
     }
+    // no event occurs twice at the same time: the times rise strictly
+    assert!(got.windows(2).all(|pair| pair[0].time < pair[1].time), "{case}");
+    let (peak, last) = (got[got.len() - 2], *impact.trace.last().unwrap());
+    let summary = [impact.peak_indentation, impact.peak_force, impact.loading_time];
+    assert_eq!((peak.speed, [peak.indentation, peak.force, peak.time]), (0.0, summary), "{case}");
+    assert!(impact.trace.iter().all(|row| row.indentation <= impact.peak_indentation), "{case}");
+    // the sphere separates at the dent: F = 0 occurs there and at first touch only
+    assert_eq!((last.event, last.force), (Some(Event::Separation), 0.0), "{case}");
+    let miss = (last.indentation - impact.residual_indentation).abs();
+    assert!(miss <= 1e-12 * impact.residual_indentation, "{case}: {miss:e}");
+    assert!(off(-last.speed, impact.rebound_speed) < 1e-15 && off(last.time, impact.contact_time) < 1e-15);
+    assert_eq!(impact.trace.iter().filter(|row| row.force == 0.0).count(), 2, "{case}");
 }
 
 #[test]
