@@ -27,6 +27,7 @@ pub mod repeat;
 mod series;
 mod style;
 pub mod sweep;
+mod text;
 
 use crate::error::{Error, ErrorKind};
 
@@ -51,8 +52,6 @@ pub enum PlotError {
     Font,
     #[error("drawing: {0}")]
     Drawing(String),
-    #[error("PNG: {0}")]
-    Encoding(#[from] png::EncodingError),
     #[error("{0}")]
     Data(String),
 }

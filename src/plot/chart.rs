@@ -112,8 +112,14 @@ impl Chart {
     }
 
     /// The picture as PNG: pixels, with the same bytes on every machine.
+    ///
+    /// # Errors
+    /// [`PlotError::Font`] in a browser, where plotters draws no letters into pixels.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
-        pen::png(|pen| self.paint(pen))
+        #[cfg(not(target_arch = "wasm32"))]
+        return pen::png::png(|pen| self.paint(pen));
+        #[cfg(target_arch = "wasm32")]
+        Err(PlotError::Font)
     }
 
     /// The picture as SVG: shapes and text, which stay sharp at any size.

@@ -3,8 +3,9 @@
 use plotters::prelude::DrawingBackend;
 
 use super::axis::FittedAxis;
-use super::pen::{Anchor, Pen, Point, text_width, wrapped};
+use super::pen::{Anchor, Pen, Point};
 use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, Style, TITLE_SIZE};
+use super::text::{text_width, wrapped};
 use super::{PlotError, SIZE};
 
 /// Margins around the boxes for labels and titles \[px\].

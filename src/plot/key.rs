@@ -3,8 +3,9 @@
 use plotters::prelude::DrawingBackend;
 
 use super::frame::{Frame, TOP};
-use super::pen::{Anchor, Pen, text_width, wrapped};
+use super::pen::{Anchor, Pen};
 use super::style::{GREY, INK, LABEL_SIZE, Style};
+use super::text::{text_width, wrapped};
 use super::{PlotError, SIZE};
 
 /// Width of the sample of a line or marker \[px\].

@@ -1,16 +1,17 @@
-//! The pen: lines, areas and texts on a back end of plotters. The back end for PNG is a picture of twice the size, which
-//! is reduced at the end for smooth edges. The back end for SVG keeps lines and texts as such.
+//! The pen: lines, areas and texts on a back end of plotters. The back end for SVG keeps lines and texts as such; [`png`] has
+//! the one for PNG.
+
+#[cfg(not(target_arch = "wasm32"))]
+pub mod png;
 
 use std::fmt::Display;
-use std::sync::LazyLock;
 
-use plotters::prelude::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{
-    Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle, register_font,
-};
+use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
 use super::style::{Mark, PAPER, Style};
+use super::text::{fitting, text_width};
 use super::{PlotError, SIZE};
 use crate::math::functions::hypot;
 
@@ -38,16 +39,6 @@ struct Format {
     is_raster: bool,
 }
 
-/// The pixels of a PNG are means of 2 × 2 drawn pixels.
-const OVERSAMPLING: u32 = 2;
-const PNG: Format = Format {
-    units: OVERSAMPLING as f64,
-    letters: 1.0,
-    rise: 0.216,
-    fonts: "sans-serif",
-    overlap: 0.0,
-    is_raster: true,
-};
 /// The font of the PNG, a font of similar width, or any font of the viewer. plotters writes the letters smaller.
 const SVG: Format = Format {
     units: 10.0,
@@ -57,14 +48,6 @@ const SVG: Format = Format {
     overlap: 0.5,
     is_raster: false,
 };
-
-/// The picture as PNG: pixels, in the built-in font, with the same bytes on every machine.
-pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
-    let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
-    let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
-    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG })?;
-    encoded(&buffer)
-}
 
 /// The picture as SVG: shapes and text, which stay sharp at any size.
 pub fn svg(paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
@@ -80,32 +63,6 @@ pub fn svg(paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>) ->
     let of_picture = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", SIZE.0, SIZE.1);
     // all shapes are opaque, so the attribute is not needed
     Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
-}
-
-/// The PNG of a buffer that has [`OVERSAMPLING`] times as many pixels in each direction.
-fn encoded(buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
-    let n = OVERSAMPLING as usize;
-    let width = SIZE.0 as usize;
-    let mut pixels = Vec::with_capacity(3 * width * SIZE.1 as usize);
-    for rows in buffer.chunks_exact(3 * n * width * n) {
-        let mut sums = vec![0_u16; 3 * width];
-        for row in rows.chunks_exact(3 * n * width) {
-            for (at, byte) in row.iter().enumerate() {
-                sums[at / (3 * n) * 3 + at % 3] += u16::from(*byte);
-            }
-        }
-        let count = OVERSAMPLING * OVERSAMPLING;
-        pixels
-            .extend(sums.into_iter().map(|sum| u8::try_from((u32::from(sum) + count / 2) / count).unwrap_or(u8::MAX)));
-    }
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, SIZE.0, SIZE.1);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&pixels)?;
-    writer.finish()?;
-    Ok(file)
 }
 
 /// Whether a text starts at its place, is centred on it, or ends at it.
@@ -259,49 +216,6 @@ fn whole_length(length: f64, units: f64) -> u32 {
 /// A place, moved so that a text of this length around it stays within a picture with sides of `sheet`.
 fn within(at: f64, before: f64, length: f64, sheet: u32) -> f64 {
     at.min(f64::from(sheet) - EDGE - length + before).max(EDGE + before)
-}
-
-/// The given size, or a smaller one at which the text is not longer than `room`.
-fn fitting(text: &str, size: f64, room: f64) -> Result<f64, PlotError> {
-    let mut fitting = size;
-    // widths are rounded to whole pixels, so the ratio alone may not be small enough
-    while fitting > 1.0 && text_width(text, fitting)? > room {
-        fitting *= (room / text_width(text, fitting)?).min(0.99);
-    }
-    Ok(fitting)
-}
-
-/// The text in lines that are not longer than `room`. A word that is too long for a line is divided.
-pub fn wrapped(text: &str, size: f64, room: f64) -> Result<Vec<String>, PlotError> {
-    let mut lines = vec![String::new()];
-    for piece in text.split_inclusive(' ') {
-        let line = lines.last().map_or("", String::as_str);
-        if !line.is_empty() && text_width(format!("{line}{piece}").trim_end(), size)? > room {
-            lines.push(String::new());
-        }
-        for letter in piece.chars() {
-            let line = lines.last().map_or("", String::as_str);
-            if !line.is_empty() && letter != ' ' && text_width(&format!("{line}{letter}"), size)? > room {
-                lines.push(String::new());
-            }
-            if let Some(line) = lines.last_mut() {
-                line.push(letter);
-            }
-        }
-    }
-    Ok(lines.into_iter().map(|line| line.trim_end().to_owned()).collect())
-}
-
-/// Width of a text in the built-in font \[px\].
-pub fn text_width(text: &str, size: f64) -> Result<f64, PlotError> {
-    static IS_REGISTERED: LazyLock<bool> =
-        LazyLock::new(|| register_font(PNG.fonts, FontStyle::Normal, dejavu::sans::regular()).is_ok());
-    if !*IS_REGISTERED {
-        return Err(PlotError::Font);
-    }
-    let font = FontDesc::new(FontFamily::Name(PNG.fonts), PNG.units * size, FontStyle::Normal);
-    let (width, _) = font.box_size(text).map_err(failed)?;
-    Ok(f64::from(width) / PNG.units)
 }
 
 fn failed(error: impl Display) -> PlotError {
