@@ -26,6 +26,7 @@ pub mod calibrate;
 mod columns;
 mod compare;
 mod document;
+pub mod edit;
 mod error;
 mod explain;
 mod extreme;

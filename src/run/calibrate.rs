@@ -2,7 +2,7 @@
 
 use std::path::absolute;
 
-use toml_edit::{DocumentMut, Item, Table, TableLike, value};
+use toml_edit::{DocumentMut, Item, value};
 
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::calibrate::{Calibration, Found, Measurements};
@@ -13,6 +13,7 @@ use crate::progress::Counter;
 use crate::provenance::PROGRAM;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
+use crate::scenario::edit::{choose_law, merge, set};
 use crate::units::{Dimension, exact};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
@@ -102,53 +103,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     )
 }
 
-/// Sets the value of a key. A comment beside the old value stays.
-fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
-    let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let mut table: &mut dyn TableLike = document.as_table_mut();
-    for part in tables.split('.').filter(|part| !part.is_empty()) {
-        let inner = table.entry(part).or_insert_with(|| Item::Table(Table::new()));
-        let Some(inner) = inner.as_table_like_mut() else { return };
-        table = inner;
-    }
-    let decor = table.get(name).and_then(Item::as_value).map(|old| old.decor().clone());
-    if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
-        *value.decor_mut() = decor;
-    }
-    table.insert(name, new);
-}
-
 /// A number as people write it: with its unit, and all digits.
 fn quantity(number: f64, dimension: Dimension) -> Item {
     if dimension == Dimension::Ratio { value(number) } else { value(exact(number, dimension)) }
-}
-
-/// Merges the changes of the command line. The name of a law is no table that could be merged.
-fn merge(into: &mut dyn TableLike, from: &dyn TableLike) {
-    for (name, item) in from.iter().filter(|(name, item)| *name != "law" || item.is_table_like()) {
-        match (into.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
-            (Some(old), Some(new)) => merge(old, new),
-            _ => drop(into.insert(name, item.clone())),
-        }
-    }
-}
-
-/// Leaves the law of the calibration as the only one.
-fn choose_law(document: &mut DocumentMut, law: &str) {
-    let halves = law.split_once(" + ");
-    let chosen = halves.map_or(law, |_| "combined");
-    if chosen != "plm" && document.get("law").is_none() {
-        let mut laws = Table::new();
-        laws.set_implicit(true);
-        document.insert("law", Item::Table(laws));
-    }
-    let Some(laws) = document.get_mut("law").and_then(Item::as_table_like_mut) else { return };
-    let others: Vec<String> = laws.iter().map(|(name, _)| name.to_owned()).filter(|name| name != chosen).collect();
-    for other in others {
-        laws.remove(&other);
-    }
-    laws.entry(chosen).or_insert_with(|| Item::Table(Table::new()));
-    for (half, name) in halves.into_iter().flat_map(|(one, two)| [("loading", one), ("unloading", two)]) {
-        set(document, &format!("law.combined.{half}"), value(name));
-    }
 }
