@@ -188,3 +188,5 @@ pub mod sweep;
 pub mod units;
 #[doc(hidden)]
 pub mod validation;
+#[cfg(all(feature = "web", target_arch = "wasm32"))]
+mod web;

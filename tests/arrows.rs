@@ -27,7 +27,7 @@ const ORDER: &[&[&str]] = &[
     &["plot", "fit"],
     &["report", "validation"],
     &["run", "bench"],
-    &["capi", "export", "python"],
+    &["capi", "export", "python", "web"],
     &["cli", "main"],
 ];
 

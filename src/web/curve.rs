@@ -1,0 +1,41 @@
+//! e against the speed of an impact, or against its drop height, with the impact as a point on the curve.
+
+use crate::error::Error;
+use crate::math::functions::log10;
+use crate::plot::sweep::pictures;
+use crate::plot::{Series, Style};
+use crate::run::{impact, table};
+use crate::scenario::Scenario;
+use crate::sweep::count::Tally;
+use crate::units::four_digits;
+
+/// Points of the curve.
+const POINTS: usize = 601;
+/// The curve begins so many decades below that of the impact, and ends as many above it.
+const DECADES: f64 = 2.0;
+
+/// The picture as SVG; `None` for a sphere that is released at first touch.
+pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
+    let key = if scenario.document.has("impact.drop_height") { "impact.drop_height" } else { "impact.speed" };
+    let Some(at) = scenario.number_of(key).filter(|at| *at > 0.0) else { return Ok(None) };
+    let (_, _, impact) = impact::compute(scenario, None)?;
+    let decade = log10(at).floor();
+    let axis = format!(
+        "sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}",
+        decade - DECADES,
+        decade + DECADES + 1.0
+    );
+    let source = scenario.source();
+    let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
+    let plan = table::plan(&swept)?;
+    let drawn = pictures(&plan, &Tally::of(&plan))?.into_iter().next();
+    drawn
+        .map(|(_, mut chart)| {
+            let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);
+            let point = point.and(format!("e = {}", four_digits(impact.restitution)));
+            chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
+            chart.title = "Restitution of the same bodies".to_owned();
+            Ok(String::from_utf8_lossy(&chart.to_svg()?).into_owned())
+        })
+        .transpose()
+}

@@ -1,0 +1,45 @@
+//! The keys and the materials, for a form.
+
+use serde_json::{Map, Value, json};
+
+use crate::materials::{Known, all};
+use crate::plot::of_key::title_of;
+use crate::report::materials::one;
+use crate::scenario::every_key;
+use crate::scene::EITHER;
+use crate::scene::key::{Form, Words};
+use crate::scene::words::LAWS;
+
+/// The keys whose value is a number or a word: path, title, meaning, default, an example, the words that may be chosen, and the
+/// key in whose place it may stand.
+pub fn fields() -> Value {
+    let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
+    let keys = every_key().filter(|key| !key.path.contains("[]")).filter_map(|key| {
+        let (example, words) = match key.form {
+            Form::Number(quantity, _) | Form::Count(quantity) => (quantity.example.trim_matches('"'), None),
+            Form::Word(Words { known, .. }) => ("", Some(known())),
+            _ => return None,
+        };
+        let pair = EITHER.iter().find(|[_, other]| *other == key.path);
+        Some(json!({
+            "path": key.path,
+            "title": title_of(key.path),
+            "about": key.about,
+            "default": key.default,
+            "example": example,
+            "words": words,
+            "instead": pair.map(|[one, _]| one)
+        }))
+    });
+    keys.chain([law]).collect()
+}
+
+/// The materials.
+pub fn materials() -> Value {
+    let value = |known: &Known| (known.property.name().to_owned(), json!(known.taken.text));
+    let entry = |entry: &crate::materials::Entry| {
+        let values: Map<_, _> = entry.known.iter().map(value).collect();
+        json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
+    };
+    all().iter().map(entry).collect()
+}

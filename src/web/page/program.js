@@ -1,0 +1,61 @@
+// The program: quick questions are answered at once, runs go to a worker. Of runs that are asked for while one is at work only
+// the last is done.
+
+import init, * as program from "./plm_impact.js";
+
+export const { edited } = program;
+export const given = (text) => JSON.parse(program.given(text));
+export const fields = () => JSON.parse(program.fields());
+export const materials = () => JSON.parse(program.materials());
+export const templates = () => JSON.parse(program.init());
+
+// A run that takes longer than this gives way to the next one.
+const PATIENCE = 1000;
+
+let module;
+let worker;
+let begun = null;
+let next = null;
+let tell;
+
+/** Loads the program; `whenDone` is called with the reply to every run. */
+export async function load(whenDone) {
+  const file = await fetch(new URL("plm_impact_bg.wasm", import.meta.url));
+  module = await WebAssembly.compile(await file.arrayBuffer());
+  tell = whenDone;
+  engage();
+  await init({ module_or_path: module });
+}
+
+/** Runs a scenario; `data` are measurements, or nothing. */
+export function run(name, text, data) {
+  next = [name, text, data];
+  if (begun !== null && performance.now() - begun > PATIENCE) engage();
+  if (begun === null) send();
+}
+
+// A new worker: a program that was stopped, or has stopped by itself, is of no use any more.
+function engage() {
+  worker?.terminate();
+  begun = null;
+  worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+  worker.onmessage = ({ data }) => done(JSON.parse(data));
+  worker.onerror = (event) => {
+    event.preventDefault();
+    engage();
+    done({ error: `the program has an error: ${event.message}`, details: {} });
+  };
+  worker.postMessage(module);
+}
+
+function send() {
+  begun = performance.now();
+  worker.postMessage(next);
+  next = null;
+}
+
+function done(reply) {
+  begun = null;
+  if (next) send();
+  else tell(reply);
+}

@@ -1,0 +1,100 @@
+// Chromium without a window, driven over the WebDriver protocol of chromedriver, and a server for the page.
+
+import { spawn } from "node:child_process";
+import { createReadStream, mkdtempSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { extname, join, normalize } from "node:path";
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
+
+/** Serves a folder; gives the address and a function that ends it. */
+export async function serve(folder) {
+  const server = createServer((request, response) => {
+    const path = normalize(new URL(request.url, "http://localhost").pathname);
+    const file = join(folder, path.endsWith("/") ? "index.html" : path);
+    response.setHeader("content-type", TYPES[extname(file)] ?? "application/octet-stream");
+    createReadStream(file).on("error", () => response.writeHead(404).end()).pipe(response);
+  });
+  await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
+  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+}
+
+const OPTIONS = [
+  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--force-device-scale-factor=1",
+];
+
+/** Starts a browser; gives functions that use it. */
+export async function browse() {
+  const driver = spawn("chromedriver", ["--port=0"], { stdio: ["ignore", "pipe", "ignore"] });
+  const port = await new Promise((found, failed) => {
+    driver.stdout.on("data", (text) => {
+      const match = String(text).match(/on port (\d+)/);
+      if (match) found(match[1]);
+    });
+    driver.on("error", failed);
+    driver.on("exit", () => failed(new Error("chromedriver ended")));
+  });
+  const ask = async (method, path, body) => {
+    const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body) });
+    const { value } = await answer.json();
+    if (value?.error) throw new Error(`${value.error}: ${value.message}`);
+    return value;
+  };
+  const profile = mkdtempSync(join(tmpdir(), "plm-impact-browser-"));
+  const chrome = { args: [...OPTIONS, `--user-data-dir=${profile}`] };
+  const wanted = { "goog:chromeOptions": chrome, "goog:loggingPrefs": { performance: "ALL", browser: "ALL" } };
+  const { sessionId } = await ask("POST", "/session", { capabilities: { alwaysMatch: wanted } });
+  const post = (path, body) => ask("POST", `/session/${sessionId}${path}`, body ?? {});
+  const tell = (cmd, params) => post("/goog/cdp/execute", { cmd, params });
+  const ID = "element-6066-11e4-a52e-4f735466cecf";
+  const find = async (css) => (await post("/element", { using: "css selector", value: css }))[ID];
+  const page = {
+    tell,
+    go: (url) => post("/url", { url }),
+    back: () => post("/back"),
+    /** The value of an expression in the page. */
+    value: (expression) => post("/execute/sync", { script: `return ${expression}`, args: [] }),
+    /** Waits until an expression is true. */
+    async until(expression) {
+      for (let tries = 0; tries < 200; tries += 1) {
+        if (await page.value(expression)) return;
+        await new Promise((later) => setTimeout(later, 50));
+      }
+      const shown = await page.value("document.body.innerText");
+      throw new Error(`never true: ${expression}; the page shows\n${shown}`);
+    },
+    click: async (css) => post(`/element/${await find(css)}/click`),
+    /** Types into a field, in place of what was there. */
+    async type(css, text) {
+      const id = await find(css);
+      await post(`/element/${id}/clear`);
+      await post(`/element/${id}/value`, { text });
+    },
+    /** Chooses a file, or presses keys. */
+    send: async (css, text) => post(`/element/${await find(css)}/value`, { text }),
+    /** The names by which a screen reader calls the elements. */
+    async labels(css) {
+      const found = await post("/elements", { using: "css selector", value: css });
+      const label = (one) => ask("GET", `/session/${sessionId}/element/${one[ID]}/computedlabel`);
+      return Promise.all(found.map(label));
+    },
+    /** What was noted of this kind since the last time. */
+    log: (type) => post("/se/log", { type }),
+    picture: async () => Buffer.from(await ask("GET", `/session/${sessionId}/screenshot`), "base64"),
+    /** Width and height of the window, and whether the user likes it dark. */
+    async look(width, height, isDark) {
+      await tell("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+      const value = isDark ? "dark" : "light";
+      await tell("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value }] });
+    },
+    async end() {
+      await ask("DELETE", `/session/${sessionId}`);
+      driver.removeAllListeners("exit");
+      driver.kill();
+      rmSync(profile, { recursive: true, force: true, maxRetries: 10 });
+    },
+  };
+  return page;
+}
