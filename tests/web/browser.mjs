@@ -28,9 +28,10 @@ const OPTIONS = [
 /** Starts a browser; gives functions that use it. */
 export async function browse() {
   const driver = spawn("chromedriver", ["--port=0"], { stdio: ["ignore", "pipe", "ignore"] });
+  process.on("exit", () => driver.kill());
   const port = await new Promise((found, failed) => {
     driver.stdout.on("data", (text) => {
-      const match = String(text).match(/on port (\d+)/);
+      const match = String(text).match(/successfully on port (\d+)/);
       if (match) found(match[1]);
     });
     driver.on("error", failed);
@@ -92,7 +93,6 @@ export async function browse() {
     async end() {
       await ask("DELETE", `/session/${sessionId}`);
       driver.removeAllListeners("exit");
-      driver.kill();
       rmSync(profile, { recursive: true, force: true, maxRetries: 10 });
     },
   };
