@@ -8,7 +8,7 @@ profile=${2:-web}
 target=wasm32-unknown-unknown
 rustup target list --installed | grep -qx $target || rustup target add $target
 version=$(grep -A1 '^name = "wasm-bindgen"$' Cargo.lock | sed -n 's/^version = "\(.*\)"$/\1/p')
-PATH="$PATH:${CARGO_HOME:-$HOME/.cargo}/bin:$PWD/target/tools/bin"
+PATH="$PATH:${CARGO_HOME:-$HOME/.cargo}/bin"
 [ "$(wasm-bindgen --version 2>/dev/null)" = "wasm-bindgen $version" ] || CARGO_PROFILE_DEV_OPT_LEVEL=1 cargo install --quiet --debug \
     wasm-bindgen-cli --version "$version" --no-default-features --bin wasm-bindgen --target-dir target/tools
 cargo rustc --quiet --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"

@@ -16,7 +16,9 @@ pub fn fields() -> Value {
     let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
     let keys = every_key().filter(|key| !key.path.contains("[]")).filter_map(|key| {
         let (example, words) = match key.form {
-            Form::Number(quantity, _) | Form::Count(quantity) => (quantity.example.trim_matches('"'), None),
+            Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+                (quantity.example.trim_matches('"'), None)
+            }
             Form::Word(Words { known, .. }) => ("", Some(known())),
             _ => return None,
         };

@@ -75,11 +75,11 @@ export async function browse() {
     },
     /** Chooses a file, or presses keys. */
     send: async (css, text) => post(`/element/${await find(css)}/value`, { text }),
-    /** The names by which a screen reader calls the elements. */
+    /** The names by which a screen reader calls the elements that are seen. */
     async labels(css) {
-      const found = await post("/elements", { using: "css selector", value: css });
+      const seen = `[...document.querySelectorAll(${JSON.stringify(css)})].filter((one) => one.checkVisibility())`;
       const label = (one) => ask("GET", `/session/${sessionId}/element/${one[ID]}/computedlabel`);
-      return Promise.all(found.map(label));
+      return Promise.all((await page.value(seen)).map(label));
     },
     /** What was noted of this kind since the last time. */
     log: (type) => post("/se/log", { type }),

@@ -179,6 +179,7 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
 
 test("no request leaves the page, and nothing is complained about", async () => {
   await page.log("browser");
+  await page.log("performance");
   await open();
   await page.until(`${SHOWN}.includes("0.4925")`);
   const events = (await page.log("performance")).map((entry) => JSON.parse(entry.message).message);

@@ -17,7 +17,7 @@ export function makeForm(form, { fields, materials, kinds, changed }) {
       const legend = element("summary", table.replace("_", "-"));
       const error = element("p", { className: "error", id: `error-${table}`, hidden: true });
       const group = element("details", { open: main, className: "group" }, legend, error);
-      groups.set(table, { group, error, main, isKind: kinds.includes(table) });
+      groups.set(table, { group, error, main, isKind: !main && kinds.includes(table) });
       form.append(group);
     }
     const place = field.instead && rows.get(field.instead);
