@@ -39,7 +39,7 @@ pub fn schema() -> String {
     crate::scenario::schema::schema().to_string()
 }
 
-/// The materials: name, what it is, its values by the names of their keys, and the page about them.
+/// The materials: name, what it is, the keys that take a value from it, and the page about it.
 #[wasm_bindgen]
 pub fn materials() -> String {
     fields::materials().to_string()

@@ -11,7 +11,7 @@ use crate::units::four_digits;
 
 /// Points of the curve.
 const POINTS: usize = 601;
-/// The curve begins so many decades below that of the impact, and ends as many above it.
+/// The curve goes so many decades below the power of ten at or below the impact, and as many above it.
 const DECADES: f64 = 2.0;
 
 /// The picture as SVG; `None` for a sphere that is released at first touch.
@@ -20,11 +20,8 @@ pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
     let Some(at) = scenario.number_of(key).filter(|at| *at > 0.0) else { return Ok(None) };
     let (_, _, impact) = impact::compute(scenario, None)?;
     let decade = log10(at).floor();
-    let axis = format!(
-        "sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}",
-        decade - DECADES,
-        decade + DECADES + 1.0
-    );
+    let axis =
+        format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
     let source = scenario.source();
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
     let plan = table::plan(&swept)?;

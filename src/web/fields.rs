@@ -2,12 +2,13 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::materials::{Known, all};
+use crate::materials::{Entry, Known, Property, all};
 use crate::plot::of_key::title_of;
 use crate::report::materials::one;
 use crate::scenario::every_key;
 use crate::scene::EITHER;
 use crate::scene::key::{Form, Words};
+use crate::scene::taken::Body;
 use crate::scene::words::LAWS;
 
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the words that may be chosen, and the
@@ -27,7 +28,7 @@ pub fn fields() -> Value {
             "path": key.path,
             "title": title_of(key.path),
             "about": key.about,
-            "default": key.default,
+            "default": key.default.replace(['"', '`'], ""),
             "example": example,
             "words": words,
             "instead": pair.map(|[one, _]| one)
@@ -36,11 +37,16 @@ pub fn fields() -> Value {
     keys.chain([law]).collect()
 }
 
-/// The materials.
+/// The materials: name, what each is, the keys that take a value from it, with that value as it is written, and its page.
 pub fn materials() -> Value {
-    let value = |known: &Known| (known.property.name().to_owned(), json!(known.taken.text));
-    let entry = |entry: &crate::materials::Entry| {
-        let values: Map<_, _> = entry.known.iter().map(value).collect();
+    let value = |body: Body, known: &Known| match (body, known.property) {
+        // the sphere takes a yield strength from it, which is another number
+        (Body::Sphere, Property::Hardness) => None,
+        (body, property) => Some((body.path(property)?.to_owned(), json!(known.taken.text))),
+    };
+    let entry = |entry: &Entry| {
+        let of = |body| entry.known.iter().filter_map(move |known| value(body, known));
+        let values: Map<_, _> = Body::ALL.into_iter().flat_map(of).collect();
         json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
     };
     all().iter().map(entry).collect()

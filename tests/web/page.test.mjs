@@ -1,11 +1,13 @@
 // The page in a browser: what a user sees follows from what a user does, and the numbers are those of the command.
 
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import { browse, serve } from "./browser.mjs";
-import { PAGE, SCENARIOS, call, read, runByCommand } from "./command.mjs";
+import { PAGE, SCENARIOS, call, callWith, read, runByCommand } from "./command.mjs";
 
 let site, page;
 before(async () => {
@@ -69,14 +71,32 @@ test("a changed text changes the form and the numbers", async () => {
   assert.equal(await page.value(`document.querySelector('${field("law.thornton.yield_pressure")}').checkVisibility()`), true);
 });
 
-test("a law and a material are chosen by name", async () => {
+/** Chooses from a list. */
+const choose = (css, value) =>
+  page.value(`(() => {
+    const list = document.querySelector(${JSON.stringify(css)});
+    list.value = ${JSON.stringify(value)};
+    for (const kind of ["input", "change"]) list.dispatchEvent(new Event(kind));
+  })()`);
+
+test("a law is chosen by name", async () => {
   await open();
-  await page.value(`Object.assign(document.querySelector('${field("law")}'), { value: "thornton" }).dispatchEvent(new Event("input"))`);
+  await choose(field("law"), "thornton");
   await agrees(runByCommand("steel-on-steel.toml", "--set", "law=thornton").stdout);
-  await page.value(
-    `Object.assign(document.querySelector('${field("sphere.material")}'), { value: "zirconia-3y-tzp" }).dispatchEvent(new Event("input"))`,
-  );
-  await agrees(runByCommand("steel-on-steel.toml", "--set", "law=thornton", "--set", "sphere.material=zirconia-3y-tzp").stdout);
+});
+
+test("a material takes the place of numbers, and leaves its own when it is taken away", async () => {
+  await open();
+  await choose(field("half_space.material"), "aluminium-6061-t6");
+  const sphere = read("steel-on-steel.toml").split("[half_space]")[0];
+  const of = (halfSpace) => callWith(`${sphere}[half_space]\n${halfSpace}\n[impact]\nspeed = 3\n`, "run", "-", "--out", folder, "--force").stdout;
+  const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
+  await agrees(of('material = "aluminium-6061-t6"'));
+  await choose(field("half_space.material"), "");
+  assert.equal(await valueOf("half_space.youngs_modulus"), "68.9 GPa");
+  assert.doesNotMatch(await text(), /material/);
+  await agrees(of('material = "aluminium-6061-t6"'));
+  rmSync(folder, { recursive: true });
 });
 
 test("a wrong unit is refused at its field, in the words of the command", async () => {

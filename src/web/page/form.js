@@ -10,6 +10,20 @@ const MAIN = ["sphere", "half_space", "impact"];
 export function makeForm(form, { fields, materials, kinds, changed }) {
   const rows = new Map();
   const groups = new Map();
+  let values = {};
+
+  // a material takes the place of the numbers that it has; a material that is taken away leaves its numbers
+  function take([[path, name]]) {
+    const table = path.split(".")[0];
+    const known = (name) => Object.entries(materials.find((one) => one.name === name)?.values ?? {});
+    const of = (name) => known(name).filter(([key]) => key.split(".")[0] === table);
+    const instead = (key) => fields.find((field) => field.path === key)?.instead;
+    const pair = (key) => instead(key) ?? fields.find((field) => field.instead === key)?.path;
+    const out = of(name).flatMap(([key]) => [key, instead(key)]).filter((key) => values[key]);
+    const back = name ? [] : of(values[path]).filter(([key]) => !values[key] && !values[pair(key)]);
+    changed([[path, name], ...out.map((key) => [key, ""]), ...back]);
+  }
+
   for (const field of fields) {
     const table = field.path.split(".")[0];
     if (!groups.has(table)) {
@@ -25,9 +39,11 @@ export function makeForm(form, { fields, materials, kinds, changed }) {
       place.add(field);
       rows.set(field.path, place);
     } else {
-      const row = makeRow(field, materials, changed);
+      const row = makeRow(field, materials, field.path === `${table}.material` ? take : changed);
       rows.set(field.path, row);
-      groups.get(table).group.append(row.line);
+      const { group, error } = groups.get(table);
+      if (field.path === `${table}.material`) error.after(row.line);
+      else group.append(row.line);
     }
   }
   form.addEventListener("submit", (event) => event.preventDefault());
@@ -36,6 +52,7 @@ export function makeForm(form, { fields, materials, kinds, changed }) {
   function fill(given) {
     const unique = new Set(rows.values());
     for (const row of unique) row.fill(given);
+    values = given;
     for (const [table, { group, main, isKind }] of groups) {
       const isGiven = Object.keys(given).some((path) => path === table || path.startsWith(`${table}.`));
       if (!main && isGiven) group.open = true;
@@ -71,13 +88,14 @@ function makeRow(first, materials, changed) {
   const input = first.words ? choice(first) : element("input", { type: "text", spellcheck: false });
   input.id = id;
   input.setAttribute("aria-describedby", `about-${id} error-${id}`);
-  const label = element("label", { htmlFor: id, textContent: first.title });
+  const label = element("label", { htmlFor: id, textContent: short(first) });
+  input.setAttribute("aria-label", first.title);
   const about = element("p", { id: `about-${id}`, className: "about", textContent: first.about });
   const error = element("p", { id: `error-${id}`, className: "error", hidden: true });
   const line = element("div", { className: "row" }, label, input, about, error);
   // an empty field takes its key away, but not while somebody is typing in it
-  input.addEventListener("input", () => input.value.trim() && changed([[field.path, input.value]]));
-  input.addEventListener("change", () => input.value.trim() || changed([[field.path, ""]]));
+  input.addEventListener("input", () => (input.value.trim() || first.words) && changed([[field.path, input.value]]));
+  input.addEventListener("change", () => input.value.trim() || first.words || changed([[field.path, ""]]));
   let names = null;
 
   // the key that the row is about, of two that stand in place of each other
@@ -85,14 +103,14 @@ function makeRow(first, materials, changed) {
     field = other;
     about.textContent = field.about;
     if (names) names.value = field.path;
-    if (names) input.setAttribute("aria-label", field.title);
+    input.setAttribute("aria-label", field.title);
   }
 
   function add(other) {
     fields.push(other);
     if (!names) {
       names = element("select", { className: "names", ariaLabel: `${first.title}, or what stands in its place` });
-      names.append(new Option(first.title, first.path));
+      names.append(new Option(short(first), first.path));
       label.replaceWith(names);
       names.addEventListener("change", () => {
         const before = field;
@@ -101,7 +119,7 @@ function makeRow(first, materials, changed) {
         changed([[field.path, value], [before.path, ""]]);
       });
     }
-    names.append(new Option(other.title, other.path));
+    names.append(new Option(short(other), other.path));
     show(field);
   }
 
@@ -117,7 +135,7 @@ function makeRow(first, materials, changed) {
     const [table, key] = field.path.split(".");
     const material = materials.find((one) => one.name === given[`${table}.material`]);
     if (key === "material") about.textContent = material ? material.title : field.about;
-    if (!field.words) input.placeholder = material?.values[key] ?? (field.default ? field.default : `such as ${field.example}`);
+    if (!field.words) input.placeholder = material?.values[field.path] ?? (field.default || `such as ${field.example}`);
   }
 
   function complain(message, key) {
@@ -128,6 +146,13 @@ function makeRow(first, materials, changed) {
   }
 
   return { line, add, fill, complain };
+}
+
+// The title without the name of the group in which it stands.
+function short({ path, title }) {
+  const group = path.split(".")[0].replace("_", "-");
+  const rest = title.toLowerCase().startsWith(`${group} `) ? title.slice(group.length + 1) : title;
+  return rest[0].toUpperCase() + rest.slice(1);
 }
 
 function choice({ words, default: otherwise }) {

@@ -35,7 +35,10 @@ function table(text) {
   const lines = text.trimEnd().split("\n").map((line) => line.match(/^(\S.*?) {2,}(\S.*)$/));
   if (!lines.every(Boolean)) return element("pre", { tabIndex: 0 }, text);
   const list = element("dl");
-  for (const [, name, value] of lines) list.append(element("dt", name), element("dd", value));
+  for (const [, name, values] of lines) {
+    const parts = values.split(/ {2,}/).flatMap((value) => [element("span", value), " "]);
+    list.append(element("dt", name), element("dd", ...parts));
+  }
   return list;
 }
 
