@@ -209,9 +209,19 @@ impl Continuous {
         (value, slope)
     }
 
+    /// A part of the node at θ alone.
+    #[inline]
+    pub(super) fn value(&self, part: usize, theta: f64) -> f64 {
+        let mut value = self.0[7][part];
+        for k in (0..7).rev() {
+            value = self.0[k][part] + value * if k % 2 == 0 { theta } else { 1.0 - theta };
+        }
+        value
+    }
+
     /// The node at θ.
     pub(super) fn at(&self, theta: f64) -> Quad {
-        [0, 1, 2, 3].map(|part| self.part(part, theta).0)
+        [self.value(0, theta), self.value(1, theta), self.value(2, theta), self.value(3, theta)]
     }
 }
 

@@ -19,11 +19,11 @@ impl Stretch<'_> {
         let sign = self.path.leg.direction();
         let mut first = None;
         let mut limit = 1.0;
-        if sign * self.solution.part(1, 1.0).0 <= 0.0 {
+        if sign * self.solution.value(1, 1.0) <= 0.0 {
             limit = self.falls(1, sign, 0.0, 1.0);
             first = Some((Landing::Turning, limit));
         }
-        if sign * (self.end - self.solution.part(0, limit).0) <= 0.0 {
+        if sign * (self.end - self.solution.value(0, limit)) <= 0.0 {
             limit = self.falls(0, -sign, self.end, limit);
             first = Some((Landing::End, limit));
         }
@@ -37,6 +37,11 @@ impl Stretch<'_> {
         first
     }
 
+    /// Position and speed at θ.
+    fn moving(&self, theta: f64) -> (f64, f64) {
+        (self.solution.value(0, theta), self.solution.value(1, theta))
+    }
+
     /// Where `sign` (part − `level`) falls through zero before `limit`.
     fn falls(&self, part: usize, sign: f64, level: f64, limit: f64) -> f64 {
         let at = |theta| {
@@ -44,12 +49,12 @@ impl Stretch<'_> {
             Ok::<_, std::convert::Infallible>((sign * (value - level), sign * slope))
         };
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
-        bracketed((0.0, limit), 0.9 * limit, is_near, at).unwrap_or(limit)
+        bracketed((0.0, limit), limit, is_near, at).unwrap_or(limit)
     }
 
     /// The contact force over √g', which is not steep near the zero of g. Beyond that zero there is no contact.
     fn pressed<P: Dragged>(&self, theta: f64) -> f64 {
-        let [y, u, ..] = self.solution.at(theta);
+        let (y, u) = self.moving(theta);
         let distance = P::distance_at(y);
         let force = self.path.restoring.at(distance.abs());
         let root = self.path.restoring.root_of_slope(distance.abs());
@@ -58,7 +63,7 @@ impl Stretch<'_> {
     }
 
     fn growth<P: Dragged>(&self, theta: f64) -> f64 {
-        let [y, u, ..] = self.solution.at(theta);
+        let (y, u) = self.moving(theta);
         self.path.growth_of_force(P::distance_at(y), u)
     }
 
@@ -74,7 +79,7 @@ impl Stretch<'_> {
     /// The largest contact force inside the part of the step up to `limit`, where it rises at first and falls at last.
     pub fn crest<P: Dragged>(&self, limit: f64) -> f64 {
         let top = falls_through((0.0, limit), |theta| self.growth::<P>(theta));
-        let [y, u, ..] = self.solution.at(top);
+        let (y, u) = self.moving(top);
         self.path.contact_force(P::distance_at(y), u)
     }
 }

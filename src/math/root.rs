@@ -61,15 +61,19 @@ pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> boo
 }
 
 /// The zero of a function that falls from above 0 at `low` to 0 or below at `high`: regula falsi (Illinois), with a halving
-/// after every third guess.
+/// after every third guess. A guess on an end moves away from it by the resolution: if the zero is there, the search ends.
 pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) -> f64) -> f64 {
     let (mut above, mut below) = (at(low), at(high));
     for guess in 1..MOST {
+        // below it, rounding decides on the sign of the function
+        let resolution = 64.0 * f64::EPSILON * high.abs();
         let mut x = low + (high - low) * (above / (above - below));
-        if guess % 4 == 0 || !(x > low && x < high) {
+        // a function that is 0 at an end says nothing of the zero that is sought
+        if guess % 4 == 0 || !(above > 0.0 && below < 0.0) {
             x = 0.5 * (low + high);
         }
-        if high - low <= 2.0 * f64::EPSILON * high.abs() || !(x > low && x < high) {
+        x = x.max(low + resolution).min(high - resolution);
+        if high - low <= resolution || !(x > low && x < high) {
             break;
         }
         let value = at(x);
