@@ -3,9 +3,9 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
-//! The files depend on each other in this order: what acts ([`scales`], [`forces`], `scaled_forces`); the dimensionless
+//! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`], `scaled_forces`); the dimensionless
 //! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is
-//! reported of it ([`contact`], `case`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
+//! reported of it ([`contact`], `case`, `on_plate`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
 //! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
 
 mod case;
@@ -17,7 +17,9 @@ pub mod essentials;
 pub mod forces;
 mod impacts;
 mod ledger;
+mod on_plate;
 pub mod outcome;
+pub mod plate;
 pub mod record;
 mod response;
 pub mod result;
@@ -35,7 +37,9 @@ pub use error::ImpactError;
 pub use essentials::Essentials;
 pub use forces::{Damping, Forces, drop_speed};
 pub use ledger::TraceRow;
+pub use on_plate::OnPlate;
 pub use outcome::{Computed, Fate, FixedSteps, Outcome};
+pub use plate::{Plate, PlateError, PlateTheory};
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};

@@ -141,33 +141,49 @@ pub struct Sizes {
     pub speed: f64,
 }
 
-/// How the contact resists motion beside the restoring force g: drag = (χ g + η √g') d'.
+/// What resists motion beside the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
+///
+/// The first two terms are in the contact: they are a part of its force, and so they count where it vanishes and where it is
+/// largest. The third acts on the motion alone, as where the ground gives way at a speed in proportion to the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drag {
     /// χ: drag in proportion to the force.
     pub chi: f64,
     /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
     pub eta: f64,
+    /// θ: drag in proportion to the stiffness, which is no part of the contact force.
+    pub theta: f64,
 }
 
 impl Drag {
-    pub const NONE: Self = Self { chi: 0.0, eta: 0.0 };
+    pub const NONE: Self = Self { chi: 0.0, eta: 0.0, theta: 0.0 };
+
+    /// Whether any of it is a part of the contact force.
+    pub(crate) fn is_in_contact(self) -> bool {
+        self.chi != 0.0 || self.eta != 0.0
+    }
 
     /// Whether the contact force can vanish before the restoring force does.
     pub(crate) fn lifts_off(self) -> bool {
         self.eta > 0.0
     }
 
-    /// Drag per speed where the force is `force`; its slope is asked for only if it counts.
-    #[inline]
-    pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> f64 {
-        self.per_speed(force, if self.eta == 0.0 { 0.0 } else { root_of(slope()) })
+    /// Whether the stiffness counts.
+    fn needs_slope(self) -> bool {
+        self.eta != 0.0 || self.theta != 0.0
     }
 
-    /// χ g + η √g', the drag per speed.
+    /// The drags per speed, in the contact and on the motion, where the force is `force`; its slope is asked for only if it
+    /// counts.
+    #[inline]
+    pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
+        self.per_speed(force, if self.needs_slope() { root_of(slope()) } else { 0.0 })
+    }
+
+    /// χ g + η √g' and θ g', the drags per speed in the contact and on the motion.
     #[inline(always)]
-    pub fn per_speed(self, force: f64, root_of_slope: f64) -> f64 {
-        force * self.chi + self.eta * root_of_slope
+    pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
+        (force * self.chi + self.eta * root_of_slope, self.theta * root_of_slope * root_of_slope)
     }
 }
 
@@ -204,16 +220,17 @@ pub struct Path {
 }
 
 impl Path {
-    /// g(d), and the drag at this speed.
-    pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64) {
+    /// g(d), and the drags at this speed: in the contact and on the motion.
+    pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64, f64) {
         let force = self.restoring.at(distance);
-        let root = if self.drag.eta == 0.0 { 0.0 } else { self.restoring.root_of_slope(distance) };
-        (force, self.drag.per_speed(force, root) * speed)
+        let root = if self.drag.needs_slope() { self.restoring.root_of_slope(distance) } else { 0.0 };
+        let (in_contact, on_motion) = self.drag.per_speed(force, root);
+        (force, in_contact * speed, on_motion * speed)
     }
 
     /// The contact force: g and what damping adds to it.
     pub(crate) fn contact_force(&self, distance: f64, speed: f64) -> f64 {
-        let (force, drag) = self.forces(distance, speed);
+        let (force, drag, _) = self.forces(distance, speed);
         force + drag
     }
 
@@ -224,8 +241,8 @@ impl Path {
     /// ```
     fn growth_of_force(&self, distance: f64, speed: f64) -> f64 {
         let [force, slope, curvature] = self.restoring.derivatives(distance);
-        let Drag { chi, eta } = self.drag;
-        let acceleration = self.pull - self.contact_force(distance, speed);
+        let Drag { chi, eta, theta } = self.drag;
+        let acceleration = self.pull - self.contact_force(distance, speed) - theta * slope * speed;
         let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
         if eta == 0.0 {
             return of_law;
@@ -379,10 +396,10 @@ mod tests {
 
     #[test]
     fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
-        let viscous = Drag { chi: 0.0, eta: 0.2 };
-        assert_eq!(viscous.at(1.0, || -1e-17), 0.0);
-        assert!(viscous.at(1.0, || f64::NAN).is_nan());
-        // η √g'
-        assert_eq!(viscous.at(1.0, || 2.25), 0.2 * 1.5);
+        let both = Drag { eta: 0.2, theta: 3.0, ..Drag::NONE };
+        assert_eq!(both.at(1.0, || -1e-17), (0.0, 0.0));
+        assert!(both.at(1.0, || f64::NAN).0.is_nan());
+        // η √g' and θ g'
+        assert_eq!(both.at(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it and without friction. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back; [`law::catalogue`] has the other published laws. Gravity, damping, elastic waves, series of impacts
+//! (2024) on the way back; [`law::catalogue`] has the other published laws. Gravity, damping, plates, elastic waves, series of impacts
 //! and slow indentation are there for scenes that name them:
 //!
 //! ```text
@@ -32,6 +32,7 @@
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
+//! | h, Y, λ | [`Plate`](impact::Plate), [`OnPlate`](impact::OnPlate) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!

@@ -146,7 +146,8 @@ impl Plan {
                 "impact.drop_height" if scene.forces.gravity.is_none() => {
                     "needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\""
                 }
-                "half_space.density" if !scene.forces.is_none() => {
+                "half_space.edge_distance" => "is not used by a table: it only warns of single impacts",
+                "half_space.density" if !scene.forces.is_none() && scene.forces.plate.is_none() => {
                     "is not used: elastic waves are computed without gravity and damping"
                 }
                 _ if self.has_waves() && (path == "gravity.acceleration" || is_of_damping(path)) => {
@@ -214,7 +215,7 @@ impl Plan {
         };
         match method {
             Method::ClosedForm => false,
-            Method::Auto => self.scene.forces.damping.is_some() || self.laws().iter().any(auto_integrates),
+            Method::Auto => self.laws().iter().any(auto_integrates),
             _ => true,
         }
     }
@@ -236,9 +237,9 @@ impl Plan {
         self.scene.half_space.yield_strength.is_some()
     }
 
-    /// Whether the half-space has a density. If not, nothing is reported of elastic waves.
+    /// Whether the half-space has a density, and is no plate. If not, nothing is reported of elastic waves.
     pub fn has_waves(&self) -> bool {
-        self.scene.half_space.density.is_some()
+        self.scene.half_space.density.is_some() && self.scene.forces.plate.is_none()
     }
 
     /// Whether values are random.

@@ -9,7 +9,7 @@ pub mod repeat;
 pub mod table;
 
 use crate::error::{Error, ErrorKind};
-use crate::impact::Contact;
+use crate::impact::{Contact, Forces};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
 pub use outcome::{Order, Outcome, no_result, texts};
@@ -56,7 +56,7 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
 /// # Errors
-/// [`Error`]: a bad scenario, one with gravity or damping, and one of another kind than an impact.
+/// [`Error`]: a bad scenario, one with gravity, damping or a plate, and one of another kind than an impact.
 pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
@@ -65,13 +65,16 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
         return Err(scenario.document.refuse(table, message).into());
     }
     let scene = scenario.resolve_bodies()?;
-    for (table, is_there) in [("gravity", scene.forces.gravity.is_some()), ("damping", scene.forces.damping.is_some())]
-    {
-        if is_there {
-            let message =
-                "is not a part of the contact law: leave this table out, and let the simulation add the force";
-            return Err(scenario.document.refuse(table, message).into());
-        }
+    let Forces { gravity, damping, plate } = scene.forces;
+    let table = "leave this table out, and let the simulation add the force";
+    let keys = [
+        ("gravity", gravity.is_some(), table),
+        ("damping", damping.is_some(), table),
+        ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
+    ];
+    if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
+        let message = format!("is not a part of the contact law: {way_out}");
+        return Err(scenario.document.refuse(key, message).into());
     }
     let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
     let contact = scene.contact().map_err(failed)?;

@@ -248,6 +248,7 @@ impl Scenario {
         self.needs_gravity()?;
         let scene = input.resolve();
         self.refuse_waves(&scene)?;
+        self.check_plate(&scene)?;
         let flow = input.half_space.flow_stress.curve();
         self.check_strength(flow, &scene.law, Some(&scene.half_space))?;
         Ok(input)

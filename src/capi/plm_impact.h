@@ -19,8 +19,8 @@ extern "C" {
 
 /**
  * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
- * left out. Gravity, damping, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of files in
- * the text are relative to the working directory.
+ * left out. Gravity, damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of
+ * files in the text are relative to the working directory.
  *
  * Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
  * Free the contact with `plm_contact_free`.

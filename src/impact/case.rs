@@ -3,8 +3,11 @@
 use std::sync::LazyLock;
 
 use super::contact::Contact;
+use super::error::ImpactError;
+use super::plate::ScaledPlate;
 use super::scaled_forces::ScaledForces;
 use super::scales::Scales;
+use super::solve::free_time;
 use crate::law::Law;
 use crate::material::{OutOfFloatRange, normal};
 
@@ -19,6 +22,8 @@ pub(super) struct Case<'a> {
     pub(super) q: f64,
     /// What acts beside the law.
     pub(super) forces: ScaledForces,
+    /// The plate that it hits, if it hits one.
+    pub(super) plate: Option<ScaledPlate>,
 }
 
 impl Contact {
@@ -36,7 +41,7 @@ impl Contact {
 
     /// The impact at a speed. `spot` is the law of a spot that was loaded before; the units are then those of the yield point.
     #[inline]
-    pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
+    pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, ImpactError> {
         if !self.forces().is_none() {
             return self.case_with_forces(spot, speed);
         }
@@ -44,14 +49,14 @@ impl Contact {
             (Some((scales, _)), Some(law)) => (*scales, law, ratio(speed, scales)?),
             _ => self.scaled(speed)?,
         };
-        Ok(Case { scales, law, q, forces: ScaledForces::NONE })
+        Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None })
     }
 
-    /// The same under gravity or damping. The speed may be 0: a sphere that is let go at rest.
-    fn case_with_forces<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, OutOfFloatRange> {
+    /// The same under gravity or damping, or on a plate. The speed may be 0: a sphere that is let go at rest.
+    fn case_with_forces<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, ImpactError> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
-        // damping removes energy: an impact that stays elastic without it does so with it
+        // damping and plate remove energy: an impact that stays elastic without them does so with them
         let yields = self.yielding.as_ref().filter(|(scales, law)| {
             let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
             let until = law.elastic_until();
@@ -72,7 +77,20 @@ impl Contact {
             None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
         };
         let damping = self.forces().damping.map(|damping| damping.scaled(scales.speed));
-        Ok(Case { scales, law, q, forces: ScaledForces { weight: weight / scales.force, damping } })
+        let mut case = Case {
+            scales,
+            law,
+            q,
+            forces: ScaledForces { weight: weight / scales.force, damping, plate: 0.0 },
+            plate: None,
+        };
+        if let Some(under) = self.on_plate() {
+            self.check_plate()?;
+            let free_time = free_time(law, q, &case.forces, None)? * scales.time();
+            let plate = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
+            (case.forces.plate, case.plate) = (plate.mobility, Some(plate));
+        }
+        Ok(case)
     }
 
     /// Hertz scales of an elastic impact under gravity: L where (2/5) K L^2.5 = ½ m v² + m g L, Φ = K L^1.5, and

@@ -2,6 +2,7 @@
 
 use super::error::ImpactError;
 use super::forces::Forces;
+use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
 use crate::law::{ContactLaw, Law};
@@ -59,7 +60,7 @@ impl Contact {
         })
     }
 
-    /// The same contact with gravity and damping.
+    /// The same contact with gravity and damping, or on a plate.
     #[must_use]
     pub fn with_forces(self, forces: Forces) -> Self {
         Self { forces, ..self }
@@ -90,9 +91,27 @@ impl Contact {
         &self.pair
     }
 
-    /// Gravity and damping.
+    /// Gravity, damping, plate.
     pub fn forces(&self) -> &Forces {
         &self.forces
+    }
+
+    /// The plate with the bodies, if there is a plate.
+    pub(super) fn on_plate(&self) -> Option<Under<'_>> {
+        let plate = self.forces.plate.as_ref()?;
+        Some(Under { plate, half_space: &self.half_space, mass: self.mass })
+    }
+
+    /// Checks what does not depend on the speed: whether there may be impacts on the plate of this contact, if it has one.
+    ///
+    /// # Errors
+    /// [`PlateError`] with the way out.
+    pub fn check_plate(&self) -> Result<(), PlateError> {
+        match (self.on_plate(), self.forces.damping) {
+            (None, _) => Ok(()),
+            (Some(_), Some(_)) => Err(PlateError::Damped),
+            (Some(under), None) => under.check(self.yielding.as_ref()),
+        }
     }
 
     /// How the half-space radiates elastic waves; `None` for one of unknown density.

@@ -2,7 +2,7 @@
 //! unloading branch.
 //!
 //! ```text
-//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u        (w = m g/Φ, χ in units of 1/V)
+//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u  or  y df/dx u       (w = m g/Φ, χ in units of 1/V)
 //! ```
 //!
 //! The contact ends where its total force vanishes on the way out: at the residual indentation, or before it under viscous
@@ -132,7 +132,7 @@ pub fn integrate<I: Integrator>(
         loading_time,
         contact_time: time,
         fate,
-        largest_force: if drag == Drag::NONE { law.largest_force(&unloading.peak) } else { largest },
+        largest_force: if drag.is_in_contact() { largest } else { law.largest_force(&unloading.peak) },
         end_indentation: distance + law.dent(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,

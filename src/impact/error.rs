@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::plate::PlateError;
 use crate::integrate::IntegrationError;
 use crate::law::OutsideLaw;
 use crate::material::OutOfFloatRange;
@@ -18,9 +19,12 @@ pub enum ImpactError {
     /// The law has no answer for this impact.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
+    /// There is no impact on such a plate.
+    #[error(transparent)]
+    Plate(#[from] PlateError),
     /// No closed form for this scene.
     #[error(
-        "method \"closed_form\" gives no trace under gravity or damping; without a trace it gives gravity alone or Hunt-Crossley damping alone, on laws whose force is made of power laws and straight lines: use \"auto\" or \"rk8\""
+        "method \"closed_form\" gives no trace under gravity or damping, and nothing on a plate; without a trace it gives gravity alone or Hunt-Crossley damping alone, on laws whose force is made of power laws and straight lines: use \"auto\" or \"rk8\""
     )]
     NoClosedForm,
 }

@@ -3,6 +3,7 @@
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::on_plate::OnPlate;
 use super::outcome::{Fate, Outcome};
 use super::waves;
 use crate::integrate::IntegrationError;
@@ -30,8 +31,10 @@ pub struct Essentials {
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known, under
-    /// gravity or damping, and where the force of the law jumps on the way.
+    /// gravity or damping or on a plate, and where the force of the law jumps on the way.
     pub wave_loss_fraction: Option<f64>,
+    /// What an impact on a plate has besides.
+    pub on_plate: Option<OnPlate>,
 }
 
 impl Essentials {
@@ -64,9 +67,10 @@ impl Essentials {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
         let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
+        let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
         Ok(Self {
             restitution: outcome.restitution,
-            contact_time: if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time },
+            contact_time,
             peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
@@ -74,6 +78,7 @@ impl Essentials {
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,
+            on_plate: OnPlate::of(contact, case, outcome, contact_time),
         })
     }
 
@@ -86,6 +91,11 @@ impl Essentials {
     /// to take shares of.
     pub fn has_speed(&self) -> bool {
         self.kinetic_in > 0.0
+    }
+
+    /// Share of the kinetic energy that the plate takes \[1\].
+    pub fn plate_loss_fraction(&self) -> Option<f64> {
+        self.on_plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
     }
 
     /// (e v)²/v² \[1\]: share of the kinetic energy that comes back.

@@ -1,4 +1,4 @@
-//! Forces beside the contact law: gravity and damping, only where a scene names them.
+//! What acts beside the contact law: gravity, damping and a plate that gives way, only where a scene names them.
 //!
 //! # Motion
 //!
@@ -29,6 +29,7 @@
 //!   sphere (ζ from 0.9 on), where it has come within 0.1 % of the static indentation.
 //! * A sphere let go at first touch is always captured, because it has no kinetic energy. It has no restitution.
 
+use super::plate::Plate;
 use super::scales::ACCELERATION;
 use crate::integrate::Drag;
 
@@ -55,8 +56,8 @@ impl Damping {
     /// The resistance, as integrators know it.
     pub(super) fn drag(self) -> Drag {
         match self {
-            Self::HuntCrossley(chi) => Drag { chi, eta: 0.0 },
-            Self::Viscous(zeta) => Drag { chi: 0.0, eta: 2.0 * zeta },
+            Self::HuntCrossley(chi) => Drag { chi, ..Drag::NONE },
+            Self::Viscous(zeta) => Drag { eta: 2.0 * zeta, ..Drag::NONE },
         }
     }
 
@@ -70,26 +71,33 @@ impl Damping {
     }
 }
 
-/// What acts on the sphere beside the contact law.
+/// What acts on the sphere beside the contact law. Damping acts in the contact, gravity and a plate act on the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Forces {
     /// Gravity along the approach g \[m/s²\], > 0.
     pub gravity: Option<f64>,
     /// Damping of the contact.
     pub damping: Option<Damping>,
+    /// The plate in place of the half-space.
+    pub plate: Option<Plate>,
 }
 
 impl Forces {
-    /// Whether neither gravity nor damping acts.
+    /// Whether the law acts alone.
     pub fn is_none(&self) -> bool {
-        self.gravity.is_none() && self.damping.is_none()
+        self.gravity.is_none() && !self.have_drag()
+    }
+
+    /// Whether damping or a plate takes energy.
+    pub(crate) fn have_drag(&self) -> bool {
+        self.damping.is_some() || self.plate.is_some()
     }
 
     /// Whether an impact under them can be solved without steps on a law of powers and straight lines: without damping, or
-    /// with that of Hunt and Crossley and no gravity.
+    /// with that of Hunt and Crossley and no gravity; never on a plate.
     pub(crate) fn have_closed_form(&self) -> bool {
         let drag = self.damping.map_or(Drag::NONE, Damping::drag);
-        drag.eta == 0.0 && (drag.chi == 0.0 || self.gravity.is_none())
+        self.plate.is_none() && drag.eta == 0.0 && (drag.chi == 0.0 || self.gravity.is_none())
     }
 }
 

@@ -9,7 +9,6 @@ use super::essentials::Essentials;
 use super::outcome::{Computed, Outcome};
 use super::record::Recorder;
 use super::result::Impact;
-use super::scaled_forces::ScaledForces;
 use super::solve::{Method, Solver, run};
 use super::{closed_form, validity};
 use crate::law::{ElasticApproach, Law};
@@ -97,22 +96,22 @@ impl Contact {
         Essentials::new(self, speed, case, outcome)
     }
 
-    /// Whether [`Method::Auto`] integrates rows of tables: with damping, and under gravity where the law is neither powers
+    /// Whether [`Method::Auto`] integrates rows of tables: with damping, on a plate, and under gravity where the law is neither powers
     /// nor straight lines. Elsewhere it takes the closed form.
     pub(crate) fn auto_integrates(&self) -> bool {
         let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !closed_form::closes(law));
-        self.forces().damping.is_some() || self.forces().gravity.is_some() && is_open()
+        self.forces().have_drag() || self.forces().gravity.is_some() && is_open()
     }
 
-    /// Checks that double precision holds the results of an impact at `speed` \[m/s\]. With damping, the impact without
-    /// damping is checked instead, which is deeper.
+    /// Checks that double precision holds the results of an impact at `speed` \[m/s\]. With damping or on a plate, the impact
+    /// without is checked instead, which is deeper.
     ///
     /// # Errors
     /// [`ImpactError`], see [`Contact::scaled`].
     pub fn holds(&self, speed: f64) -> Result<(), ImpactError> {
         let case = self.case(None, speed)?;
-        let is_damped = case.forces.damping.is_some();
-        let forces = ScaledForces { damping: None, ..case.forces };
+        let is_damped = self.forces().have_drag();
+        let forces = case.forces.without_drag();
         if let Some(outcome) = closed_form::solve_with(case.law, case.q, &forces) {
             match self.essentials_of(speed, &case, &outcome) {
                 // with damping the peak is shallower, and the law may have an answer there

@@ -20,6 +20,8 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// δ' \[m/s\]: positive into the half-space, negative on the way out.
     pub speed: f64,
+    /// Speed of the sphere's centre \[m/s\], which is δ' and that of the plate, if there is a plate.
+    pub sphere_speed: Option<f64>,
     /// The contact force \[N\]: F of the law and damping.
     pub force: f64,
     /// F of the law alone \[N\], if there is damping.
@@ -32,7 +34,8 @@ pub struct TraceRow {
     pub energy_drift: f64,
 }
 
-/// The energy ledger of one impact, in units of Φ L: kinetic + stored + lost in dent and damping − m g δ = ½ m v².
+/// The energy ledger of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v².
+/// On a plate its "kinetic" and "lost" are not those of sphere and plate, which [`super::plate`] gives; their sum is.
 pub(super) struct Ledger<'a> {
     case: &'a Case<'a>,
     outcome: &'a Outcome,
@@ -46,7 +49,7 @@ pub(super) struct Ledger<'a> {
 
 impl<'a> Ledger<'a> {
     pub(super) fn new(case: &'a Case, speed: f64, essentials: &Essentials, outcome: &'a Outcome) -> Self {
-        let Case { scales, law, q, forces } = case;
+        let Case { scales, law, q, forces, .. } = case;
         // 0 for a sphere that is let go at rest
         let kinetic = if forces.is_none() { essentials.kinetic_in / scales.energy() } else { 0.4 * q * q };
         let spent = law.spent(&outcome.unloading);
@@ -107,6 +110,7 @@ impl<'a> Ledger<'a> {
             sphere_indentation,
             half_space_indentation: indentation - sphere_indentation,
             speed: speed * scales.speed,
+            sphere_speed: self.case.plate.map(|_| (speed + self.case.forces.plate * force) * scales.speed),
             force: total_force * scales.force,
             elastic_force: self.case.forces.damping.map(|_| force * scales.force),
             branch,

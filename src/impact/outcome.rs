@@ -52,7 +52,7 @@ pub struct Outcome {
     pub end_indentation: f64,
     /// u at that end; negative on the way out.
     pub end_speed: f64,
-    /// Energy that damping has taken until then, in units of Φ L.
+    /// Energy that drag has taken until then, in units of Φ L.
     pub loss: f64,
 }
 

@@ -39,7 +39,7 @@ pub struct Point {
     pub total_force: f64,
     /// ε: the part of x recovered if unloaded from here.
     pub elastic_approach: f64,
-    /// What damping has taken so far, in units of Φ L.
+    /// What drag has taken so far, in units of Φ L.
     pub loss: f64,
     /// Whether compression is over.
     pub is_unloading: bool,
@@ -88,9 +88,9 @@ pub(super) fn loading_point(
     event: Option<Event>,
 ) -> Point {
     let Peak { indentation, force, elastic_approach } = loaded;
-    let of_drag = drag.at(force, || slope() / ACCELERATION) * at.speed;
+    let of_drag = || drag.at(force, || slope() / ACCELERATION).0 * at.speed;
     // at lift-off the total force is zero but for rounding
-    let total_force = if drag == Drag::NONE { force } else { max_or_nan(force + of_drag, 0.0) };
+    let total_force = if drag.is_in_contact() { max_or_nan(force + of_drag(), 0.0) } else { force };
     let (time, speed, loss) = (at.time, at.speed, at.loss / ACCELERATION);
     Point { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }
 }

@@ -52,7 +52,7 @@ impl Accuracy {
     }
 }
 
-/// Results that only an impact under gravity or damping has. SI units.
+/// Results that only an impact under gravity or damping or on a plate has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderForces {
     /// Whether the sphere left.
@@ -120,9 +120,9 @@ pub struct Impact {
     pub energy: Energy,
     /// Steps and force evaluations.
     pub work: Work,
-    /// Error against the closed form; not a number where damping leaves none.
+    /// Error against the closed form; not a number where damping or a plate leaves none.
     pub accuracy: Accuracy,
-    /// Fate, losses and work under gravity or damping, if the scene names them.
+    /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.
     pub under_forces: Option<UnderForces>,
     /// What a code with fixed steps sees, by [`Method::Verlet`].
     pub in_fixed_steps: Option<InFixedSteps>,

@@ -1,4 +1,4 @@
-//! Gravity and damping in the units of an impact, and where they let a sphere come to rest.
+//! Gravity, damping and plate in the units of an impact, and where they let a sphere come to rest.
 
 use super::forces::Damping;
 use super::scales::ACCELERATION;
@@ -13,19 +13,26 @@ pub struct ScaledForces {
     pub weight: f64,
     /// χ in units of 1/V, or ζ.
     pub damping: Option<Damping>,
+    /// y = Y Φ/V of a plate; 0 without one.
+    pub plate: f64,
 }
 
 impl ScaledForces {
-    /// No gravity, no damping.
-    pub const NONE: Self = Self { weight: 0.0, damping: None };
+    /// The law alone.
+    pub const NONE: Self = Self { weight: 0.0, damping: None, plate: 0.0 };
 
     /// Whether the impact is that of the law alone.
     #[inline]
     pub fn is_none(&self) -> bool {
-        self.weight == 0.0 && self.damping.is_none()
+        self.weight == 0.0 && self.damping.is_none() && self.plate == 0.0
     }
 
-    /// Whether there is no damping, so that only the dent takes energy.
+    /// The same without damping and plate.
+    pub(crate) fn without_drag(&self) -> Self {
+        Self { weight: self.weight, ..Self::NONE }
+    }
+
+    /// Whether there is no damping and no plate, so that only the dent takes energy.
     pub(crate) fn is_conservative(&self) -> bool {
         self.drag() == Drag::NONE
     }
@@ -58,9 +65,9 @@ impl ScaledForces {
         }
     }
 
-    /// The resistance, as integrators know it.
+    /// The resistance, as integrators know it. A plate gives way by y f' u.
     pub fn drag(&self) -> Drag {
-        self.damping.map_or(Drag::NONE, Damping::drag)
+        Drag { theta: self.plate / ACCELERATION, ..self.damping.map_or(Drag::NONE, Damping::drag) }
     }
 }
 
@@ -83,7 +90,8 @@ impl ScaledForces {
     /// the sphere swings through it.
     pub(super) fn creep(&self, distance: f64, slope: f64) -> Option<Creep> {
         let omega = (ACCELERATION * slope).sqrt();
-        let zeta = self.damping?.fraction_of_critical(self.weight, omega);
+        let of_damping = self.damping.map_or(0.0, |damping| damping.fraction_of_critical(self.weight, omega));
+        let zeta = of_damping + 0.5 * self.drag().theta * omega;
         let within = NEAR * distance;
         // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();

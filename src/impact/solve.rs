@@ -80,6 +80,25 @@ impl Default for Solver {
     }
 }
 
+/// The contact time of an impact at q = v/V without damping and plate: of its closed form, or of a run where that has none,
+/// on a formula under gravity. `exact` is the closed form of the impact itself, which is taken where there is one.
+///
+/// # Errors
+/// [`IntegrationError`] of the run.
+pub(super) fn free_time(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    exact: Option<&Outcome>,
+) -> Result<f64, IntegrationError> {
+    let free = forces.without_drag();
+    if let Some(exact) = exact.copied().or_else(|| closed_form::solve_with(law, q, &free)) {
+        return Ok(exact.contact_time);
+    }
+    let mut rk8 = Rk8::new(Solver::default().tolerance);
+    course::integrate(law, q, &free, &mut rk8, None).map(|outcome| outcome.contact_time)
+}
+
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
 /// [`Method::ClosedForm`] without one, rk8 computes it.
 ///
@@ -111,12 +130,7 @@ pub fn run(
         (Method::Dopri5, _) => with(Library::new(Scheme::Dopri5, tolerance), law, q, forces, recorder),
         (Method::Dop853, _) => with(Library::new(Scheme::Dop853, tolerance), law, q, forces, recorder),
         (Method::Verlet, _) => {
-            // without a closed form, the step is a part of the undamped contact, and on a formula under gravity that is a run
-            let undamped = ScaledForces { damping: None, ..*forces };
-            let duration = match exact.copied().or_else(|| closed_form::solve_with(law, q, &undamped)) {
-                Some(exact) => exact.contact_time,
-                None => with(Rk8::new(tolerance), law, q, &undamped, None)?.outcome.contact_time,
-            };
+            let duration = free_time(law, q, forces, exact)?;
             let steps = u64::from(solver.steps_per_contact.max(1));
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * steps + 10;

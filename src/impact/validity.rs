@@ -2,6 +2,8 @@
 
 use super::case::hertz;
 use super::contact::Contact;
+use super::on_plate::OnPlate;
+use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{HIGH, LARGE, LIGHT, Warning};
@@ -110,6 +112,9 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     {
         warnings.push(Warning::WavesAtJump { indentation });
     }
+    if let (Some(plate), Some(of)) = (&contact.forces().plate, &impact.on_plate) {
+        warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
+    }
     // beyond the rounding and the error of the run
     let (restitution, known) = (impact.restitution, impact.accuracy.restitution_error);
     let error = if known.is_nan() { rebound_error(contact, impact) } else { known };
@@ -121,6 +126,27 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     }
     warnings.extend(of_run(impact, solver));
     warnings
+}
+
+/// The warnings for a plate, hit with this contact radius \[m\].
+fn of_plate(plate: &Plate, of: &OnPlate, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
+    let OnPlate { thinness, displacement, reach, .. } = *of;
+    let thickness = plate.thickness;
+    let least = match plate.theory {
+        PlateTheory::Zener => 10.0,
+        PlateTheory::Thick => 5.0,
+    };
+    let theory = match thinness {
+        ..2.0 => Some(Warning::ThickPlate { thinness }),
+        _ => (thinness < least).then_some(Warning::BetweenTheories { thinness, least }),
+    };
+    let wide = contact_radius / thickness;
+    let wide = (wide > 0.15).then_some(Warning::WideContactOnPlate { ratio: wide });
+    let near = plate.edge_distance.filter(|distance| *distance < reach);
+    let near = near.map(|distance| Warning::NearEdge { distance, reach });
+    let deep = displacement / thickness;
+    let deep = (deep > 0.3).then_some(Warning::DeepPlate { ratio: deep });
+    [theory, wide, near, deep].into_iter().flatten()
 }
 
 /// A restitution above this one is printed as more than 1.

@@ -45,20 +45,20 @@ impl<'a> Remembering<'a> {
         }
     }
 
-    /// Force of the law, and what damping adds to it.
-    fn at(&mut self, distance: f64, speed: f64) -> (f64, f64) {
+    /// Force of the law, what damping adds to it, and the deceleration by drag on the motion alone.
+    fn at(&mut self, distance: f64, speed: f64) -> (f64, f64, f64) {
         let drag = self.drag;
         if distance > self.deepest || (distance == self.deepest && self.unloading.is_none()) {
             (self.deepest, self.unloading) = (distance, None);
             let (x, piece) = (self.touch + distance, self.piece_at(distance));
             let force = piece.force_at(x);
-            return (force, drag.at(force, || piece.slope_at(x) / ACCELERATION) * speed);
+            return resisted(drag, force, || piece.slope_at(x), speed);
         }
         let (law, touch, deepest) = (self.law, self.touch, self.deepest);
         let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
         let recovered = distance - (unloading.peak.residual() - touch);
         let force = unloading.force_of(recovered);
-        (force, drag.at(force, || unloading.slope_of(recovered.max(0.0)) / ACCELERATION) * speed)
+        resisted(drag, force, || unloading.slope_of(recovered.max(0.0)), speed)
     }
 
     /// The state in which the sphere left the contact, within the step of this length from `before` to `end`. At `end` nothing
@@ -83,15 +83,22 @@ impl<'a> Remembering<'a> {
         }
         let mut is_pushed = |since: f64| {
             let State { distance, speed, .. } = flown_back(since);
-            let (force, of_damping) = self.at(distance, speed);
+            let (force, of_damping, _) = self.at(distance, speed);
             force + of_damping > 0.0
         };
         let (gone, _) = halved(since_dent, step, |since| !is_pushed(since));
         let left = flown_back(gone);
-        let (force, of_damping) = self.at(left.distance, left.speed);
+        let (force, of_damping, _) = self.at(left.distance, left.speed);
         let of_damping = max_or_nan(of_damping, -force);
         State { loss: before.loss + ACCELERATION * of_damping * left.speed * (step - gone), ..left }
     }
+}
+
+/// A force of the law with what drag does there, see [`Remembering::at`].
+fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
+    // the drag is that of g = c f, and so are its shares
+    let (in_contact, on_motion) = drag.at(force, || slope() / ACCELERATION);
+    (force, in_contact * speed, ACCELERATION * ACCELERATION * on_motion * speed)
 }
 
 /// Evenly spaced samples of a motion, filled while it goes on.
@@ -148,11 +155,11 @@ pub(crate) fn march(
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
         let time = step * n as f64;
         let (before, acceleration_before) = (state, acceleration);
-        let (force, of_damping) = contact.at(distance, half);
+        let (force, of_damping, on_motion) = contact.at(distance, half);
         let total = max_or_nan(force + of_damping, 0.0);
         largest_force = max_or_nan(largest_force, total);
-        acceleration = ACCELERATION * (forces.weight - total);
-        let loss = state.loss + ACCELERATION * (total - force) * half * step;
+        acceleration = ACCELERATION * (forces.weight - total) - on_motion;
+        let loss = state.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
         state = State { time, distance, speed: half + 0.5 * step * acceleration, loss };
         if distance > peak.distance {
             peak = State { speed: 0.0, ..state };

@@ -119,6 +119,52 @@ pub enum Warning {
         /// δ/δ_Y of the jump.
         indentation: f64,
     },
+    /// A plate so thick that the impact is over before it is felt.
+    #[error(
+        "during the contact a wave travels only {thinness:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
+    )]
+    ThickPlate {
+        /// X.
+        thinness: f64,
+    },
+    /// A plate between a half-space and a thin plate.
+    #[error(
+        "during the contact a wave travels {thinness:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {}",
+        beyond_theory(*.thinness, *.least)
+    )]
+    BetweenTheories {
+        /// X.
+        thinness: f64,
+        /// Where the theory of the plate begins to hold.
+        least: f64,
+    },
+    /// A contact as wide as the plate is thick.
+    #[error(
+        "contact radius / plate thickness = {ratio:.3} is above 0.15: there the plate is stiffer under the sphere than a half-space by more than a tenth, and yields through; take the result for an estimate"
+    )]
+    WideContactOnPlate {
+        /// a_m/h.
+        ratio: f64,
+    },
+    /// An edge so near that it is felt.
+    #[error(
+        "half_space.edge_distance = {} is less than {}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed",
+        human(*.distance, Dimension::Length), human(*.reach, Dimension::Length)
+    )]
+    NearEdge {
+        /// Of the edge \[m\].
+        distance: f64,
+        /// Of the farthest edge that is felt \[m\].
+        reach: f64,
+    },
+    /// A plate that bends so far that it stretches.
+    #[error(
+        "the plate moves by {ratio:.2} of its thickness, and above 0.3 it also stretches, which makes it stiffer than computed"
+    )]
+    DeepPlate {
+        /// w/h.
+        ratio: f64,
+    },
     /// A second hit gives back more than it brought.
     #[error(
         "restitution {restitution:.6} is above 1: just behind a knot of the loading curve the plastic work falls where it should rise, and a second hit gains that; take it for 1"
@@ -192,6 +238,17 @@ pub enum Warning {
         /// What was asked for.
         tolerance: f64,
     },
+}
+
+/// What to do below the range of a theory of plates.
+fn beyond_theory(thinness: f64, least: f64) -> &'static str {
+    if least < 10.0 {
+        "by 8 % at 5 thicknesses and by a third at 3"
+    } else if thinness < 5.0 {
+        "by half or more; half_space.plate = \"thick\" comes nearer"
+    } else {
+        "by a fifth at 10 thicknesses and by half at 5; half_space.plate = \"thick\" is good to 8 % of it"
+    }
 }
 
 /// A range that may have no upper end.

@@ -86,7 +86,8 @@ impl Damped {
             h = h.min((far - node[0]) / node[1]);
         }
         let mut largest = f64::NEG_INFINITY;
-        let mut is_falling = sign < 0.0 || has_crested::<P>(path, &node);
+        // without drag in the contact, its force is largest at an end of the leg
+        let mut is_falling = sign < 0.0 || !path.drag.is_in_contact() || has_crested::<P>(path, &node);
         let most = self.work.steps + self.work.rejected + MOST_STEPS;
         let mut rounds = 0;
         loop {

@@ -35,7 +35,8 @@ struct Plain(Path);
 
 impl Motion for Plain {
     fn rates(&self, distance: f64, speed: f64) -> Quad {
-        let (force, drag) = self.0.forces(distance, speed);
+        let (force, in_contact, on_motion) = self.0.forces(distance, speed);
+        let drag = in_contact + on_motion;
         [speed, self.0.pull - force - drag, 1.0, drag * speed]
     }
 }
@@ -148,7 +149,7 @@ impl Integrator for Library {
         for pair in states.windows(2) {
             let [from, to] = [pair[0], pair[1]];
             let falls = |state: &State| path.growth_of_force(state.distance, state.speed) <= 0.0;
-            if path.drag != Drag::NONE && !falls(&from) && falls(&to) {
+            if path.drag.is_in_contact() && !falls(&from) && falls(&to) {
                 let solution = Plain(*path).between(&from, &to);
                 largest = Stretch { path, end: path.leg.end(), solution }.crest::<Plain>(1.0);
             }

@@ -76,6 +76,7 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     }
     let key = match reason {
         ImpactError::Law(_) => "law",
+        ImpactError::Plate(_) => "half_space.thickness",
         ImpactError::NoClosedForm => "solver.method",
         ImpactError::Range(_) | ImpactError::Integration(_) => "",
     };

@@ -1,4 +1,4 @@
-//! `[gravity]` and `[damping]`: the keys that need them, and those that exclude them.
+//! `[gravity]`, `[damping]` and the plate: the keys that need them, and those that exclude them.
 
 use super::{Scenario, ScenarioError};
 use crate::scene::{EITHER, Scene};
@@ -15,12 +15,27 @@ impl Scenario {
         } else {
             return Ok(());
         };
-        if scene.half_space.density.is_none() {
+        // a plate radiates no such waves: its density is for the plate
+        if scene.half_space.density.is_none() || scene.forces.plate.is_some() {
             return Ok(());
         }
         let message =
             format!("elastic waves are computed for one impact by the law alone: leave out this key, or {beside}");
         Err(self.document.refuse("half_space.density", message))
+    }
+
+    /// Refuses what a plate cannot be beside, and keys of a plate without its thickness.
+    pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), ScenarioError> {
+        const THICKNESS: &str = "half_space.thickness";
+        if scene.forces.plate.is_none() {
+            // a column of measurements may give the thickness
+            let has_none = |key: &&str| self.has(key) && self.tables.calibrate.is_none();
+            let idle = ["half_space.edge_distance", "half_space.plate"].into_iter().find(has_none);
+            let message = "is of a plate: give half_space.thickness too, or leave the key out";
+            return idle.map_or(Ok(()), |key| Err(self.document.refuse(key, message)));
+        }
+        let Ok(contact) = scene.contact() else { return Ok(()) };
+        contact.check_plate().map_err(|error| self.document.refuse(THICKNESS, error.to_string()))
     }
 
     /// Refuses a drop height without gravity.

@@ -26,6 +26,8 @@ pub enum Kind {
 const NO_MOTION: &str = "there is no motion that it could act on";
 /// Why a density has no effect.
 const NO_MASS: &str = "nothing moves here, so a mass has no effect; leave the key out";
+/// Why the thickness has no effect.
+const NO_STIFFNESS: &str = "a large plate gives way only to what moves; leave the key out";
 /// Why the sphere's strength has no effect.
 const NO_SPHERE: &str =
     "a comparison has one peak for all laws and does not ask whether the sphere yields; leave the key out";
@@ -92,6 +94,7 @@ impl Scenario {
             ("sphere.mass", true, NO_MASS),
             ("sphere.yield_strength", kind == Kind::Compare, NO_SPHERE),
             ("half_space.density", true, NO_MASS),
+            ("half_space.thickness", true, NO_STIFFNESS),
         ];
         let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.has(key));
         idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()

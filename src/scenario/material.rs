@@ -119,9 +119,10 @@ impl File {
         let has_use = match (body, property) {
             (Body::Sphere, Property::Density) => is_moving,
             (Body::Sphere, Property::Hardness) => !has("compare"),
-            // elastic waves are those of one impact by the law alone
+            // a plate needs it; elastic waves are those of one impact by the law alone
             (Body::HalfSpace, Property::Density) => {
-                is_moving && !["gravity", "damping", "repeat"].into_iter().any(is_given)
+                let is_plate = is_given("half_space.thickness");
+                is_moving && (is_plate || !["gravity", "damping", "repeat"].into_iter().any(is_given))
             }
             // no other law has hardening
             (Body::HalfSpace, Property::HardeningExponent) => {

@@ -8,9 +8,9 @@ use super::quantity::{
     TOLERANCE, VISCOUS,
 };
 use super::read::{Fault, Reader, list, pair};
-use super::words::{COLUMNS, MATERIALS, METHODS};
+use super::words::{COLUMNS, MATERIALS, METHODS, PLATES};
 use super::written::Node;
-use crate::impact::Method;
+use crate::impact::{Method, PlateTheory};
 use crate::law::LawChoice;
 use crate::materials::Entry as Material;
 use crate::strength::flow::{FlowCurve, FlowPoint};
@@ -69,6 +69,12 @@ tables! {
         density: Option<f64> as Number(&DENSITY),
         /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
         material: Option<&'static Material> as Word(&MATERIALS),
+        /// Thickness of a large plate in place of the half-space; needs its density. It can be an axis.
+        thickness: Option<f64> as Number(&LENGTH),
+        /// Distance of the plate's nearest edge. It only serves to warn where bending waves come back from it in time.
+        edge_distance: Option<f64> as Number(&LENGTH),
+        /// How the plate gives way: as a thin one, or with the first term of a thick one.
+        plate: Option<PlateTheory> as Word(&PLATES) => "zener",
         /// How the half-space hardens.
         flow_stress: FlowInput as Table(FlowInput::keys),
     }

@@ -11,7 +11,7 @@ use super::input::{
 use super::keys::Key;
 use super::taken::Taken;
 use super::{DEFAULT_SAMPLES, Scene};
-use crate::impact::{Damping, Forces, Solver, drop_speed};
+use crate::impact::{Damping, Forces, Plate, Solver, drop_speed};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::strength::flow::FlowCurve;
@@ -41,6 +41,8 @@ impl Input {
         };
         let hunt_crossley = damping.hunt_crossley.map(Damping::HuntCrossley);
         let viscous = || damping.viscous.map(Damping::Viscous);
+        let &HalfSpaceInput { thickness, edge_distance, plate: theory, .. } = half_space;
+        let plate = thickness.map(|thickness| Plate { thickness, edge_distance, theory: theory.unwrap_or_default() });
         Scene {
             sphere: Sphere {
                 radius,
@@ -68,7 +70,7 @@ impl Input {
             speed: self.speed(),
             law,
             drop_height: self.impact.drop_height,
-            forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous) },
+            forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous), plate },
             solver: self.solver(),
             samples: self.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
             materials: Vec::new(),
@@ -140,6 +142,9 @@ impl Input {
                 yield_strength: half_space.yield_strength,
                 hardness: scene.hardness,
                 density: half_space.density,
+                thickness: forces.plate.map(|plate| plate.thickness),
+                edge_distance: forces.plate.and_then(|plate| plate.edge_distance),
+                plate: forces.plate.map(|plate| plate.theory),
                 flow_stress: scene.law.flow().map(FlowInput::of).unwrap_or_default(),
                 material: None,
             },

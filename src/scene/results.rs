@@ -26,10 +26,10 @@ pub fn files() -> String {
     [impact::files(), series::files(), indentation::files(), compare::files(), table::files()].concat()
 }
 
-/// The columns of results that a table may have, in their order: those of elastic waves come last.
+/// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {
     let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
-    columns.sort_by_key(|column| column.needs == Needs::Density);
+    columns.sort_by_key(|column| (column.needs == Needs::Density, column.needs == Needs::Thickness));
     columns
 }
 

@@ -5,7 +5,7 @@ use super::key::{Form, Words};
 use super::read::{Fault, Reader, named};
 use super::results::columns;
 use super::written::Node;
-use crate::impact::Method;
+use crate::impact::{Method, PlateTheory};
 use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, UnloadingExponent};
@@ -40,6 +40,8 @@ pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]))
 pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
 /// Names of materials.
 pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
+/// How a plate gives way.
+pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
 /// How a material is drawn from its ranges.
 pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
 /// Names of the results that a table may have.
@@ -70,6 +72,7 @@ macro_rules! named {
 named! {
     Option<Method>: Method::from_name;
     Option<&'static Material>: find;
+    Option<PlateTheory>: |name: &str| PlateTheory::ALL.into_iter().find(|theory| theory.name() == name);
     Option<Place>: |name: &str| Place::ALL.into_iter().find(|place| place.name() == name);
     Jumps: |name: &str| Some(if name == "crossed" { Jumps::Crossed } else { Jumps::Printed });
     Hardness: |name: &str| Some(if name == "cosine" { Hardness::Cosine } else { Hardness::Exponential });

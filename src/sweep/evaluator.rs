@@ -22,18 +22,21 @@ pub enum Failure {
     NotFinite,
     /// The case lies outside the range of the law.
     OutsideLaw,
+    /// There is no impact on such a plate.
+    OutsidePlate,
     /// The method is `closed_form`, but the scene has no closed form.
     NoClosedForm,
 }
 
 impl Failure {
     /// Every failure.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::OutOfFloatRange,
         Self::StepUnderflow,
         Self::TooManySteps,
         Self::NotFinite,
         Self::OutsideLaw,
+        Self::OutsidePlate,
         Self::NoClosedForm,
     ];
 
@@ -50,6 +53,7 @@ impl Failure {
             Self::TooManySteps => "too_many_steps",
             Self::NotFinite => "not_finite",
             Self::OutsideLaw => "outside_law",
+            Self::OutsidePlate => "outside_plate",
             Self::NoClosedForm => "no_closed_form",
         }
     }
@@ -60,6 +64,7 @@ impl From<ImpactError> for Failure {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
             ImpactError::Law(_) => Self::OutsideLaw,
+            ImpactError::Plate(_) => Self::OutsidePlate,
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {

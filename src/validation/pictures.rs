@@ -5,6 +5,7 @@ mod experiments;
 mod hardening;
 mod impacts;
 mod measured;
+mod plate;
 
 use rayon::prelude::*;
 
@@ -50,6 +51,7 @@ pub fn pictures(
     pictures.extend(super::dynamic::cases(coefficients)?.iter().map(impacts::picture));
     pictures.push(hardening::picture(coefficients)?);
     pictures.push(measured::picture(coefficients)?);
+    pictures.extend(plate::pictures()?);
     pictures.extend(measured.iter().flat_map(experiments::pictures));
     progress.expect(pictures.len() as u64);
     let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());

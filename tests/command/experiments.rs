@@ -81,6 +81,25 @@ fn measured_restitution_stands_beside_the_law() {
 /// The reader of the columns is that of `calibrate`: other quantities, units and keys from line to line, under a law by its
 /// name.
 #[test]
+fn the_thickness_of_a_plate_is_a_column() {
+    let head = LEEB.split("note,").next().unwrap();
+    let rows = format!(
+        "{head}# half_space.plate = thick\nspeed_m_per_s,half_space_thickness_m,restitution\n2,0.05,0.5\n2,0.02,0.5\n1,0.008,0.4\n"
+    );
+    let desk = desk(&[("a.csv", &rows)]);
+    let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--pictures", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let table = fs::read_to_string(desk.path().join("v/experiments.csv")).unwrap();
+    let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml");
+    for (law, (speed, thickness)) in column(&table, "law").iter().zip([(2.0, 0.05), (2.0, 0.02), (1.0, 0.008)]) {
+        let set = [format!("half_space.thickness={thickness}"), "half_space.plate=thick".to_owned()];
+        let scene = Scenario::load(scenario.as_ref(), &set).unwrap().resolve().unwrap();
+        let want = scene.contact().unwrap().essentials(speed).unwrap().restitution;
+        assert!(off(law.parse().unwrap(), want) < 1e-14, "{law} {want}");
+    }
+}
+
+#[test]
 fn heights_of_rebounds_under_another_law_are_compared_too() {
     let file = "# sphere.radius = 1 mm\n# sphere.youngs_modulus = 210 GPa\n# sphere.poissons_ratio = 0.3\n# sphere.density = 7850\n\
                 # half_space.youngs_modulus = 210 GPa\n# half_space.poissons_ratio = 0.3\n\

@@ -113,6 +113,10 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let beside = match key.path {
             "sphere.mass" => vec!["sphere.mass=7"],
             "half_space.hardness" => vec!["half_space.hardness=7e9"],
+            // a plate needs a density, and an edge needs a plate
+            "half_space.thickness" | "half_space.edge_distance" => {
+                vec!["half_space.density=7", "half_space.thickness=7"]
+            }
             _ => Vec::new(),
         };
         let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();

@@ -10,7 +10,7 @@ use plm_impact::law::Law;
 fn spring(integrator: &mut dyn Integrator, omega: f64, zeta: f64, u: f64) -> (State, State, Landing) {
     let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
     let sizes = Sizes { distance: u / omega, speed: u };
-    let drag = Drag { chi: 0.0, eta: 2.0 * zeta };
+    let drag = Drag { eta: 2.0 * zeta, ..Drag::NONE };
     let path = |leg| Path { restoring, leg, sizes, pull: 0.0, drag, rest: None };
     let mut state = State { time: 0.0, distance: 0.0, speed: u, loss: 0.0 };
     assert_eq!(
@@ -75,7 +75,7 @@ fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
     let law = Law::hertz();
     for tenths in 60..160 {
         let zeta = 10_f64.powf(-0.1 * f64::from(tenths));
-        let forces = ScaledForces { weight: 0.0, damping: Some(Damping::Viscous(zeta)) };
+        let forces = ScaledForces { damping: Some(Damping::Viscous(zeta)), ..ScaledForces::NONE };
         let distance = (2.0 * zeta * 1.875_f64.sqrt() / 1.25).powf(0.8);
         let want = 2.943_275_184_324_704_7 - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {

@@ -104,7 +104,7 @@ fn impacts_under_forces_take_the_limited_branch_too() {
     let contact = steel(1.2).contact();
     let speed = 1.7 * contact.yield_speed().unwrap();
     let free = contact.closed_form(speed).unwrap();
-    let under = |gravity, damping| contact.clone().with_forces(Forces { gravity, damping });
+    let under = |gravity, damping| contact.clone().with_forces(Forces { gravity, damping, ..Forces::default() });
     // with nearly no forces the impact is that without forces
     let little = 1e-7;
     for forced in [under(Some(1e-6), None), under(None, Some(Damping::HuntCrossley(little)))] {
@@ -124,7 +124,7 @@ fn impacts_under_forces_take_the_limited_branch_too() {
 fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
     // w x_m = W(x_m): the weight alone indents to 1.6 times the yield indentation, on Hertz with W = (2/5) x^2.5
     let law = steel(1.2).law();
-    let forces = ScaledForces { weight: 0.4 * 1.6_f64.powf(1.5), damping: None };
+    let forces = ScaledForces { weight: 0.4 * 1.6_f64.powf(1.5), ..ScaledForces::NONE };
     let outcome = closed_form::solve_with(&law, 0.0, &forces).unwrap();
     let peak = outcome.unloading.peak;
     assert!(off(peak.indentation, 1.6) < 1e-14 && peak.residual() > 0.0);

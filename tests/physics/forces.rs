@@ -13,15 +13,15 @@ use crate::common::{STEPPING, Scene, off, solver};
 const GRAVITY: f64 = 9.81;
 
 fn gravity(acceleration: f64) -> Forces {
-    Forces { gravity: Some(acceleration), damping: None }
+    Forces { gravity: Some(acceleration), ..Forces::default() }
 }
 
 fn hunt_crossley(chi: f64) -> Forces {
-    Forces { gravity: None, damping: Some(Damping::HuntCrossley(chi)) }
+    Forces { damping: Some(Damping::HuntCrossley(chi)), ..Forces::default() }
 }
 
 fn viscous(zeta: f64) -> Forces {
-    Forces { gravity: None, damping: Some(Damping::Viscous(zeta)) }
+    Forces { damping: Some(Damping::Viscous(zeta)), ..Forces::default() }
 }
 
 fn under(scene: &Scene, forces: Forces) -> Contact {
@@ -150,7 +150,7 @@ fn capture_begins_where_the_peak_force_is_five_halves_of_the_weight() {
     let law = Scene::steel().law();
     // exactly at the limit: captured
     let unloading = law.unloading(law.loaded_to(20.0));
-    let at = |weight: f64| ScaledForces { weight, damping: None }.captures(&unloading, 1.0);
+    let at = |weight: f64| ScaledForces { weight, ..ScaledForces::NONE }.captures(&unloading, 1.0);
     let limit = unloading.peak.force / 2.5;
     assert!(at(limit) && at(limit * (1.0 + 1e-15)) && !at(limit * (1.0 - 1e-15)));
     // the speed at which a whole impact reaches this limit, approached from both sides

@@ -113,7 +113,7 @@ fn gravity_has_its_closed_form() {
             // as an impact without a dent
             continue;
         }
-        let falling = contact.clone().with_forces(Forces { gravity: Some(9.81), damping: None });
+        let falling = contact.clone().with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
         for speed in speeds {
             let exact = falling.impact(speed, &solver(Method::ClosedForm, 1e-10), None).unwrap();
             let stepped = falling.impact(speed, &solver(Method::Rk8, 1e-12), None).unwrap();

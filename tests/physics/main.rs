@@ -20,6 +20,7 @@ mod landing;
 mod law;
 mod laws;
 mod oracle;
+mod plate;
 mod reloading;
 mod repeat;
 mod verlet;

@@ -17,7 +17,7 @@ fn auto() -> Solver {
 }
 
 fn contact(scene: Scene, damping: Option<Damping>) -> Contact {
-    scene.contact().with_forces(Forces { gravity: Some(GRAVITY), damping })
+    scene.contact().with_forces(Forces { gravity: Some(GRAVITY), damping, ..Forces::default() })
 }
 
 fn elastic() -> Scene {
@@ -292,7 +292,7 @@ proptest! {
     fn stepping_agrees_with_the_balance_of_energy_on_any_spot_under_gravity((scene, q, ratio, weight) in any_pair()) {
         let plain = scene.contact();
         let gravity = weight * plain.pair().yield_point.unwrap().force / plain.mass();
-        let contact = plain.with_forces(Forces { gravity: Some(gravity), damping: None });
+        let contact = plain.with_forces(Forces { gravity: Some(gravity), ..Forces::default() });
         let speed = q * scene.yield_speed();
         let mut spot = Spot::fresh();
         let first = contact.closed_form_on(&mut spot, speed).unwrap();
@@ -330,7 +330,7 @@ proptest! {
         let plain = scene.contact();
         let speed = q * scene.yield_speed();
         let damping = Some(Damping::HuntCrossley(10_f64.powf(log_chi) / speed));
-        let contact = plain.with_forces(Forces { gravity: None, damping });
+        let contact = plain.with_forces(Forces { damping, ..Forces::default() });
         let mut spot = Spot::fresh();
         contact.closed_form_on(&mut spot, speed).unwrap();
         let exact = contact.closed_form_on(&mut spot.clone(), ratio * speed).unwrap();

@@ -11,7 +11,7 @@ const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
 
-const NONE: Forces = Forces { gravity: None, damping: None };
+const NONE: Forces = Forces { gravity: None, damping: None, plate: None };
 
 fn verlet(steps_per_contact: u32) -> Solver {
     Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() }
@@ -22,8 +22,8 @@ fn by_steps(scene: &Scene, forces: Forces, steps: u32) -> Impact {
 }
 
 fn every_force() -> [Forces; 4] {
-    let damping = |damping| Forces { gravity: None, damping: Some(damping) };
-    let gravity = Forces { gravity: Some(1e4), damping: None };
+    let damping = |damping| Forces { damping: Some(damping), ..Forces::default() };
+    let gravity = Forces { gravity: Some(1e4), ..Forces::default() };
     [NONE, gravity, damping(Damping::HuntCrossley(0.1)), damping(Damping::Viscous(0.1))]
 }
 
@@ -125,7 +125,7 @@ fn the_steps_per_contact_are_kept_on_a_formula_under_gravity() {
     let law = LawChoice::from_name("jackson_green").unwrap();
     let steel = Scene::steel().contact();
     let contact = Contact::try_new(*steel.sphere(), *steel.half_space(), law.get()).unwrap();
-    let contact = contact.with_forces(Forces { gravity: Some(9.81), damping: None });
+    let contact = contact.with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
     for speed in [0.05, 0.5, 3.0, 50.0] {
         let steps = contact.impact(speed, &verlet(50), None).unwrap().work.steps;
         assert!((49..=54).contains(&steps), "{speed}: {steps}");

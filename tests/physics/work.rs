@@ -63,7 +63,7 @@ fn rk8_under_drag_takes_the_steps_it_took() {
     ];
     for (name, damping, want) in wants {
         let (problem, mut damped) = (problem(name), Damped::new(1e-9));
-        let forces = ScaledForces { weight: 0.0, damping: Some(damping) };
+        let forces = ScaledForces { damping: Some(damping), ..ScaledForces::NONE };
         course::integrate(&problem.law, problem.speed, &forces, &mut damped, None).unwrap();
         assert_eq!(damped.work(), want, "{name} {damping:?}");
     }
@@ -73,9 +73,9 @@ fn rk8_under_drag_takes_the_steps_it_took() {
 /// by dop853 in place of 797.
 #[test]
 fn a_trace_changes_neither_the_work_nor_the_result() {
-    let damped = |damping| Forces { gravity: None, damping: Some(damping) };
-    let both = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.2)) };
-    let falling = Forces { gravity: Some(9.81), damping: None };
+    let damped = |damping| Forces { damping: Some(damping), ..Forces::default() };
+    let both = Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.2)), ..Forces::default() };
+    let falling = Forces { gravity: Some(9.81), ..Forces::default() };
     let all = [Forces::default(), falling, damped(Damping::Viscous(0.1)), damped(Damping::HuntCrossley(0.1)), both];
     for forces in all {
         let contact = Scene::steel().contact().with_forces(forces);
@@ -94,7 +94,8 @@ fn a_trace_changes_neither_the_work_nor_the_result() {
 /// The continuous solution costs three evaluations a step of twelve, and no second run.
 #[test]
 fn a_damped_impact_takes_less_than_600_evaluations() {
-    let contact = Scene::steel().contact().with_forces(Forces { gravity: None, damping: Some(Damping::Viscous(0.1)) });
+    let contact =
+        Scene::steel().contact().with_forces(Forces { damping: Some(Damping::Viscous(0.1)), ..Forces::default() });
     let work = contact.impact(20.0, &solver(Method::Rk8, 1e-10), Some(400)).unwrap().work;
     assert!(work.force_evaluations < 600, "{work:?}");
 }

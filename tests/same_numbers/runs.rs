@@ -26,6 +26,7 @@ const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("flow-stress", &[&["law.plm.unloading_exponent=pressure-shape", "solver.method=rk8"]]),
     ("viscous", &[METHODS]),
     ("hunt-crossley", &[METHODS]),
+    ("plate", &[&["gravity.acceleration=9.81", "half_space.plate=thick", "law=thornton", "solver.method=dop853"]]),
     ("drop-heights", &[&["", "damping.viscous=0.1", "damping.hunt_crossley=0.1"], &["", "solver.method=rk8"]]),
     ("random", &[FORCES]),
     ("elastic", &[FORCES]),

@@ -87,7 +87,7 @@ proptest! {
         let contact = scene.contact();
         let speed = contact.yield_speed().unwrap() * 10_f64.powf(log_speed);
         let damping = [None, None, Some(Damping::HuntCrossley(0.1 / speed)), Some(Damping::Viscous(0.1)), None][which];
-        let forces = Forces { gravity: (which == 1).then_some(9.81), damping };
+        let forces = Forces { gravity: (which == 1).then_some(9.81), damping, ..Forces::default() };
         let contact = contact.with_forces(forces);
         for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::Verlet] {
             let with = |samples| contact.impact(speed, &solver(method, 1e-8), samples).map(|mut impact| results(&mut impact));

@@ -161,8 +161,8 @@ fn has_closed_loading(law: &Law) -> bool {
 
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
 pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
-    let (Drag { chi, eta }, weight) = (forces.drag(), forces.weight);
-    if eta != 0.0 || chi != 0.0 && weight != 0.0 || !has_closed_loading(law) {
+    let (Drag { chi, eta, theta }, weight) = (forces.drag(), forces.weight);
+    if eta != 0.0 || theta != 0.0 || chi != 0.0 && weight != 0.0 || !has_closed_loading(law) {
         return None;
     }
     let speeds = Speeds { chi };

@@ -86,7 +86,7 @@ impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
     }
 }
 
-/// Any power law with drag, r = d^(1/m); the drag holds χ and c = η √(k n).
+/// Any power law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
 #[derive(Debug, Clone, Copy)]
 pub struct DraggedPower<const M: u8> {
     k: f64,
@@ -106,7 +106,8 @@ pub struct DraggedHertz<const M: u8> {
 impl<const M: u8> DraggedPower<M> {
     /// The piece k d^n with the pull and the drag of a path.
     pub fn along(k: f64, n: f64, path: &Path) -> Self {
-        Self { k, n, drag: Drag { eta: path.drag.eta * (k * n).sqrt(), ..path.drag }, pull: path.pull }
+        let Drag { chi, eta, theta } = path.drag;
+        Self { k, n, drag: Drag { chi, eta: eta * (k * n).sqrt(), theta: theta * (k * n) }, pull: path.pull }
     }
 }
 
@@ -123,14 +124,20 @@ impl<const M: u8> Motion for DraggedHertz<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
         let square = y * y;
         if M == 2 {
-            // per 2 s: k s³, and no drag of stiffness
+            // per 2 s: k s³, and θ k n s; η would need the root of s
             let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
-            let drag = force * self.drag.chi * u;
+            let mut drag = force * self.drag.chi * u;
+            if self.drag.theta != 0.0 {
+                drag += 2.0 * self.drag.theta * square * u;
+            }
             [u, clock * self.pull - force - drag, clock, drag * u]
         } else {
             let clock = square * 4.0 * y;
             let force = clock * self.k * square * square * square;
-            let drag = Drag { eta: clock * self.drag.eta, ..self.drag }.per_speed(force, y) * u;
+            let mut drag = (force * self.drag.chi + clock * self.drag.eta * y) * u;
+            if self.drag.theta != 0.0 {
+                drag += clock * self.drag.theta * square * u;
+            }
             [u, clock * self.pull - force - drag, clock, drag * u]
         }
     }
@@ -150,8 +157,9 @@ impl<const M: u8> Motion for DraggedPower<M> {
         let clock = m * powi(y, i32::from(M) - 1);
         let size = y.abs();
         let force = clock * self.k * pow(size, m * self.n);
-        let root = if self.drag.eta == 0.0 { 0.0 } else { pow(size, 0.5 * m * (self.n - 1.0)) };
-        let drag = Drag { eta: clock * self.drag.eta, ..self.drag }.per_speed(force, root) * u;
+        let root = if self.drag.needs_slope() { pow(size, 0.5 * m * (self.n - 1.0)) } else { 0.0 };
+        let Drag { chi, eta, theta } = self.drag;
+        let drag = (force * chi + clock * eta * root + clock * theta * root * root) * u;
         [u, clock * self.pull - force - drag, clock, drag * u]
     }
 }

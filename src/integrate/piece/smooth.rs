@@ -94,12 +94,13 @@ impl<const M: u8> DraggedCurve<M> {
 
 impl<const M: u8> Motion for DraggedCurve<M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
-        let [of_jet, s, _] = if self.drag.eta == 0.0 { [0.0; 3] } else { self.derivatives(y) };
+        let [of_jet, s, _] = if self.drag.needs_slope() { self.derivatives(y) } else { [0.0; 3] };
         let f = match M {
-            2.. if self.drag.eta != 0.0 => of_jet,
+            2.. if self.drag.needs_slope() => of_jet,
             _ => self.factor * self.force.at_variable(self.argument(y)),
         };
-        let (clock, drag) = (Self::clock(y), self.drag.at(f, || s) * u);
+        let (in_contact, on_motion) = self.drag.at(f, || s);
+        let (clock, drag) = (Self::clock(y), (in_contact + on_motion) * u);
         [u, clock * (self.pull - f - drag), clock, clock * (drag * u)]
     }
 }

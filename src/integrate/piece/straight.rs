@@ -47,19 +47,21 @@ impl<const PULLED: bool> Variables for Straight<PULLED> {
     }
 }
 
-/// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where the drag holds χ and c = η √b.
+/// With drag: d'' = γ − (a + b d)(1 + χ u) − c u, where c = η √b + θ b.
 #[derive(Debug, Clone, Copy)]
 pub struct DraggedStraight {
     pub a: f64,
     pub b: f64,
-    pub drag: Drag,
+    pub chi: f64,
+    pub c: f64,
     pub pull: f64,
 }
 
 impl DraggedStraight {
     /// The piece a + b d with the pull and the drag of a path.
     pub fn along(a: f64, b: f64, path: &Path) -> Self {
-        Self { a, b, drag: Drag { eta: path.drag.eta * b.sqrt(), ..path.drag }, pull: path.pull }
+        let Drag { chi, eta, theta } = path.drag;
+        Self { a, b, chi, c: eta * b.sqrt() + theta * b, pull: path.pull }
     }
 }
 
@@ -67,7 +69,7 @@ impl Motion for DraggedStraight {
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> Quad {
         let force = self.a + self.b * y;
-        let drag = self.drag.per_speed(force, 1.0) * u;
+        let drag = (force * self.chi + self.c) * u;
         [u, self.pull - force - drag, 1.0, drag * u]
     }
 }

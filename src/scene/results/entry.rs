@@ -62,8 +62,10 @@ pub enum Needs {
     Nothing,
     /// The yield strength of the half-space: without it nothing is plastic.
     Strength,
-    /// The density of the half-space: without it nothing is known of elastic waves.
+    /// The density of a half-space that is no plate: without it nothing is known of elastic waves.
     Density,
+    /// The thickness of a plate.
+    Thickness,
 }
 
 /// A column of a table.
@@ -87,6 +89,10 @@ impl Column {
             Needs::Density if scene.half_space.density.is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
+            Needs::Density if scene.forces.plate.is_some() => {
+                Some("with half_space.thickness a plate takes the energy")
+            }
+            Needs::Thickness if scene.forces.plate.is_none() => Some("without half_space.thickness there is no plate"),
             _ => None,
         }
     }
@@ -124,8 +130,9 @@ pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
 
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
 pub(super) const WAVES: &str =
-    "the half-space has a density; not under gravity or damping, nor where the force of the law jumps";
-pub(super) const FORCES: &str = "there is gravity or damping";
+    "the half-space has a density; not under gravity or damping, on a plate, nor where the force of the law jumps";
+pub(super) const FORCES: &str = "there is gravity, damping or a plate";
+pub(super) const PLATE: &str = "a plate is hit";
 pub(super) const GRAVITY: &str = "there is gravity";
 pub(super) const DAMPING: &str = "there is damping";
 pub(super) const VISCOUS: &str = "there is viscous damping";

@@ -1,7 +1,7 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
 use super::entry::{Reported, file, results};
-use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, TraceRow, UnderForces};
+use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, OnPlate, TraceRow, UnderForces};
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +21,11 @@ impl Single<'_> {
         self.impact.under_forces.as_ref().map(value)
     }
 
+    /// The value, if a plate is hit.
+    fn on_plate<V>(&self, value: impl FnOnce(&OnPlate) -> V) -> Option<V> {
+        self.impact.on_plate.as_ref().map(value)
+    }
+
     /// The value, if the steps are fixed.
     fn verlet<V>(&self, value: fn(&InFixedSteps) -> V) -> Option<V> {
         self.impact.in_fixed_steps.as_ref().map(value)
@@ -33,6 +38,21 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
             (of.impact.speed > 0.0).then_some(of.impact.restitution);
+        /// Share of the kinetic energy that the plate has taken at separation.
+        "plate_loss_fraction" in Percent as "the plate takes {} of the energy" if PLATE [Thickness: Essentials::plate_loss_fraction]:
+            of.on_plate(|_| of.impact.plate_loss_fraction()).flatten();
+        /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
+        "inelasticity" as "Zener's number {}" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)]:
+            of.on_plate(|plate| plate.inelasticity);
+        /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
+        /// half-space, from 10 on it is thin.
+        "plate_thinness" as "wave travels {} thicknesses" if PLATE: of.on_plate(|plate| plate.thinness);
+        /// How far the plate has moved at separation.
+        "plate_displacement_m" in Length as "plate moves by" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.displacement)]:
+            of.on_plate(|plate| plate.displacement);
+        /// How far away an edge must be, so that no bending wave comes back from it during the contact.
+        "plate_reach_m" in Length as "edges beyond {}" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())]:
+            of.on_plate(|plate| plate.reach);
         /// Share of the kinetic energy that is radiated as elastic waves, to first order.
         "wave_loss_fraction" in Percent as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
             of.impact.wave_loss_fraction;
@@ -101,6 +121,8 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "energy.recovered_J" in Energy as "{%} recovered": of.impact.energy.recovered;
         /// Energy spent on the dent.
         "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
+        /// Energy in the plate at separation, or where the computation of a captured sphere ends.
+        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: of.on_plate(|plate| plate.energy);
         /// Energy taken by damping.
         "energy.damping_J" in Energy as "{%} into damping" if DAMPING: of.forced(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
@@ -149,6 +171,8 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "half_space_indentation_m" in Length: row.half_space_indentation;
         /// Speed into the half-space; negative on the way out.
         "speed_m_per_s" in Speed: row.speed;
+        /// Speed of the sphere's centre, which is the sum of the speed into the plate and of the plate's own.
+        "sphere_speed_m_per_s" in Speed if PLATE: row.sphere_speed;
         /// Force on the sphere, with what damping adds.
         "force_N" in Force: row.force;
         /// Force of the contact law alone.

@@ -18,7 +18,7 @@ fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
         let (k, n) = law.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
         // beyond 0.4 it also passes knots, where its speed still rises
         for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
-            let forces = ScaledForces { weight, damping: None };
+            let forces = ScaledForces { weight, ..ScaledForces::NONE };
             let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);
             for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
                 for share in [0.0, 1e-8, 1e-3] {

@@ -42,7 +42,7 @@ fn any_creep() -> impl Strategy<Value = (Scene, f64, Forces)> {
                 Damping::HuntCrossley(2.0 * zeta * (1.5 / (GRAVITY * at_rest)).sqrt())
             };
             let speed = (2.0 * GRAVITY * height * at_rest).sqrt();
-            (scene, speed, Forces { gravity: Some(GRAVITY), damping: Some(damping) })
+            (scene, speed, Forces { gravity: Some(GRAVITY), damping: Some(damping), ..Forces::default() })
         },
     )
 }
@@ -57,7 +57,7 @@ fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
 fn a_heavily_damped_sphere_let_go_on_soft_ground_sinks_to_where_the_ground_carries_it() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     let damping = Some(Damping::HuntCrossley(5000.0));
-    let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping });
+    let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
     for (method, _) in STEPPING {
         for tolerance in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
             let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
@@ -96,7 +96,7 @@ proptest! {
 /// energy ledger did not show it.
 #[test]
 fn an_impact_with_a_row_that_is_no_number_has_no_result() {
-    let contact = under(&Scene::steel(), Forces { gravity: None, damping: Some(Damping::Viscous(1e20)) });
+    let contact = under(&Scene::steel(), Forces { damping: Some(Damping::Viscous(1e20)), ..Forces::default() });
     match contact.impact(3.0, &solver(Method::Rk8, 1e-10), Some(400)) {
         Err(ImpactError::Integration(IntegrationError::NotFinite { .. })) => {}
         Ok(impact) => assert!(impact.energy.drift.is_finite() && impact.trace.iter().all(|row| row.force.is_finite())),
@@ -111,7 +111,7 @@ fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     for chi in [1e6, 1e9] {
         let damping = Some(Damping::HuntCrossley(chi));
-        let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping });
+        let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
         for (method, _) in STEPPING {
             match contact.impact(1.0, &solver(method, 1e-6), None) {
                 Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 10_000_000, "{}", method.name()),
@@ -135,8 +135,10 @@ fn no_trace_ends_with_two_rows_at_one_time() {
     for zeta in [0.95, 1.0, 3.0, 20.0] {
         for (method, _) in STEPPING {
             for samples in [2, 3, 40, 401] {
-                let contact =
-                    under(&Scene::steel(), Forces { gravity: Some(1e6), damping: Some(Damping::Viscous(zeta)) });
+                let contact = under(
+                    &Scene::steel(),
+                    Forces { gravity: Some(1e6), damping: Some(Damping::Viscous(zeta)), ..Forces::default() },
+                );
                 for speed in [0.0, 1e-3, 0.1] {
                     let trace = contact.impact(speed, &solver(method, 1e-9), Some(samples)).unwrap().trace;
                     let [.., before, end] = trace.as_slice() else { panic!("two rows at least") };

@@ -17,7 +17,7 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
     let (sphere, half_space, yield_strength) = (body, body, Some(50e3));
     let scene = Scene { radius: 1.0, density: 5000.0, sphere, half_space, yield_strength, exponent };
     let damping = Some(Damping::Viscous(0.000_199_150_842_193_006_05));
-    let contact = under(&scene, Forces { gravity: Some(0.010_903_512_061_853_768), damping });
+    let contact = under(&scene, Forces { gravity: Some(0.010_903_512_061_853_768), damping, ..Forces::default() });
     let tolerance = 10_f64.powf(-10.537_586_821_357_346);
     let speed = 8.382_852_251_562_502;
     let fine = contact.impact(speed, &solver(Method::Rk8, 1e-13), None).unwrap();

@@ -38,7 +38,7 @@ fn it_is_the_maximum_of_a_fine_trace_by_every_method() {
                 hunt_crossley(0.01 / speed),
                 hunt_crossley(0.5 / speed),
                 hunt_crossley(20.0 / speed),
-                Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.3)) },
+                Forces { gravity: Some(9.81), damping: Some(Damping::Viscous(0.3)), ..Forces::default() },
             ] {
                 let contact = under(&scene, forces);
                 let mut of_rk8 = None;
@@ -76,7 +76,7 @@ fn hunt_and_crossley_have_the_same_in_closed_form() {
 /// Without damping nothing changes: the largest force is that of the deepest point.
 #[test]
 fn without_damping_it_is_the_force_at_the_deepest_point() {
-    for forces in [Forces::default(), Forces { gravity: Some(9.81), damping: None }] {
+    for forces in [Forces::default(), Forces { gravity: Some(9.81), ..Forces::default() }] {
         for speed in [1e-3, 0.5, 20.0] {
             let contact = under(&Scene::steel(), forces);
             for method in [Method::Rk8, Method::ClosedForm] {

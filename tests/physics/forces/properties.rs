@@ -21,14 +21,14 @@ fn any_impact() -> impl Strategy<Value = (Scene, f64, Forces)> {
         let speed = 10_f64.powf(log_q) * contact.yield_speed().unwrap();
         let heavy = contact.pair().yield_point.unwrap().force / contact.mass();
         let gravity = pull.map(|log| heavy * 10_f64.powf(log));
-        let free = contact.with_forces(Forces { gravity, damping: None }).closed_form(speed).unwrap();
+        let free = contact.with_forces(Forces { gravity, ..Forces::default() }).closed_form(speed).unwrap();
         let fastest = speed.hypot((2.0 * gravity.unwrap_or(0.0) * free.peak_indentation).sqrt());
         let damping = match drag {
             // χ times the largest speed is from 1e-4 to 10
             Some(Damping::HuntCrossley(chi)) => Some(Damping::HuntCrossley(chi / fastest)),
             other => other,
         };
-        (scene, speed, Forces { gravity, damping })
+        (scene, speed, Forces { gravity, damping, ..Forces::default() })
     })
 }
 

@@ -306,7 +306,7 @@ fn the_ledger_closes_under_damping_for_every_law() {
 #[test]
 fn a_damped_impact_is_judged_by_its_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
-    let damped = Forces { gravity: None, damping: Some(Damping::Viscous(0.8)) };
+    let damped = Forces { damping: Some(Damping::Viscous(0.8)), ..Forces::default() };
     let bare = contact(&Scene::steel(), &choice);
     assert!(matches!(bare.holds(200.0), Err(ImpactError::Law(OutsideLaw::Range { .. }))));
     let contact = bare.with_forces(damped);

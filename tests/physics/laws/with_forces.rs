@@ -13,7 +13,7 @@ use crate::common::{STEPPING, Scene, off, solver};
 const NOTHING: Damping = Damping::Viscous(0.0);
 
 fn under(scene: &Scene, law: &LawChoice, gravity: Option<f64>, damping: Option<Damping>) -> Contact {
-    contact(scene, law).with_forces(Forces { gravity, damping })
+    contact(scene, law).with_forces(Forces { gravity, damping, ..Forces::default() })
 }
 
 fn by_name(name: &str) -> LawChoice {
@@ -209,7 +209,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
         let plain = contact(&scene, &by_name(name));
         let speed = 4.0 * unit_speed(&plain);
         let weight = gravity_of(&scene, 1e-6);
-        for contact in [plain.clone(), plain.with_forces(Forces { gravity: Some(weight), damping: None })] {
+        for contact in [plain.clone(), plain.with_forces(Forces { gravity: Some(weight), ..Forces::default() })] {
             for (method, factor) in STEPPING.into_iter().chain([(Method::ClosedForm, 1.0)]) {
                 let impact = contact.impact(speed, &solver(method, 1e-11), None).unwrap();
                 assert!(off(impact.restitution.powi(2), 0.8) < 1e-6, "{name} {method:?}: {}", impact.restitution);
@@ -232,7 +232,7 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
     let contact = Scene { exponent, ..Scene::case_3() }.contact();
     let speed = 2.4 * unit_speed(&contact);
     for (gravity, damping) in [(None, Damping::Viscous(0.015)), (Some(1e-6), Damping::HuntCrossley(1e-3 / speed))] {
-        let damped = contact.clone().with_forces(Forces { gravity, damping: Some(damping) });
+        let damped = contact.clone().with_forces(Forces { gravity, damping: Some(damping), ..Forces::default() });
         let impact = damped.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(impact.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
     }
@@ -248,7 +248,7 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
     };
     let speed = 1.945 * soft.yield_speed();
     for damping in [Damping::Viscous(1e-9), Damping::HuntCrossley(1e-9 / speed)] {
-        let damped = soft.contact().with_forces(Forces { gravity: None, damping: Some(damping) });
+        let damped = soft.contact().with_forces(Forces { damping: Some(damping), ..Forces::default() });
         let mut spot = Spot::fresh();
         let hit = |spot: &mut Spot| damped.impact_on(spot, speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(!gains(&hit(&mut spot)));

@@ -1,0 +1,432 @@
+//! Impacts on a large thin plate: 30-digit impacts, Zener's limits, the balance of energy, and where there is no answer.
+
+use plm_impact::impact::{
+    Contact, Event, Forces, Impact, ImpactError, Method, Plate, PlateError, PlateTheory, Solver, Warning,
+};
+use plm_impact::integrate::library::{Library, Scheme};
+use plm_impact::integrate::rk8::Rk8;
+use plm_impact::integrate::{Drag, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
+use plm_impact::law::catalogue::jackson_green::JacksonGreen;
+use plm_impact::law::catalogue::walton_braun::WaltonBraun;
+use plm_impact::law::jumps::Jumps;
+use plm_impact::law::{ContactLaw, Plm};
+use plm_impact::material::{HalfSpace, Material, Sphere};
+use proptest::prelude::*;
+use serde::Deserialize;
+
+use crate::common::{checked, off, solver};
+
+/// A sphere on a plate.
+#[derive(Debug, Clone, Copy)]
+struct OnPlate {
+    sphere: Sphere,
+    half_space: HalfSpace,
+    thickness: f64,
+}
+
+impl OnPlate {
+    /// A steel ball of 5 mm diameter on glass, which stays elastic.
+    fn glass(thickness: f64) -> Self {
+        let glass = Material { youngs_modulus: 70e9, poissons_ratio: 0.22 };
+        let steel = Material { youngs_modulus: 208e9, poissons_ratio: 0.3 };
+        Self {
+            sphere: Sphere::elastic(2.5e-3, steel, 7850.0),
+            half_space: HalfSpace { material: glass, yield_strength: None, density: Some(2500.0) },
+            thickness,
+        }
+    }
+
+    /// The same ball on steel that yields.
+    fn steel(thickness: f64) -> Self {
+        let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+        let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: Some(7850.0) };
+        Self { half_space, ..Self::glass(thickness) }
+    }
+
+    fn plate(&self) -> Plate {
+        Plate { thickness: self.thickness, edge_distance: None, theory: PlateTheory::Zener }
+    }
+
+    fn under(&self, law: &dyn ContactLaw, forces: Forces) -> Contact {
+        let forces = Forces { plate: forces.plate.or(Some(self.plate())), ..forces };
+        Contact::try_new(self.sphere, self.half_space, law).unwrap().with_forces(forces)
+    }
+
+    fn contact(&self) -> Contact {
+        self.under(&Plm::default(), Forces::default())
+    }
+
+    fn impact(&self, speed: f64, samples: Option<usize>) -> Impact {
+        self.contact().impact(speed, &Solver::default(), samples).unwrap()
+    }
+
+    /// The impact on the half-space.
+    fn thick(&self, speed: f64) -> Impact {
+        let half_space = HalfSpace { density: None, ..self.half_space };
+        Contact::try_new(self.sphere, half_space, &Plm::default()).unwrap().closed_form(speed).unwrap()
+    }
+
+    /// Y = 1/(8 √(D ρ h)) [s/kg], as Zener has it.
+    fn mobility(&self) -> f64 {
+        let (h, modulus) = (self.thickness, self.half_space.material.plane_strain_modulus());
+        1.0 / (8.0 * (modulus * h.powi(3) / 12.0 * self.half_space.density.unwrap() * h).sqrt())
+    }
+
+    /// A plate of the thickness that gives λ at a speed: λ goes with h^−2.
+    fn of_inelasticity(self, inelasticity: f64, speed: f64) -> Self {
+        let now = self.impact(speed, None).on_plate.unwrap().inelasticity;
+        Self { thickness: self.thickness * (now / inelasticity).sqrt(), ..self }
+    }
+}
+
+/// A row of `reference/plate.csv`.
+#[derive(Debug, Deserialize)]
+#[allow(non_snake_case)] // names of columns
+struct Row {
+    case: String,
+    sphere_radius_m: f64,
+    E_s_Pa: String,
+    nu_s: f64,
+    rho_s: f64,
+    E_h_Pa: f64,
+    nu_h: f64,
+    rho_h: f64,
+    yield_strength_Pa: Option<f64>,
+    speed_m_s: f64,
+    thickness_m: f64,
+    lambda: f64,
+    mobility_s_kg: f64,
+    restitution: f64,
+    peak_indentation_m: f64,
+    peak_force_N: f64,
+    residual_indentation_m: f64,
+    sphere_speed_at_peak_m_s: f64,
+    loading_time_s: f64,
+    contact_time_s: f64,
+    plate_energy_fraction: f64,
+    plastic_fraction: f64,
+    plate_displacement_m: f64,
+}
+
+impl Row {
+    fn bodies(&self) -> OnPlate {
+        let modulus = self.E_s_Pa.parse().unwrap_or(f64::INFINITY);
+        let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+        OnPlate {
+            sphere: Sphere::elastic(self.sphere_radius_m, material(modulus, self.nu_s), self.rho_s),
+            half_space: HalfSpace {
+                material: material(self.E_h_Pa, self.nu_h),
+                yield_strength: self.yield_strength_Pa,
+                density: Some(self.rho_h),
+            },
+            thickness: self.thickness_m,
+        }
+    }
+}
+
+fn rows() -> Vec<Row> {
+    let text = include_str!("../reference/plate.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+/// The largest difference from a row: of e absolute, as it may be next to nothing, of all others as a share of the row's.
+fn worst(row: &Row, impact: &Impact) -> f64 {
+    let plate = impact.on_plate.unwrap();
+    let pairs = [
+        (impact.peak_indentation, row.peak_indentation_m),
+        (impact.peak_force, row.peak_force_N),
+        (impact.loading_time, row.loading_time_s),
+        (impact.contact_time, row.contact_time_s),
+        (plate.displacement, row.plate_displacement_m),
+        (plate.inelasticity, row.lambda),
+    ];
+    let of_e = (impact.restitution - row.restitution).abs();
+    let of_dent = (impact.residual_indentation - row.residual_indentation_m).abs() / row.peak_indentation_m;
+    let of_plate = (impact.plate_loss_fraction().unwrap() - row.plate_energy_fraction).abs();
+    let of_loss = (impact.plastic_fraction - row.plastic_fraction).abs().max(of_plate);
+    pairs.into_iter().map(|(got, want)| off(got, want)).fold(of_e.max(of_dent).max(of_loss), f64::max)
+}
+
+#[test]
+fn impacts_are_those_of_30_digit_arithmetic() {
+    let rows = rows();
+    assert_eq!(rows.len(), 12);
+    for row in &rows {
+        let (bodies, v) = (row.bodies(), row.speed_m_s);
+        assert!(off(bodies.mobility(), row.mobility_s_kg) < 1e-13, "{}", row.case);
+        let contact = bodies.contact();
+        let traced = contact.impact(v, &Solver::default(), Some(50)).unwrap();
+        assert!(worst(row, &traced) < 1e-8, "{}: {:e}", row.case, worst(row, &traced));
+        let peak = traced.trace.iter().find(|at| at.event == Some(Event::Peak)).unwrap();
+        assert!(off(peak.sphere_speed.unwrap(), row.sphere_speed_at_peak_m_s) < 1e-8, "{}", row.case);
+        assert!(traced.energy.drift < 1e-9, "{}: {:e}", row.case, traced.energy.drift);
+        for method in [Method::Rk8, Method::Dop853, Method::Dopri5] {
+            let impact = contact.impact(v, &solver(method, 1e-11), None).unwrap();
+            // measured: 3e-13 and 1.1e-9
+            let most = if method == Method::Rk8 { 1e-12 } else { 2e-9 };
+            assert!(worst(row, &impact) < most, "{} {method:?}: {:e}", row.case, worst(row, &impact));
+        }
+    }
+}
+
+#[test]
+fn a_plate_that_takes_little_or_all_has_the_limits_of_the_equation() {
+    // expansion in λ and the limit of large λ: 50-digit arithmetic of the equation; an elastic contact
+    for inelasticity in [1e-4, 1e-3, 3e-3_f64] {
+        let e = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 1.0).impact(1.0, None).restitution;
+        let series = [-1.730_173_287_142_933_2, 0.299_349_960_36, -0.383_589_187_5];
+        let want = inelasticity * (series[0] + inelasticity * (series[1] + inelasticity * series[2]));
+        // the next term is of the order λ⁴
+        assert!((e.ln() - want).abs() < 1e-9 + inelasticity.powi(4), "{inelasticity}: {:e}", e.ln() - want);
+    }
+    for inelasticity in [4.0, 8.0, 19.9_f64] {
+        let tight = solver(Method::Rk8, 1e-12);
+        let bodies = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 1.0);
+        let e = bodies.contact().impact(1.0, &tight, None).unwrap().restitution;
+        let want = 0.679_293_063_936_485_3 * inelasticity.powi(-5);
+        assert!((e - want).abs() < 1e-11, "{inelasticity}: {e:e} {want:e}");
+    }
+}
+
+#[test]
+fn published_numbers_of_zener_s_equation_are_met() {
+    // λ; e, δ_m/(T v), F_m/(K (T v)^1.5), compression and contact time over T: 50-digit arithmetic. Hertz and e of earlier
+    // integrations (0.918, 0.843, 0.714, 0.515, 0.184) are among them
+    let table = [
+        [0.05, 0.917_771_501_790_074_4, 1.057_057_073_74, 1.086_795_058_91, 1.588_096_760_98, 3.247_087_464_23],
+        [0.1, 0.843_339_410_924_882_9, 1.023_559_092_63, 1.035_545_965_4, 1.568_227_560_11, 3.278_494_988_22],
+        [0.2, 0.714_044_879_992_152_5, 0.963_711_881_102, 0.946_064_659_962, 1.531_307_977, 3.348_657_575_15],
+        [0.4, 0.514_639_320_824_364_6, 0.866_096_390_021, 0.806_026_541_103, 1.466_692_746_67, 3.520_670_006_07],
+        [1.0, 0.184_122_874_165_05, 0.676_291_016_156, 0.556_160_866_992, 1.321_277_037_58, 4.387_612_018_01],
+        [2.0, 0.020_682_506_960_711_01, 0.510_415_493_4, 0.364_658_022_951, 1.163_703_295_78, 8.483_224_154_57],
+        [10.0, 6.792_930_639_364_853e-6, 0.208_105_709_087, 0.094_934_920_697_5, 0.728_971_527_682, 112.186_460_853],
+    ];
+    let v = 0.7_f64;
+    for [inelasticity, wants @ ..] in table {
+        let bodies = OnPlate::glass(5e-3).of_inelasticity(inelasticity, v);
+        let (contact, impact) = (bodies.contact(), bodies.impact(v, None));
+        let stiffness = contact.pair().hertz_stiffness();
+        let unit = (contact.mass() / (stiffness * v.sqrt())).powf(0.4);
+        let force = stiffness * (unit * v).powf(1.5);
+        let gots = [
+            impact.restitution,
+            impact.peak_indentation / (unit * v),
+            impact.peak_force / force,
+            impact.loading_time / unit,
+            impact.contact_time / unit,
+        ];
+        for (got, want) in gots.into_iter().zip(wants) {
+            assert!((got - want).abs() < 2e-9 * want.max(1.0), "{inelasticity}: {got} {want}");
+        }
+    }
+}
+
+/// Energy of the plate from its own definition, Y ∫ F² dt, by trapezes along the trace; and how far it has moved, Y ∫ F dt.
+fn by_the_trace(bodies: &OnPlate, impact: &Impact) -> (f64, f64) {
+    let mut sums = (0.0, 0.0);
+    for pair in impact.trace.windows(2) {
+        let step = 0.5 * (pair[1].time - pair[0].time) * bodies.mobility();
+        sums.0 += step * (pair[0].force * pair[0].force + pair[1].force * pair[1].force);
+        sums.1 += step * (pair[0].force + pair[1].force);
+    }
+    sums
+}
+
+#[test]
+fn the_plate_takes_the_work_that_the_force_does_on_it_under_gravity_too() {
+    // a weight of some hundredths of the peak force; the last one stays on the plate
+    for (gravity, is_captured) in [(None, false), (Some(1e4), false), (Some(3e5), true)] {
+        for (bodies, speed) in [(OnPlate::glass(2.5e-3), 1.0), (OnPlate::steel(2e-3), 0.5)] {
+            let contact = bodies.under(&Plm::default(), Forces { gravity, ..Forces::default() });
+            let impact = contact.impact(speed, &Solver::default(), Some(4000)).unwrap();
+            assert_eq!(impact.captured().is_some(), is_captured);
+            assert!(impact.energy.drift < 1e-9, "{gravity:?}: {:e}", impact.energy.drift);
+            let plate = impact.on_plate.unwrap();
+            let (energy, moved) = by_the_trace(&bodies, &impact);
+            assert!(off(plate.energy, energy) < 1e-4, "{gravity:?}: {} {energy}", plate.energy);
+            assert!(off(plate.displacement, moved) < 1e-4, "{gravity:?}: {} {moved}", plate.displacement);
+            for row in &impact.trace {
+                let sphere = row.speed + bodies.mobility() * row.force;
+                assert!((row.sphere_speed.unwrap() - sphere).abs() < 1e-12 * speed, "{row:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rebound_dent_and_plate_share_the_energy() {
+    let range = |from: f64, to: f64| (from.ln()..to.ln()).prop_map(f64::exp);
+    let scenes = (range(1e-4, 1e-1), range(0.01, 30.0), range(1e-3, 4.0), range(50e6, 2e9), any::<bool>(), -10.0..-7.0);
+    let judged = checked(60, &scenes, |(radius, speed, inelasticity, strength, yields, log_tolerance)| {
+        let bodies = OnPlate::steel(radius);
+        let half_space = HalfSpace { yield_strength: yields.then_some(strength), ..bodies.half_space };
+        let bodies = OnPlate { half_space, sphere: Sphere { radius, ..bodies.sphere }, thickness: radius };
+        let bodies = bodies.of_inelasticity(inelasticity, speed);
+        let tolerance = 10_f64.powf(log_tolerance);
+        let impact = bodies.contact().impact(speed, &solver(Method::Rk8, tolerance), None).unwrap();
+        let (e, plate) = (impact.restitution, impact.plate_loss_fraction().unwrap());
+        let sum = e * e + impact.plastic_fraction + plate;
+        prop_assert!((sum - 1.0).abs() < 20.0 * tolerance, "{sum}");
+        prop_assert!(impact.energy.drift < 20.0 * tolerance);
+        // a thinner plate gives back less, and what gives way is pressed less
+        let free = bodies.thick(speed);
+        let thinner = OnPlate { thickness: 0.9 * bodies.thickness, ..bodies }.impact(speed, None);
+        prop_assert!(thinner.restitution < e && e < free.restitution && e > 0.0);
+        prop_assert!(thinner.peak_force < impact.peak_force && impact.peak_force < free.peak_force);
+        prop_assert!(plate > 0.0 && plate < 1.0);
+        // bodies of another size are hit alike
+        let larger = OnPlate {
+            sphere: Sphere { radius: 10.0 * radius, ..bodies.sphere },
+            thickness: 10.0 * bodies.thickness,
+            ..bodies
+        };
+        let larger = larger.impact(speed, None);
+        prop_assert!((larger.restitution - e).abs() < 20.0 * tolerance);
+        prop_assert!(
+            off(larger.on_plate.unwrap().displacement, 10.0 * impact.on_plate.unwrap().displacement)
+                < 100.0 * tolerance
+        );
+        Ok(true)
+    });
+    assert_eq!(judged, 60);
+}
+
+#[test]
+fn the_force_on_a_plate_is_that_of_the_law_and_ends_with_the_dent() {
+    let bodies = OnPlate::steel(1.5e-3);
+    let impact = bodies.impact(2.0, Some(200));
+    let events: Vec<Event> =
+        impact.trace.iter().filter_map(|row| row.event).filter(|event| *event != Event::Knot).collect();
+    assert_eq!(events, [Event::Touch, Event::Yield, Event::Peak, Event::Separation]);
+    let end = impact.trace.last().unwrap();
+    assert_eq!((end.force, end.indentation), (0.0, impact.residual_indentation));
+    assert_eq!(impact.peak_force, impact.force_at_peak_indentation);
+    // the sphere still goes in at the peak, with the plate, and comes back at e v
+    let peak = impact.trace.iter().find(|row| row.event == Some(Event::Peak)).unwrap();
+    assert_eq!(peak.speed, 0.0);
+    assert!(off(peak.sphere_speed.unwrap(), bodies.mobility() * peak.force) < 1e-12);
+    assert!(off(-end.sphere_speed.unwrap(), impact.rebound_speed) < 1e-12);
+    assert!(impact.trace.iter().all(|row| row.elastic_force.is_none() && row.force >= 0.0));
+}
+
+#[test]
+fn damping_and_a_plate_act_side_by_side_in_every_stepper() {
+    // d'' = −ω² d − (2ζω + θω²) d' on a spring: the turning point is that of the sum of both, the lift-off is where the force
+    // of spring and damper is gone, ω d + 2ζ u = 0, whatever θ is
+    let (omega, zeta, theta, u) = (3.0, 0.1, 0.05, 0.7_f64);
+    let both = zeta + 0.5 * theta * omega;
+    let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
+    let drag = Drag { eta: 2.0 * zeta, theta, ..Drag::NONE };
+    let sizes = Sizes { distance: u / omega, speed: u };
+    let path = |leg| Path { restoring, leg, sizes, pull: 0.0, drag, rest: None };
+    let root = (1.0 - both * both).sqrt();
+    let turn = u / omega * (-both * both.acos() / root).exp();
+    let own: Box<dyn Integrator> = Box::new(Rk8::new(1e-12));
+    for mut integrator in
+        [own, Box::new(Library::new(Scheme::Dop853, 1e-12)), Box::new(Library::new(Scheme::Dopri5, 1e-12))]
+    {
+        let mut state = State { time: 0.0, distance: 0.0, speed: u, loss: 0.0 };
+        let out = integrator.traverse(&path(Leg::Outward(f64::INFINITY)), &mut state, None).unwrap();
+        assert_eq!(out.landing, Landing::Turning);
+        assert!(off(state.distance, turn) < 1e-10 && off(state.time, both.acos() / (omega * root)) < 1e-10);
+        let back = integrator.traverse(&path(Leg::Back(0.0)), &mut state, None).unwrap();
+        assert_eq!(back.landing, Landing::LiftOff);
+        let State { distance: d, speed: v, loss, .. } = state;
+        assert!((omega * d + 2.0 * zeta * v).abs() < 1e-9 * u);
+        assert!(off(0.5 * v * v + 0.5 * omega * omega * d * d + loss, 0.5 * u * u) < 1e-10);
+    }
+}
+
+#[test]
+fn fixed_steps_come_to_the_same_restitution_with_the_step() {
+    for bodies in [OnPlate::glass(2.5e-3), OnPlate::steel(2e-3)] {
+        let want = bodies.impact(1.0, None);
+        let error = |steps_per_contact| {
+            let fixed = Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() };
+            let got = bodies.contact().impact(1.0, &fixed, None).unwrap();
+            (got.restitution - want.restitution)
+                .abs()
+                .max(off(got.plate_loss_fraction().unwrap(), want.plate_loss_fraction().unwrap()))
+        };
+        // the drag is of the speed half a step before: an error of first order
+        let (coarse, fine) = (error(400), error(4000));
+        assert!(fine < 2e-3 && fine < 0.15 * coarse, "{coarse:e} {fine:e}");
+    }
+}
+
+#[test]
+fn a_thick_plate_gives_way_like_a_thin_one_that_is_thinner() {
+    // Y (1 + 1.86/X) with Y ~ h^−2
+    let bodies = OnPlate::steel(8e-3);
+    let thick = Plate { theory: PlateTheory::Thick, ..bodies.plate() };
+    let thick = bodies.under(&Plm::default(), Forces { plate: Some(thick), ..Forces::default() });
+    let thick = thick.impact(1.0, &Solver::default(), None).unwrap();
+    let numbers = thick.on_plate.unwrap();
+    let wave_speed = (bodies.half_space.material.plane_strain_modulus() / 7850.0).sqrt();
+    assert!(off(numbers.thinness, wave_speed * bodies.thick(1.0).contact_time / bodies.thickness) < 1e-13);
+    let thinness = numbers.thinness;
+    let as_thin = OnPlate { thickness: bodies.thickness / (1.0 + 1.86 / thinness).sqrt(), ..bodies }.impact(1.0, None);
+    assert!((thick.restitution - as_thin.restitution).abs() < 1e-12, "{} {}", thick.restitution, as_thin.restitution);
+    assert!(thick.restitution < bodies.impact(1.0, None).restitution);
+}
+
+#[test]
+fn doubtful_plates_are_warned_of() {
+    let warned = |bodies: OnPlate, edge_distance: Option<f64>, theory: PlateTheory| {
+        let plate = Plate { edge_distance, theory, ..bodies.plate() };
+        let contact = bodies.under(&Plm::default(), Forces { plate: Some(plate), ..Forces::default() });
+        contact.impact(1.0, &Solver::default(), None).unwrap().warnings
+    };
+    use PlateTheory::{Thick, Zener};
+    // X goes with 1/h: about 28 at 2.5 mm
+    let plain = OnPlate::glass(2.5e-3);
+    assert!(warned(plain, None, Zener).is_empty());
+    let x = plain.impact(1.0, None).on_plate.unwrap().thinness;
+    let with = |thinness: f64| OnPlate { thickness: plain.thickness * x / thinness, ..plain };
+    assert!(matches!(warned(with(1.9), None, Zener)[..], [Warning::ThickPlate { .. }]));
+    assert!(matches!(warned(with(1.9), None, Thick)[..], [Warning::ThickPlate { .. }]));
+    assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning::BetweenTheories { .. }]));
+    assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning::BetweenTheories { .. }]));
+    assert!(warned(with(10.1), None, Zener).is_empty() && warned(with(5.1), None, Thick).is_empty());
+    let reach = plain.impact(1.0, None).on_plate.unwrap().reach;
+    assert!(warned(plain, Some(1.001 * reach), Zener).is_empty());
+    assert!(matches!(warned(plain, Some(0.999 * reach), Zener)[..], [Warning::NearEdge { .. }]));
+    let foil = OnPlate::glass(0.4e-3).impact(2.0, None).warnings;
+    assert!(foil.iter().any(|warning| matches!(warning, Warning::DeepPlate { .. })));
+    assert!(foil.iter().any(|warning| matches!(warning, Warning::WideContactOnPlate { .. })));
+}
+
+#[test]
+fn impacts_without_an_answer_say_what_to_do() {
+    let refused = |contact: &Contact, speed: f64| match contact.impact(speed, &Solver::default(), None) {
+        Err(ImpactError::Plate(error)) => error,
+        other => panic!("{other:?}"),
+    };
+    let steel = OnPlate::steel(2e-3);
+    let light = OnPlate { half_space: HalfSpace { density: None, ..steel.half_space }, ..steel };
+    assert_eq!(refused(&light.contact(), 1.0), PlateError::NoDensity);
+    let damping = Some(plm_impact::impact::Damping::Viscous(0.1));
+    let damped = steel.under(&Plm::default(), Forces { damping, ..Forces::default() });
+    assert_eq!(refused(&damped, 1.0), PlateError::Damped);
+    let printed = JacksonGreen { jumps: Jumps::Printed, ..JacksonGreen::default() };
+    assert_eq!(refused(&steel.under(&printed, Forces::default()), 1.0), PlateError::Jump);
+    let crossed = JacksonGreen { jumps: Jumps::Crossed, ..printed };
+    assert!(steel.under(&crossed, Forces::default()).impact(1.0, &Solver::default(), None).is_ok());
+
+    // a straight unloading branch: just above the least thickness it ends, just below it is refused
+    let thin = OnPlate { thickness: 1e-5, ..steel };
+    let PlateError::NeverEnds { least } = refused(&thin.under(&WaltonBraun::default(), Forces::default()), 1e-3) else {
+        panic!()
+    };
+    let at = |thickness| OnPlate { thickness, ..steel }.under(&WaltonBraun::default(), Forces::default());
+    assert!(matches!(refused(&at(0.999 * least), 1e-3), PlateError::NeverEnds { .. }));
+    assert!(at(1.01 * least).impact(1e-3, &Solver::default(), None).unwrap().restitution < 1e-3);
+
+    // λ above 20
+    let foil = OnPlate { thickness: 1e-5, ..steel };
+    let PlateError::TooThin { inelasticity, restitution, least } = refused(&foil.contact(), 1.0) else { panic!() };
+    assert!(inelasticity > 20.0 && off(restitution, 0.679 * inelasticity.powi(-5)) < 1e-12);
+    let just = OnPlate { thickness: 1.001 * least, ..steel }.impact(1.0, None);
+    assert!(off(just.on_plate.unwrap().inelasticity, 20.0) < 3e-3 && just.restitution < 1e-6);
+}
