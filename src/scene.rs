@@ -13,7 +13,7 @@ pub(crate) mod taken;
 pub mod words;
 pub(crate) mod written;
 
-use crate::impact::{Contact, Forces, ImpactError, Solver, Warning};
+use crate::impact::{Contact, Forces, ImpactError, PlateTheory, Solver, Warning};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
 pub use field::Given;
@@ -41,6 +41,8 @@ pub struct Scene {
     pub drop_height: Option<f64>,
     /// Gravity and damping.
     pub forces: Forces,
+    /// How a plate gives way, if one is hit.
+    pub plate_theory: PlateTheory,
     /// Method and tolerance.
     pub solver: Solver,
     /// Evenly spaced rows of the trace.

@@ -41,8 +41,9 @@ impl Input {
         };
         let hunt_crossley = damping.hunt_crossley.map(Damping::HuntCrossley);
         let viscous = || damping.viscous.map(Damping::Viscous);
-        let &HalfSpaceInput { thickness, edge_distance, plate: theory, .. } = half_space;
-        let plate = thickness.map(|thickness| Plate { thickness, edge_distance, theory: theory.unwrap_or_default() });
+        let &HalfSpaceInput { thickness, edge_distance, .. } = half_space;
+        let theory = half_space.plate.unwrap_or_default();
+        let plate = thickness.map(|thickness| Plate { thickness, edge_distance, theory });
         Scene {
             sphere: Sphere {
                 radius,
@@ -71,6 +72,7 @@ impl Input {
             law,
             drop_height: self.impact.drop_height,
             forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous), plate },
+            plate_theory: theory,
             solver: self.solver(),
             samples: self.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
             materials: Vec::new(),
@@ -144,7 +146,7 @@ impl Input {
                 density: half_space.density,
                 thickness: forces.plate.map(|plate| plate.thickness),
                 edge_distance: forces.plate.and_then(|plate| plate.edge_distance),
-                plate: forces.plate.map(|plate| plate.theory),
+                plate: Some(scene.plate_theory),
                 flow_stress: scene.law.flow().map(FlowInput::of).unwrap_or_default(),
                 material: None,
             },

@@ -139,7 +139,10 @@ fn is_worse(new: f64, known: f64) -> bool {
 /// How far beyond its limit a warning is, comparable within its kind.
 fn doubt(warning: &Warning) -> f64 {
     match *warning {
-        Warning::DeepDent { ratio, .. } | Warning::FlowStep { ratio, .. } => ratio,
+        Warning::DeepDent { ratio, .. }
+        | Warning::FlowStep { ratio, .. }
+        | Warning::WideContactOnPlate { ratio }
+        | Warning::DeepPlate { ratio } => ratio,
         Warning::HighStrength { strength, modulus, .. } => strength / modulus,
         Warning::LightBody { density, .. } => -density,
         Warning::LargeSphere { radius } => radius,
@@ -149,7 +152,6 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::ShortContact { transits } => -transits,
         Warning::StrongWaves { loss, recovered } => loss / recovered,
         Warning::ThickPlate { thinness } | Warning::BetweenTheories { thinness, .. } => -thinness,
-        Warning::WideContactOnPlate { ratio } | Warning::DeepPlate { ratio } => ratio,
         Warning::NearEdge { distance, reach } => reach / distance,
         Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
         Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),

@@ -82,7 +82,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             pictures += 1;
         }
     }
-    assert_eq!(pictures, 10);
+    assert_eq!(pictures, 13);
 }
 
 #[test]
