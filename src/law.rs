@@ -13,9 +13,10 @@
 
 pub mod catalogue;
 mod contact_law;
-mod crossing;
+pub(crate) mod crossing;
 pub mod curve;
 pub mod jumps;
+mod panel;
 pub mod piece;
 pub mod plm;
 pub mod published;
@@ -29,7 +30,6 @@ pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use plm::{ContactRadius, ElasticLine, Hardening};
 
 use crate::math::functions::pow;
-use crate::math::power::max_or_nan;
 use published::WIDEST_PARABOLOID;
 pub use published::{Loading, OutsideLaw, Published};
 pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
@@ -114,40 +114,17 @@ impl Law {
         }
     }
 
-    /// Whether elastic approach and unloading are closed forms of this file: neither a published law with rules of its own,
-    /// nor a spot that was loaded before.
-    #[inline(always)]
-    pub fn is_plain(&self) -> bool {
-        !matches!(self.elastic, ElasticApproach::Published(_) | ElasticApproach::Reloaded(_))
-    }
-
     /// Elastic approach ε at a point (x, f) of the loading curve; 0 < ε ≤ x.
     #[inline(always)]
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match &self.elastic {
             ElasticApproach::Published(law) => law.elastic_approach(x, force),
             ElasticApproach::Reloaded(reloaded) => reloaded.elastic_approach(x, force),
-            _ => self.plain_elastic_approach(x, force),
-        }
-    }
-
-    #[inline(always)]
-    fn plain_elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match &self.elastic {
             ElasticApproach::Line(line) if x > 1.0 => line.at(force).min(x),
             ElasticApproach::Hardening(hardening) if x > 1.0 => hardening.elastic_approach(x, force),
             ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => pow(force / stiffness, 2.0 / 3.0).min(x),
             _ => x,
         }
-    }
-
-    /// [`Law::state_at`] of a law that [is plain](Law::is_plain).
-    #[inline(always)]
-    pub(crate) fn plain_state_at(&self, index: usize, distance: f64) -> Peak {
-        let piece = &self.loading.pieces()[index];
-        let indentation = piece.start + distance;
-        let force = piece.force_at(indentation);
-        Peak { indentation, force, elastic_approach: self.plain_elastic_approach(indentation, force) }
     }
 
     /// The state at x on the loading curve, as a peak that unloading may leave from.
@@ -159,18 +136,33 @@ impl Law {
     /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice. It never
     /// gives back more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is
     /// that branch.
-    #[inline(always)]
     pub fn unloading(&self, peak: Peak) -> Unloading {
         match &self.elastic {
             ElasticApproach::Published(law) => law.unloading(peak),
             ElasticApproach::Reloaded(reloaded) => reloaded.unloading(peak),
-            _ => self.plain_unloading(peak, self.loading.work(peak.indentation)),
+            _ => self.unloading_within(peak, self.loading.work(peak.indentation)),
         }
     }
 
-    /// [`Law::unloading`] of a law that [is plain](Law::is_plain), where loading took the work `spent`.
+    /// The unloading branch from a turn at a distance from the start of a piece, where loading took the work `spent`.
     #[inline(always)]
-    pub(crate) fn plain_unloading(&self, peak: Peak, spent: f64) -> Unloading {
+    pub(crate) fn turned_at(&self, index: usize, distance: f64, spent: f64) -> Unloading {
+        if let ElasticApproach::Reloaded(_) = self.elastic {
+            return self.unloading(self.state_at(index, distance));
+        }
+        let piece = &self.loading.pieces()[index];
+        let indentation = piece.start + distance;
+        let force = piece.force_at(indentation);
+        if let ElasticApproach::Published(law) = &self.elastic {
+            return law.unloading_from(indentation, force, spent);
+        }
+        let elastic_approach = self.elastic_approach(indentation, force);
+        self.unloading_within(Peak { indentation, force, elastic_approach }, spent)
+    }
+
+    /// The branch of the exponent that the law asks for, if it gives back no more than was spent.
+    #[inline(always)]
+    fn unloading_within(&self, peak: Peak, spent: f64) -> Unloading {
         Unloading::power(peak, unloading::exponent_within(spent, &peak, self.exponent_asked(&peak)))
     }
 
@@ -250,11 +242,7 @@ impl Law {
     /// jump.
     #[inline]
     pub fn largest_force(&self, peak: &Peak) -> f64 {
-        if self.is_plain() {
-            return peak.force;
-        }
-        let passed = self.loading.pieces().windows(2).filter(|pair| pair[1].start <= peak.indentation);
-        passed.map(|pair| pair[0].force_at(pair[1].start)).fold(peak.force, max_or_nan)
+        if self.loading.falls() { self.loading.largest_force(peak.indentation, peak.force) } else { peak.force }
     }
 
     /// Contact radius a/a_L at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).

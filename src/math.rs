@@ -1,6 +1,7 @@
 //! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots,
-//! least squares, powers, and smooth forces given by a formula.
+//! least squares, polynomials, powers, and smooth forces given by a formula.
 
+pub(crate) mod chebyshev;
 pub mod functions;
 pub(crate) mod least_squares;
 pub mod power;

@@ -10,11 +10,12 @@ mod with_forces;
 use super::outcome::{Fate, Outcome};
 use super::scaled_forces::ScaledForces;
 use super::scales::ACCELERATION;
+use crate::law::crossing::Reached;
+use crate::law::curve::Curve;
 use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
-use crate::math::power::{arctangent, power_time, quarter_period};
-use crate::math::smooth::Smooth;
+use crate::math::power::{arctangent, power_time};
 
 pub use with_forces::closes;
 pub(crate) use with_forces::way_to_peak;
@@ -27,8 +28,8 @@ pub fn solve_with(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
 pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
-    let balance = if law.is_plain() { plain_balance(law, speed) } else { balance(law, speed) };
-    (balance.unloading, balance.restitution)
+    let Balance { unloading, restitution, .. } = balance(law, speed);
+    (unloading, restitution)
 }
 
 /// What the balance of energy gives.
@@ -44,64 +45,42 @@ struct Balance {
     distance: f64,
 }
 
+#[inline(always)]
 fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let last = law.turning_piece(kinetic);
     let distance = law.loading.distance_at_work(last, kinetic);
-    Balance::new(law, kinetic, last, distance, law.unloading(law.state_at(last, distance)))
-}
-
-/// The same for a law that [is plain](Law::is_plain). It makes no calls, so that the peak stays in registers.
-#[inline(always)]
-fn plain_balance(law: &Law, speed: f64) -> Balance {
-    let kinetic = 0.4 * speed * speed;
-    let last = law.loading.index_at_work(kinetic);
-    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
-    Balance::new(law, kinetic, last, distance, law.plain_unloading(law.plain_state_at(last, distance), kinetic))
-}
-
-impl Balance {
-    #[inline(always)]
-    fn new(law: &Law, kinetic: f64, last: usize, distance: f64, unloading: Unloading) -> Self {
-        let recovered = unloading.capacity();
-        // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
-        let share = recovered / kinetic;
-        let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
-        let is_all = is_one || law.is_elastic_to(unloading.peak.indentation) || share > 1.0 && law.branch().is_none();
-        let restitution = if is_all { 1.0 } else { share.sqrt() };
-        Self { unloading, restitution, kinetic, last, distance }
-    }
+    let unloading = law.turned_at(last, distance, kinetic);
+    // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
+    let share = unloading.capacity() / kinetic;
+    let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
+    let is_all = is_one || law.is_elastic_to(unloading.peak.indentation) || share > 1.0 && law.branch().is_none();
+    let restitution = if is_all { 1.0 } else { share.sqrt() };
+    Balance { unloading, restitution, kinetic, last, distance }
 }
 
 /// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
 pub fn solve(law: &Law, speed: f64) -> Outcome {
-    if law.is_plain() { outcome(law, speed, plain_balance(law, speed)) } else { outcome_of_other(law, speed) }
-}
-
-#[cold]
-#[inline(never)]
-fn outcome_of_other(law: &Law, speed: f64) -> Outcome {
-    outcome(law, speed, balance(law, speed))
-}
-
-#[inline(always)]
-fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
-    let Balance { unloading, restitution, kinetic, last, distance } = balance;
-    let (first, mut loading_time) = law.loading.crossed(kinetic, speed);
-    let pieces = &law.loading.pieces()[first..=last];
-    let mut entry = if first == 0 { speed } else { (2.0 * ACCELERATION * (kinetic - pieces[0].work)).sqrt() };
-    for (piece, next) in pieces.iter().zip(&pieces[1..]) {
+    let Balance { unloading, restitution, kinetic, last, distance } = balance(law, speed);
+    let curve = &law.loading;
+    let Reached { piece: first, mut start, work, time: mut loading_time } = curve.crossed(kinetic, speed);
+    let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
+    for index in first..last {
+        let (piece, next) = (&curve.pieces()[index], &curve.pieces()[index + 1]);
         let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
-        loading_time += time_on(piece, next.start - piece.start, entry, exit);
-        entry = exit;
+        let length = next.start - piece.start;
+        loading_time += match piece.shape {
+            Shape::Smooth(_) => time_on_panels(curve, index, [start, length], exit),
+            _ => time_on(piece, length, entry, exit),
+        };
+        (entry, start) = (exit, next.start);
     }
-    let peak = &unloading.peak;
-    loading_time += time_to_turn(&pieces[last - first], distance, entry);
-    let unloading_time = if unloading.is_power() {
-        quarter_period(unloading.exponent) * peak.elastic_approach / (restitution * speed)
-    } else {
-        other_unloading_time(&unloading, restitution * speed)
+    let (peak, piece) = (&unloading.peak, &curve.pieces()[last]);
+    loading_time += match piece.shape {
+        Shape::Smooth(_) => time_to_turn_on_panels(curve, last, [start, distance], entry),
+        _ => time_to_turn(piece, distance, entry),
     };
+    let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
     Outcome {
         unloading,
         restitution,
@@ -113,12 +92,6 @@ fn outcome(law: &Law, speed: f64, balance: Balance) -> Outcome {
         end_speed: -restitution * speed,
         loss: 0.0,
     }
-}
-
-/// Time on an unloading branch that is no power law; the sphere leaves it at speed `exit`.
-#[cold]
-fn other_unloading_time(unloading: &Unloading, exit: f64) -> f64 {
-    time_to_turn(&unloading.branch(), unloading.peak.elastic_approach, exit)
 }
 
 /// √c, so that ω = √c √s on a straight piece of slope s.
@@ -136,18 +109,27 @@ fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
             atan(omega * entry / (ACCELERATION * piece.force)) * inverse_root * (1.0 / ROOT_ACCELERATION)
         }
         Shape::Power { exponent, lead, .. } => time_on_power(piece, exponent, lead, distance, entry, 0.0),
-        Shape::Smooth(smooth) => smooth_time_to_turn(piece, &smooth, distance, entry),
+        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
     }
 }
 
 #[cold]
-fn smooth_time_to_turn(piece: &Piece, smooth: &Smooth, distance: f64, entry: f64) -> f64 {
+fn time_to_turn_on_panels(curve: &Curve, index: usize, way: [f64; 2], entry: f64) -> f64 {
+    let piece = &curve.pieces()[index];
     // just behind a knot the time is that on the tangent at the knot, for the same reason
-    if entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
+    if way[0] == piece.start && entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
         let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
         return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
     }
-    smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION)
+    time_on_panels(curve, index, way, 0.0)
+}
+
+/// Time from x = `from` to a distance from the start of a piece, where the speed is `exit`: on the panels of the piece, or on
+/// the piece where it has none, as on a spot that was loaded before.
+#[cold]
+fn time_on_panels(curve: &Curve, index: usize, [from, distance]: [f64; 2], exit: f64) -> f64 {
+    let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
+    on_panels.unwrap_or_else(|| time_on(&curve.pieces()[index], distance, 0.0, exit))
 }
 
 /// The distance of a turning point from a knot has lost digits if it is below half this share of the indentation.

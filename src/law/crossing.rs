@@ -10,7 +10,9 @@
 //! The c_k belong to the curve and are computed once. Up to w_i = E/10 fourteen terms are enough: the rest of the
 //! series is below 1e-16 of the time of loading. A hardening half-space has about 100 pieces; this series is the time on most of them.
 
+use super::panel::Panel;
 use super::piece::{Piece, Shape};
+use crate::math::quadrature::gauss;
 
 /// Terms of the series, an even number.
 const TERMS: usize = 14;
@@ -54,15 +56,24 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
+    fn new(piece: usize, start: f64, work: f64, moments: &[f64; TERMS]) -> Self {
+        let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / start, 1.0 / work);
+        for k in 1..TERMS {
+            unit *= per_work;
+            coefficients[k] = BINOMIALS[k] * moments[k] * unit;
+        }
+        Self { piece, start, work, coefficients }
+    }
+
     /// Whether the series is good for a sphere of this energy.
     #[inline(always)]
     pub(super) fn is_good(&self, kinetic: f64) -> bool {
         self.work <= LARGEST_SHARE * kinetic
     }
 
-    /// Index of the piece that begins at the knot, and t.
+    /// The knot, and when it is passed.
     #[inline]
-    pub(super) fn reached(&self, kinetic: f64, speed: f64) -> (usize, f64) {
+    pub(super) fn reached(&self, kinetic: f64, speed: f64) -> Reached {
         let share = self.work / kinetic;
         let square = share * share;
         // even and odd terms apart, so that neither waits for the other
@@ -71,21 +82,47 @@ impl Crossing {
             .chunks_exact(2)
             .rev()
             .fold((0.0, 0.0), |(even, odd), pair| (even * square + pair[0], odd * square + pair[1]));
-        (self.piece, self.start / speed * (even + share * odd))
+        let &Self { piece, start, work, .. } = self;
+        Reached { piece, start, work, time: start / speed * (even + share * odd) }
     }
 }
 
-/// The series for the knots of a curve that begins with a power law from zero. Its straight pieces must end at most 10 %
-/// beyond their starts; there are no series behind a piece of another kind.
-#[allow(clippy::cast_precision_loss)] // fourteen terms
-pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
-    let mut crossings = Vec::with_capacity(pieces.len() / EVERY);
+/// A place on the way in.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reached {
+    /// Index of its piece.
+    pub piece: usize,
+    /// x.
+    pub start: f64,
+    /// The work so far.
+    pub work: f64,
+    /// The time since first touch.
+    pub time: f64,
+}
+
+/// Adds to the moments what these nodes add: their terms, which begin as their weights, times the powers of their works.
+fn add<const N: usize>(moments: &mut [f64; TERMS], mut terms: [f64; N], works: &[f64; N]) {
+    for moment in moments {
+        let mut sum = 0.0;
+        for (term, work) in terms.iter_mut().zip(works) {
+            sum += *term;
+            *term *= work;
+        }
+        *moment += sum;
+    }
+}
+
+/// The series for the knots of a curve that begins with a power law from zero, and for the starts of its panels. Its straight
+/// pieces must end at most 10 % beyond their starts; there are no series behind a piece of another kind.
+pub(super) fn crossings(pieces: &[Piece], panels: &[Panel]) -> Vec<Crossing> {
+    let mut crossings = Vec::with_capacity(pieces.len() / EVERY + panels.len());
     // ∫ w^k dx from 0 to the start of a piece
     let mut moments = [0.0; TERMS];
     for (index, pair) in (1..).zip(pieces.windows(2)).take_while(|(_, pair)| pair[1].work < LARGEST_WORK) {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
         match piece.shape {
+            #[allow(clippy::cast_precision_loss)] // fourteen terms
             Shape::Power { exponent, lead: 0.0, .. } => {
                 let mut term = length;
                 for (k, moment) in moments.iter_mut().enumerate() {
@@ -98,23 +135,24 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
                     let d = node * length;
                     piece.work + d * (piece.force + 0.5 * slope * d)
                 });
-                let mut terms = WEIGHTS.map(|weight| weight * length);
-                for moment in &mut moments {
-                    *moment += (terms[0] + terms[1]) + (terms[2] + terms[3]);
-                    for (term, work) in terms.iter_mut().zip(&works) {
-                        *term *= work;
-                    }
+                add(&mut moments, WEIGHTS.map(|weight| weight * length), &works);
+            }
+            Shape::Smooth(_) | Shape::Power { .. } => {
+                if !panels.iter().any(|panel| panel.piece + 1 == index) {
+                    break;
+                }
+                for panel in panels.iter().filter(|panel| panel.piece + 1 == index) {
+                    // that of its start, which is a knot of the curve or the end of another panel
+                    crossings.push(Crossing::new(index - 1, panel.start, panel.work, &moments));
+                    let (nodes, weights) = gauss();
+                    let works = nodes.map(|node| panel.work + panel.work_beyond(node * panel.length));
+                    add(&mut moments, weights.map(|weight| weight * panel.length), &works);
                 }
             }
-            Shape::Smooth(_) | Shape::Power { .. } => break,
         }
-        if index % EVERY == 0 {
-            let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / next.start, 1.0 / next.work);
-            for k in 1..TERMS {
-                unit *= per_work;
-                coefficients[k] = BINOMIALS[k] * moments[k] * unit;
-            }
-            crossings.push(Crossing { piece: index, start: next.start, work: next.work, coefficients });
+        let is_formula = panels.iter().any(|panel| panel.piece == index);
+        if !is_formula && (index % EVERY == 0 || !panels.is_empty()) {
+            crossings.push(Crossing::new(index, next.start, next.work, &moments));
         }
     }
     crossings

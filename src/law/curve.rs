@@ -3,9 +3,10 @@
 //! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
-use super::crossing::{self, Crossing};
+use super::crossing::{self, Crossing, Reached};
+use super::panel::{self, Panel, panels};
 use super::piece::{Piece, Shape};
-use crate::math::power::power;
+use crate::math::power::{max_or_nan, power};
 use crate::math::smooth::Smooth;
 
 /// An increasing loading curve from (0, 0) on; its last piece has no end. Where a published law jumps, the next piece begins
@@ -15,12 +16,16 @@ pub struct Curve {
     pub(super) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces.
     pub(super) crossings: Vec<Crossing>,
-    /// The pieces whose work costs an integration, in parts over which one panel of the rule is enough.
-    parts: Vec<Piece>,
+    /// The pieces that are formulas, as polynomials.
+    panels: Vec<Panel>,
+    /// Whether the force falls at a jump.
+    falls: bool,
 }
 
-/// Largest ratio of the ends of a part.
-const PART: f64 = 4.0;
+/// Whether the force of a piece falls, by more than rounding, where the next one begins.
+fn falls_to(piece: &Piece, start: f64, force: f64) -> bool {
+    piece.force_at(start) > force * (1.0 + 1e-12)
+}
 
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
@@ -35,7 +40,8 @@ impl Curve {
 
     /// The curve of these pieces.
     pub(super) fn of(pieces: Vec<Piece>) -> Self {
-        Self { pieces, crossings: Vec::new(), parts: Vec::new() }
+        let falls = pieces.windows(2).any(|pair| falls_to(&pair[0], pair[1].start, pair[1].force));
+        Self { pieces, crossings: Vec::new(), panels: Vec::new(), falls }
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -57,56 +63,66 @@ impl Curve {
         self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
-    /// The same curve, going on from `start` as a formula says; the force may jump there.
+    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole`; the force may jump there.
     #[must_use]
-    pub fn then_smooth(self, start: f64, smooth: Smooth) -> Self {
-        self.then(start, smooth.value(start, 0.0), Shape::Smooth(smooth))
+    pub fn then_smooth(self, start: f64, smooth: Smooth, end: f64, pole: f64) -> Self {
+        let mut curve = self.then(start, smooth.value(start, 0.0), Shape::Smooth(smooth));
+        if let Some(last) = curve.pieces.last() {
+            curve.panels.extend(panels(curve.pieces.len() - 1, last, end, pole));
+        }
+        curve
     }
 
     /// The same curve with series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
     pub(super) fn with_crossings(mut self) -> Self {
-        self.crossings = crossing::crossings(&self.pieces);
+        self.crossings = crossing::crossings(&self.pieces, &self.panels);
         self
     }
 
-    /// The same curve with the work at the ends of panels, so that work further on, and the way that a work goes, cost one panel
-    /// each and not one for every factor of four from the start of the piece.
+    /// The same curve, with these series where it has panels.
     #[must_use]
-    pub(super) fn with_parts(mut self) -> Self {
-        for (index, piece) in self.pieces.iter().enumerate() {
-            let end = self.pieces.get(index + 1).map_or(piece.start, |next| next.start);
-            if !matches!(piece.shape, Shape::Smooth(smooth) if smooth.is_integrated()) {
-                continue;
-            }
-            let mut part = *piece;
-            while part.start < end {
-                self.parts.push(part);
-                let start = PART * part.start;
-                part = Piece { start, force: part.force_at(start), work: part.work_at(start), ..part };
-            }
-        }
-        self
+    pub(super) fn with_crossings_of_panels(self) -> Self {
+        if self.panels.is_empty() { self } else { self.with_crossings() }
     }
 
-    /// The part of a piece, or the piece itself, on which `is_before` turns from true to false.
-    fn part_of<'a>(&'a self, piece: &'a Piece, is_before: impl Fn(&Piece) -> bool) -> &'a Piece {
-        let last = self.parts.partition_point(|part| part.start <= piece.start || is_before(part));
-        let of_piece = |part: &&Piece| {
-            matches!(piece.shape, Shape::Smooth(_)) && part.start >= piece.start && part.shape == piece.shape
-        };
-        last.checked_sub(1).map(|last| &self.parts[last]).filter(of_piece).unwrap_or(piece)
+    /// The panels of a piece; none but on a formula.
+    fn panels_of(&self, index: usize) -> &[Panel] {
+        let from = self.panels.partition_point(|panel| panel.piece < index);
+        let until = self.panels.partition_point(|panel| panel.piece <= index);
+        &self.panels[from..until]
     }
 
     /// The distance from the start of a piece at which the work reaches `work`, see [`Piece::distance_at_work`].
+    #[inline(always)]
     pub(crate) fn distance_at_work(&self, index: usize, work: f64) -> f64 {
         let piece = &self.pieces[index];
-        let part = self.part_of(piece, |part| part.work <= work);
-        (part.start - piece.start) + part.distance_at_work(work)
+        if self.panels.is_empty() {
+            return piece.distance_at_work(work);
+        }
+        let panels = self.panels_of(index);
+        let before = panels.partition_point(|panel| panel.work <= work);
+        let panel = before.checked_sub(1).map(|last| &panels[last]);
+        panel.map_or_else(
+            || piece.distance_at_work(work),
+            |panel| (panel.start - piece.start) + panel.distance_at_work(work - panel.work),
+        )
+    }
+
+    /// The time of a motion d'' = −c f on the panels of a piece, from x = `from` to a distance from the start of the piece,
+    /// where the speed is `exit`; `None` on one without panels.
+    pub(crate) fn time_on_panels(&self, index: usize, from: f64, distance: f64, exit: f64, c: f64) -> Option<f64> {
+        let panels = self.panels_of(index);
+        let start = panels.first()?.start;
+        let x = start + distance;
+        let last = panels.partition_point(|panel| panel.start <= x).saturating_sub(1);
+        let first = panels.partition_point(|panel| panel.start <= from).saturating_sub(1).min(last);
+        Some(panel::time(&panels[first..=last], from, distance - (panels[last].start - start), exit, c))
     }
 
     fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
-        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
+        let work = if self.pieces.is_empty() { 0.0 } else { self.work(start) };
+        self.falls |= self.pieces.last().is_some_and(|last| falls_to(last, start, force));
         self.pieces.push(Piece { start, force, work, shape });
         self
     }
@@ -124,6 +140,19 @@ impl Curve {
         const MEETS: f64 = 1e-9;
         let jumps = |pair: &&[Piece]| (pair[0].force_at(pair[1].start) - pair[1].force).abs() > MEETS * pair[1].force;
         self.pieces[..=self.index_at(x)].windows(2).find(jumps).map(|pair| pair[1].start)
+    }
+
+    /// Whether the force falls at a jump.
+    #[inline(always)]
+    pub(super) fn falls(&self) -> bool {
+        self.falls
+    }
+
+    /// The largest force on the way to a point (x, f) of the curve.
+    #[cold]
+    pub(super) fn largest_force(&self, x: f64, force: f64) -> f64 {
+        let passed = self.pieces.windows(2).filter(|pair| pair[1].start <= x);
+        passed.map(|pair| pair[0].force_at(pair[1].start)).fold(force, max_or_nan)
     }
 
     /// The pieces in order; never empty.
@@ -157,15 +186,22 @@ impl Curve {
 
     /// Work from first touch to x.
     pub fn work(&self, x: f64) -> f64 {
-        let piece = &self.pieces[self.index_at(x)];
-        self.part_of(piece, |part| part.start <= x).work_at(x)
+        let index = self.index_at(x);
+        let panels: &[Panel] = if self.panels.is_empty() { &[] } else { self.panels_of(index) };
+        match panels.partition_point(|panel| panel.start <= x) {
+            0 => self.pieces[index].work_at(x),
+            before => panels[before - 1].work + panels[before - 1].work_beyond(x - panels[before - 1].start),
+        }
     }
 
-    /// The last knot that a sphere of this energy and speed reaches fast enough for its series: the index of the piece that
-    /// begins there, and the time from first touch. Without such a knot, the start of the curve.
+    /// The last place that a sphere of this energy and speed reaches fast enough for its series. Without one, the start of
+    /// the curve.
     #[inline(always)]
-    pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> (usize, f64) {
+    pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
         let fast = self.crossings.partition_point(|knot| knot.is_good(kinetic));
-        fast.checked_sub(1).map_or((0, 0.0), |last| self.crossings[last].reached(kinetic, speed))
+        let start = self.pieces[0].start;
+        fast.checked_sub(1).map_or(Reached { piece: 0, start, work: 0.0, time: 0.0 }, |last| {
+            self.crossings[last].reached(kinetic, speed)
+        })
     }
 }

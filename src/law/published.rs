@@ -131,7 +131,7 @@ impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         let (holds_until, widest) = (f64::INFINITY, WIDEST_PARABOLOID);
-        let curve = curve.with_parts();
+        let curve = curve.with_crossings_of_panels();
         Self { curve, elastic_until, holds_until, stated: None, widest, radius: Arc::new(radius) }
     }
 }
@@ -185,14 +185,14 @@ impl PartialEq for Published {
 }
 
 impl Published {
+    /// Whether loading to x is elastic, but for the last digit of x.
     fn is_elastic(&self, x: f64) -> bool {
-        x <= self.loading.elastic_until
+        x <= self.loading.elastic_until * (1.0 + f64::EPSILON)
     }
 
-    /// A point of the loading curve, and the unloading from it by the law's own formulas.
-    fn recovered(&self, indentation: f64, force: f64) -> (PeakState, Recovered) {
-        let Loading { curve, radius, .. } = &self.loading;
-        let (radius, spent) = (radius(indentation, force), curve.work(indentation));
+    /// A point of the loading curve that took the work `spent`, and the unloading from it by the law's own formulas.
+    fn recovered(&self, indentation: f64, force: f64, spent: f64) -> (PeakState, Recovered) {
+        let radius = (self.loading.radius)(indentation, force);
         let at = PeakState { indentation, force, radius, elastic_approach: None, spent };
         (at, (self.recovery)(at))
     }
@@ -200,11 +200,17 @@ impl Published {
     /// ε, at most x and at most what the work of loading allows.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
     pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        if self.is_elastic(x) {
-            return x;
+        self.unloading_from(x, force, self.loading.curve.work(x)).peak.elastic_approach
+    }
+
+    /// The branch from a point of the loading curve that took the work `spent`.
+    #[cold]
+    pub(super) fn unloading_from(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
+        if self.is_elastic(indentation) {
+            return Unloading::power(Peak { indentation, force, elastic_approach: indentation }, 1.5);
         }
-        let (at, recovered) = self.recovered(x, force);
-        recovered.bounded(&at)
+        let (at, recovered) = self.recovered(indentation, force, spent);
+        recovered.branch(&at, recovered.bounded(&at))
     }
 
     /// The branch from a peak.
@@ -213,7 +219,8 @@ impl Published {
         if self.is_elastic(peak.indentation) {
             return Unloading::power(peak, 1.5);
         }
-        Unloading::new(peak, self.recovered(peak.indentation, peak.force).1.shape)
+        let spent = self.loading.curve.work(peak.indentation);
+        Unloading::new(peak, self.recovered(peak.indentation, peak.force, spent).1.shape)
     }
 
     /// a/a_Y at a peak.
@@ -234,14 +241,19 @@ impl Published {
     /// Whether the law has an answer for a peak.
     #[cold]
     pub(super) fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
-        let &Peak { indentation, force, .. } = peak;
+        let &Peak { indentation, force, elastic_approach } = peak;
         if self.is_elastic(indentation) {
             return Ok(());
         }
         if indentation > self.loading.holds_until {
             return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
         }
-        let (at, recovered) = self.recovered(indentation, force);
+        let spent = self.loading.curve.work(indentation);
+        // an approach that is well below both limits (n is at least 1) is that of the formulas
+        if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
+            return Ok(());
+        }
+        let (at, recovered) = self.recovered(indentation, force, spent);
         recovered.accept(&at)
     }
 }

@@ -161,11 +161,12 @@ impl Law {
     pub(crate) fn state_at(&self, index: usize, distance: f64) -> Peak {
         match &self.elastic {
             ElasticApproach::Reloaded(reloaded) if index == 0 => reloaded.state_at(distance),
-            ElasticApproach::Reloaded(_) | ElasticApproach::Published(_) => {
-                let point = self.plain_state_at(index, distance);
-                Peak { elastic_approach: self.elastic_approach(point.indentation, point.force), ..point }
+            _ => {
+                let piece = &self.loading.pieces()[index];
+                let indentation = piece.start + distance;
+                let force = piece.force_at(indentation);
+                Peak { indentation, force, elastic_approach: self.elastic_approach(indentation, force) }
             }
-            _ => self.plain_state_at(index, distance),
         }
     }
 

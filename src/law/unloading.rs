@@ -4,8 +4,9 @@
 use std::f64::consts::PI;
 
 use super::piece::{Piece, Shape};
-use crate::math::functions::pow;
-use crate::math::power::{power, work_share};
+use crate::math::functions::{pow, powi};
+use crate::math::power::{power, quarter_period, work_share};
+use crate::math::quadrature::gauss;
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The largest state that a contact has seen: the whole memory of the law.
@@ -68,6 +69,27 @@ fn shifted_work([k, residual, _]: &Parameters, y: f64) -> f64 {
     let a = (square + residual).sqrt();
     let above = square / (a + b);
     k * above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b))
+}
+
+/// ∫ dx/√(1 − w/w_m)/ε_m over the moved Hertz curve.
+///
+/// With x = x_m (β + η)², β² = x_r/x_m, the work goes with η² (3β³ + 4β²η + 2βη² + 2η³/5), and with η = η_m (1 − σ²) the root
+/// loses its singularity, as w_m − w has the factor η_m − η.
+fn shifted_quarter_period(peak: &Peak) -> f64 {
+    let approach = peak.elastic_approach / peak.indentation;
+    let beta = (1.0 - approach).max(0.0).sqrt();
+    let most = approach / (1.0 + beta);
+    // of s² to s⁵ with s = η/η_m
+    let [a, b, c, d] = [3.0 * powi(beta, 3), 4.0 * beta * beta * most, 2.0 * beta * most * most, 0.4 * powi(most, 3)];
+    let whole = a + b + c + d;
+    let (nodes, weights) = gauss();
+    let sum = nodes.iter().zip(weights).fold(0.0, |sum, (node, weight)| {
+        let s = 1.0 - node * node;
+        // (whole − a s² − b s³ − c s⁴ − d s⁵)/(1 − s)
+        let rest = whole + s * (whole + s * ((whole - a) + s * ((c + d) + s * d)));
+        sum + weight * (beta + most * s) / rest.sqrt()
+    });
+    4.0 * most * whole.sqrt() * sum / approach
 }
 
 /// Which exponent n the unloading branch has.
@@ -172,6 +194,28 @@ impl Unloading {
     #[inline]
     pub(crate) fn is_power(&self) -> bool {
         self.curve.is_none()
+    }
+
+    /// The time from the peak to x_r, times the speed there over ε_m.
+    #[inline]
+    pub(crate) fn quarter_period(&self) -> f64 {
+        self.curve.as_ref().map_or_else(|| quarter_period(self.exponent), |curve| self.quarter_period_of(curve))
+    }
+
+    #[cold]
+    fn quarter_period_of(&self, curve: &Smooth) -> f64 {
+        /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
+        const UNIFORM: f64 = 1.493_167_350_244_138_4;
+        let approach = self.peak.elastic_approach;
+        if curve.is(&SHIFTED_HERTZ) {
+            return shifted_quarter_period(&self.peak);
+        }
+        // from the whole peak, and not from a lower point of its branch
+        if curve.is(&UNIFORM_PRESSURE) && curve.parameters()[1] == approach {
+            return UNIFORM;
+        }
+        let exit = (2.0 * self.capacity()).sqrt();
+        curve.time(self.peak.residual(), 0.0, approach, exit, 1.0) * exit / approach
     }
 
     /// The same branch from a lower point of it, where a reload turned.

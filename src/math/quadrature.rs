@@ -136,6 +136,11 @@ impl Rule {
     }
 }
 
+/// Nodes and weights of Gauss's rule on (0, 1).
+pub(crate) fn gauss() -> (&'static [f64; PANEL], &'static [f64; PANEL]) {
+    (&RULE.nodes, &RULE.weights)
+}
+
 /// ∫ f on one panel.
 pub(super) fn panel(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     let width = to - from;

@@ -75,6 +75,16 @@ impl Smooth {
         Self { formula, parameters }
     }
 
+    /// Whether it is this formula.
+    pub(crate) fn is(&self, formula: &'static Formula) -> bool {
+        std::ptr::eq(self.formula, formula)
+    }
+
+    /// Its numbers.
+    pub(crate) fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
     /// What it is a function of.
     pub fn variable(&self) -> Variable {
         self.formula.variable
@@ -102,11 +112,6 @@ impl Smooth {
                 self.jet(y).slope / (2.0 * y)
             }
         }
-    }
-
-    /// Whether work costs an integration.
-    pub(crate) fn is_integrated(&self) -> bool {
-        self.formula.integral.is_none()
     }
 
     /// f and its derivatives as a function of its own variable.

@@ -145,7 +145,7 @@ impl ContactLaw for JacksonGreen {
         let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
         let curve = starts.map_or_else(Curve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
-            Curve::hertz().then_smooth(starts * s, smooth).then_tangent(end * s)
+            Curve::hertz().then_smooth(starts * s, smooth, end * s, 0.0).then_tangent(end * s)
         });
         let from = pow(TRANSITION, -b);
         let mut loading = Loading::new(curve, s, move |x, _| {

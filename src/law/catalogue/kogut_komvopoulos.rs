@@ -114,9 +114,9 @@ impl ContactLaw for KogutKomvopoulos {
         };
         let mut curve = Curve::hertz();
         if let Some((first, second)) = starts {
-            for (from, smooth) in [(first, mixed), (second, fully)] {
+            for (from, smooth, until) in [(first, mixed, second.min(end)), (second, fully, end)] {
                 if from < end {
-                    curve = curve.then_smooth(from, smooth);
+                    curve = curve.then_smooth(from, smooth, until, 0.0);
                 }
             }
             if first < end {

@@ -88,7 +88,8 @@ impl ContactLaw for MaLiu {
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
         let (mixed, slope) = self.mixed(bodies);
-        let curve = Curve::hertz().then_smooth(1.0, mixed).then_straight(self.transition_ratio, slope);
+        let end = self.transition_ratio;
+        let curve = Curve::hertz().then_smooth(1.0, mixed, end, 0.0).then_straight(end, slope);
         // the radius of the Hertz contact at the start of unloading
         let elastic_approach = self.elastic_approach(bodies);
         Some(Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force)))

@@ -79,7 +79,7 @@ impl ContactLaw for Stronge {
         let s = bodies.yield_at(1.5 * theta);
         let pressure = 1.0 + ln(2.0 * FULLY_PLASTIC - 1.0) / (3.0 * theta);
         let curve = Curve::hertz()
-            .then_smooth(s, Smooth::new(&MIDDLE, [s, 3.0 * theta, 0.0]))
+            .then_smooth(s, Smooth::new(&MIDDLE, [s, 3.0 * theta, 0.0]), FULLY_PLASTIC * s, 0.5 * s)
             .then_straight(FULLY_PLASTIC * s, 2.0 * s.sqrt() * pressure);
         Some(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()))
     }

@@ -6,7 +6,7 @@ use crate::law::contact_law::{About, Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::published::{Loading, RecoveryRule, hertzian};
 
-use crate::math::functions::{cbrt, pow, powi};
+use crate::math::functions::{pow, powi};
 
 /// The law of Thornton.
 ///
@@ -47,10 +47,9 @@ pub fn yield_speed(effective_modulus: f64, radius: f64, mass: f64, yield_pressur
     per_modulus * per_modulus * (8.0 * PI * powi(radius, 3) / (15.0 * mass)).sqrt() * pow(yield_pressure, 2.5)
 }
 
-/// ε/δ_y of Hertz-type unloading with Thornton's R_p, at f = F_m/F_y.
+/// ε/δ_y of Hertz-type unloading with Thornton's R_p, at f = F_m/F_y: (f² R/R_p)^(1/3) = f √(3/(2f + 1)).
 pub(super) fn elastic_approach(force: f64) -> f64 {
-    let radius_ratio = pow((2.0 * force + 1.0) / 3.0, 1.5) / force;
-    cbrt(force * force / radius_ratio)
+    force * (3.0 / (2.0 * force + 1.0)).sqrt()
 }
 
 impl Thornton {
