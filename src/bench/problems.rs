@@ -1,18 +1,20 @@
-//! Six impacts with exact solutions, on which speed is measured against error.
+//! Impacts with known solutions, on which speed is measured against error.
 //!
 //! P1, P2 and P3 are a sphere of steel (E 210 GPa, ν 0.3, ρ 7850 kg/m³, R 5 mm, σ_Y 345 MPa) on the same steel, with
 //! laws simple enough for pencil and paper: Hertz up to δ_Y = R (π 1.6 σ_Y/2E*)², then straight pieces, and Hertz-type
-//! unloading √2 times as stiff as the loading. The other three are the PLM at three of its limits.
+//! unloading √2 times as stiff as the loading. Three more are the PLM at three of its limits. The last two are what users
+//! compute beside it: the PLM on a half-space that hardens, and with viscous damping.
 
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::impact::closed_form::{self, energy_balance};
-use crate::impact::{Contact, ImpactError, Outcome};
+use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
 use crate::law::curve::Curve;
 use crate::law::{ElasticApproach, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::pow;
 use crate::math::power::quarter_period;
+use crate::strength::flow::FlowCurve;
 
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]
@@ -24,7 +26,10 @@ pub struct Problem {
     pub law: Law,
     /// q = v/V.
     pub speed: f64,
-    /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy.
+    /// What acts beside the law.
+    pub forces: ScaledForces,
+    /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy. The hardened
+    /// problem has that of the closed form, the damped one that of rk8 at a tolerance of 1e-14.
     pub exact: Outcome,
 }
 
@@ -37,7 +42,7 @@ impl Problem {
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);
         let exact = Outcome { unloading, restitution, loading_time, contact_time, ..by_formula };
-        Self { name, about, law, speed, exact }
+        Self { name, about, law, speed, forces: ScaledForces::NONE, exact }
     }
 }
 
@@ -67,7 +72,31 @@ pub fn kinked_law() -> Law {
     }
 }
 
-/// The six problems.
+/// The steel ball of 5 mm at 3 m/s on a half-space of 345 MPa that hardens by this power of the strain.
+fn steel_ball(exponent: Option<f64>) -> Result<(Law, f64), ImpactError> {
+    let sphere = Sphere::elastic(5e-3, STEEL, STEEL_DENSITY);
+    let half_space = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
+    let plm = Plm { flow: exponent.map(|exponent| FlowCurve::Power { exponent }), ..Plm::default() };
+    let contact = Contact::try_new(sphere, half_space, &plm)?;
+    let (_, law, q) = contact.scaled(3.0)?;
+    Ok((law.clone(), q))
+}
+
+/// The hardened impact and the damped one.
+fn of_users() -> Result<[Problem; 2], ImpactError> {
+    let (law, speed) = steel_ball(Some(0.2))?;
+    let exact = closed_form::solve(&law, speed);
+    let about = "PLM, 5 mm steel sphere at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
+    let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
+    let (law, speed) = steel_ball(None)?;
+    let forces = ScaledForces { damping: Some(Damping::Viscous(0.1)), ..ScaledForces::NONE };
+    let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
+    let exact = run(&law, speed, &forces, None, &solver, None)?.outcome;
+    let about = "PLM, 5 mm steel sphere on steel at 3 m/s, with a tenth of critical viscous damping";
+    Ok([hardened, Problem { name: "damped", about, law, speed, forces, exact }])
+}
+
+/// All problems.
 ///
 /// # Errors
 /// [`ImpactError`], which none of their numbers is near.
@@ -85,6 +114,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         let (scales, law, q) = contact.scaled(speed)?;
         Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
+    let [hardened, damped] = of_users()?;
     Ok(vec![
         Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
         Problem::new(
@@ -131,5 +161,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
             0.338_195_850_167_985_4,
             4.118_779_496_389_435e-4,
         )?,
+        hardened,
+        damped,
     ])
 }

@@ -1,7 +1,8 @@
 //! The report of `bench`: a CSV file of all settings, a picture of each problem, and a page in Markdown.
 
 use super::hard_cases::HardCase;
-use super::measure::{METHODS, Measurement, Rung};
+use super::laws::Rate;
+use super::measure::{METHODS, Measurement, Rung, serves};
 use super::problems::Problem;
 use crate::impact::{Computed, Method, ScaledForces, Solver, closed_form, run};
 use crate::integrate::IntegrationError;
@@ -51,11 +52,17 @@ pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     Ok(OutputFile { name: "speed_vs_error.csv".into(), bytes })
 }
 
-/// The page with all tables, as Markdown. `rates` are the rows of the table of how fast tables are written.
+/// The page with all tables, as Markdown. `rates` are the rows of the table of how fast tables are written, `laws` the times of
+/// a row by law.
 ///
 /// # Errors
 /// What a method reports on a hard case: none is expected to.
-pub fn page(all: &[Measured], cases: &[HardCase], rates: Vec<Vec<String>>) -> Result<String, IntegrationError> {
+pub fn page(
+    all: &[Measured],
+    cases: &[HardCase],
+    laws: &[Rate],
+    rates: Vec<Vec<String>>,
+) -> Result<String, IntegrationError> {
     let columns = "columns | computing all results | CSV, end to end | Parquet, end to end";
     Ok(format!(
         include_str!("page.md"),
@@ -63,6 +70,7 @@ pub fn page(all: &[Measured], cases: &[HardCase], rates: Vec<Vec<String>>) -> Re
         times = time_table(all),
         verlet = verlet_table(all),
         hard_cases = hard_case_table(cases)?,
+        laws = law_table(laws),
         threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
         tables = table(columns, rates).trim_end(),
     ))
@@ -73,7 +81,7 @@ const ROUNDING: f64 = 1e-16;
 
 /// The picture of a problem: time of one impact against the larger of its errors.
 pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
-    let series = METHODS.map(|method| {
+    let series = METHODS.into_iter().filter(|method| serves(*method, problem)).map(|method| {
         let points = measurements
             .iter()
             .filter(|m| m.method == method)
@@ -85,7 +93,7 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
     });
     let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
-    let lines = Chart::new(format!("{}: {}", problem.name, problem.about), [x, y], series.into());
+    let lines = Chart::new(format!("{}: {}", problem.name, problem.about), [x, y], series.collect());
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
     Ok(OutputFile { name, bytes: lines.to_png()? })
 }
@@ -119,7 +127,7 @@ fn table(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
 fn time_table(all: &[Measured]) -> String {
     let mut rows = Vec::new();
     for (problem, measurements) in all {
-        for method in METHODS {
+        for method in METHODS.into_iter().filter(|method| serves(*method, problem)) {
             let cell = |threshold| {
                 let reference = time_to_reach(measurements, Method::Dop853, threshold);
                 match (time_to_reach(measurements, method, threshold), reference) {
@@ -133,6 +141,12 @@ fn time_table(all: &[Measured]) -> String {
         }
     }
     table("problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12", rows)
+}
+
+/// Time of a row of a table, and of a contact, by law.
+fn law_table(laws: &[Rate]) -> String {
+    let row = |rate: &Rate| vec![rate.law.clone(), microseconds(rate.ns_per_row), microseconds(rate.ns_per_contact)];
+    table("law | a row | a new contact", laws.iter().map(row))
 }
 
 /// The ratios that rk8 is judged by.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use plm_impact::bench::{hard_cases, measure, problems, report};
+use plm_impact::bench::{hard_cases, laws, measure, problems, report};
 use plm_impact::error::Error;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, Scratch};
 use plm_impact::run::table;
@@ -44,9 +44,11 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
         all.push((problem, measurements));
     }
     let cases = hard_cases::hard_cases().map_err(other("hard cases"))?;
+    super::terminal::note(format_args!("measuring laws"));
+    let laws = laws::rates(rounds).map_err(other("laws"))?;
     super::terminal::note(format_args!("measuring tables"));
     let rates = table_rates(&directory, arguments.quick)?;
-    let text = report::page(&all, &cases, rates).map_err(other("hard cases"))?;
+    let text = report::page(&all, &cases, &laws, rates).map_err(other("hard cases"))?;
     let mut files = vec![report::csv(&all)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);

@@ -7,7 +7,7 @@ use std::io::Cursor;
 use assert_cmd::Command;
 use tempfile::TempDir;
 
-const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere"];
+const PROBLEMS: [&str; 8] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere", "hardened", "damped"];
 const METHODS: [&str; 5] = ["rk8", "dop853", "dopri5", "verlet", "closed_form"];
 const COLUMNS: [&str; 10] = [
     "problem",
@@ -21,6 +21,11 @@ const COLUMNS: [&str; 10] = [
     "steps",
     "ns_per_impact",
 ];
+
+/// There is no closed form under viscous damping.
+fn serves(method: &str, problem: &str) -> bool {
+    (method, problem) != ("closed_form", "damped")
+}
 
 struct Row {
     problem: String,
@@ -99,7 +104,7 @@ fn bench_writes_the_whole_report() {
     assert_eq!(words(&kept), words(&report), "plots/bench/README.md is stale");
     assert_eq!(String::from_utf8(output.stdout).unwrap().trim_end(), report.trim_end());
     for problem in PROBLEMS {
-        for method in METHODS {
+        for method in METHODS.into_iter().filter(|method| serves(method, problem)) {
             assert!(report.contains(&format!("\n| {problem} | {method} | ")), "{problem}, {method}\n{report}");
         }
     }
@@ -118,7 +123,9 @@ fn check_rows(rows: &[Row]) {
         let is_adaptive = !["verlet", "closed_form"].contains(&row.method.as_str());
         assert_eq!(row.tolerance.is_some(), is_adaptive, "{} {}", row.problem, row.method);
         let [_, contact_time, separation, _] = row.errors;
-        if row.method == "verlet" {
+        if row.method == "verlet" && row.problem == "damped" {
+            // the force of damping lags by half a step
+        } else if row.method == "verlet" {
             // the bench tries several phases of the step, 0.1 to 0.9 among them: the separation observed at whole steps
             // is late by up to one step, beyond the error of the motion
             let (steps, printed) = (f64::from(u32::try_from(row.steps).unwrap()), 1e-2 * separation);
@@ -129,18 +136,16 @@ fn check_rows(rows: &[Row]) {
         }
     }
     for problem in PROBLEMS {
-        for method in METHODS {
+        for method in METHODS.into_iter().filter(|method| serves(method, problem)) {
             let of_method: Vec<&Row> =
                 rows.iter().filter(|row| row.problem == problem && row.method == method).collect();
             let rungs = if method == "closed_form" { 1 } else { 5 };
             assert!(of_method.len() >= rungs, "{problem}: {} rows of {method}", of_method.len());
             if ["rk8", "closed_form"].contains(&method) {
                 let tightest = of_method.iter().min_by(|a, b| a.tolerance.partial_cmp(&b.tolerance).unwrap()).unwrap();
-                assert!(
-                    tightest.errors.iter().all(|error| *error < 1e-12),
-                    "{problem} {method}: {:?}",
-                    tightest.errors
-                );
+                // a damped run is measured against one that is ten times as exact
+                let most = if problem == "damped" { 1e-11 } else { 1e-12 };
+                assert!(tightest.errors.iter().all(|error| *error < most), "{problem} {method}: {:?}", tightest.errors);
             }
         }
     }

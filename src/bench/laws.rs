@@ -1,0 +1,71 @@
+//! How long a row of a table takes under each law: one contact, many speeds; and how long the contact takes to make.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use crate::impact::{Contact, ImpactError};
+use crate::law::{ContactLaw, LawChoice, Plm, UnloadingExponent};
+use crate::material::{HalfSpace, Material, Sphere};
+use crate::math::functions::pow;
+use crate::strength::flow::FlowCurve;
+
+/// What was measured of a law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rate {
+    /// Its name, with what is more.
+    pub law: String,
+    /// Best time of one row \[ns\].
+    pub ns_per_row: f64,
+    /// Best time of making the contact \[ns\].
+    pub ns_per_contact: f64,
+}
+
+/// Rows from 5 cm/s to 10 m/s.
+const ROWS: u32 = 1000;
+
+/// Times every law that loads, a steel ball of 5 mm on steel of 345 MPa; the PLM also with the other exponent of unloading and
+/// on a half-space that hardens. The laws take turns.
+///
+/// # Errors
+/// [`ImpactError`], which none of the numbers is near.
+pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
+    let shaped = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };
+    let hardened = Plm { flow: Some(FlowCurve::Power { exponent: 0.2 }), ..Plm::default() };
+    let named = LawChoice::all().into_iter().filter(LawChoice::has_loading).map(|law| (law.name(), law));
+    let more = [("plm, pressure-shape", shaped), ("plm, hardened", hardened)];
+    let more = more.map(|(name, plm)| (name.to_owned(), LawChoice::Plm(plm)));
+    let laws: Vec<(String, LawChoice)> = named.chain(more).collect();
+    let mut rates: Vec<Rate> = laws
+        .iter()
+        .map(|(law, _)| Rate { law: law.clone(), ns_per_row: f64::INFINITY, ns_per_contact: f64::INFINITY })
+        .collect();
+    let speeds: Vec<f64> = (0..ROWS).map(|row| 0.05 * pow(200.0, f64::from(row) / f64::from(ROWS))).collect();
+    for _ in 0..rounds {
+        for (rate, (_, law)) in rates.iter_mut().zip(&laws) {
+            let (contact, ns) = timed(|| contact(law.get()));
+            let contact = contact?;
+            rate.ns_per_contact = rate.ns_per_contact.min(ns);
+            // a law may refuse some of the speeds
+            let (_, ns) = timed(|| {
+                for speed in &speeds {
+                    black_box(contact.essentials(black_box(*speed)).ok());
+                }
+            });
+            rate.ns_per_row = rate.ns_per_row.min(ns / f64::from(ROWS));
+        }
+    }
+    Ok(rates)
+}
+
+fn contact(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
+    let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+    Contact::try_new(Sphere::elastic(5e-3, steel, 7850.0), half_space, law)
+}
+
+/// What `work` returns, and its time \[ns\].
+fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let started = Instant::now();
+    let done = black_box(work());
+    (done, 1e9 * started.elapsed().as_secs_f64())
+}
