@@ -17,7 +17,7 @@ use super::work::{FEW, TOGETHER, interruptible};
 use crate::impact::{self, Method};
 use crate::plan::axis::{Axis, Values};
 use crate::plan::{Cases, Plan};
-use crate::run::table::warnings;
+use crate::run::table::warnings_of;
 use crate::scenario::Scenario;
 use crate::scene::{KEYS, Key, Scene};
 
@@ -105,23 +105,21 @@ pub fn refused(key: &Key, place: &str, message: &str) -> PyErr {
 }
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
-/// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys; a
-/// value of 0 may switch gravity or damping off.
+/// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys, and
+/// [`keep`] keeps it for the next call; a value of 0 may switch gravity or damping off.
 fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
-    let keys: Vec<_> =
-        given.iter().map(|given| (given.key.path, given.ends.is_some_and(|[low, _]| low == 0.0))).collect();
+    let keys = varied(given);
     let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
-    let mut plan = if let Some((_, plan)) = plans.iter().find(|(known, _)| *known == keys) {
-        plan.clone()
+    let known = plans.iter().position(|(known, _)| *known == keys);
+    let mut plan = if let Some(place) = known {
+        plans.swap_remove(place).1
     } else {
         let axes = given.iter().map(|Given { key, ends, .. }| {
             let value = ends.map_or_else(|| key.quantity.example.to_owned(), |[low, _]| format!("{low:?}"));
             format!("sweep.\"{}\"=[{value}]", key.path)
         });
         let scenario = with(&contact.scenario, axes).map_err(exception)?;
-        let plan = crate::run::table::plan(&scenario).map_err(exception)?;
-        plans.push((keys, plan.clone()));
-        plan
+        crate::run::table::plan(&scenario).map_err(exception)?
     };
     let axes = given.iter().map(|given| {
         let values =
@@ -134,6 +132,20 @@ fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
     Ok(plan)
 }
 
+/// The keys that vary, and whether the smallest value of each is 0.
+fn varied(given: &[Given]) -> Vec<(&'static str, bool)> {
+    given.iter().map(|given| (given.key.path, given.ends.is_some_and(|[low, _]| low == 0.0))).collect()
+}
+
+/// Keeps a plan for the next call with the same keys.
+fn keep(contact: &Inner, given: &[Given], plan: Plan) {
+    let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
+    let keys = varied(given);
+    if plans.iter().all(|(known, _)| *known != keys) {
+        plans.push((keys, plan));
+    }
+}
+
 /// The numeric keys that the name of an argument may mean. For `impact.speed` the names are `impact.speed`,
 /// `impact_speed` and `speed`. The last part alone does not mean keys of other laws than that of the contact, nor the
 /// strength of the sphere, which changes no table.
@@ -142,7 +154,8 @@ fn meant(contact: &Inner, name: &str) -> Vec<&'static Key> {
     if let Some(whole) = KEYS.iter().find(|key| key.path == name || letters(key.path)) {
         return vec![whole];
     }
-    let last: Vec<_> = KEYS.iter().filter(|key| key.path.rsplit('.').next() == Some(name)).collect();
+    let ends = |path: &str| path.strip_suffix(name).is_some_and(|head| head.ends_with('.'));
+    let last: Vec<_> = KEYS.iter().filter(|key| ends(key.path)).collect();
     let own = format!("law.{}.", contact.scene.law.about().name);
     let is_idle = |path: &str| path == "sphere.yield_strength" || path.starts_with("law.") && !path.starts_with(&own);
     let kept: Vec<_> = last.iter().copied().filter(|key| !is_idle(key.path)).collect();
@@ -213,13 +226,15 @@ pub fn impacts(contact: &Inner, arguments: &Bound<'_, PyDict>) -> PyResult<Table
     let (shape, columns) = broadcast(py, &given)?;
     let count = shape.iter().product();
     if count > 0 {
-        warn(py, &py.detach(|| warnings(&plan)))?;
+        warn(py, &py.detach(|| warnings_of(&plan, &contact.contact)))?;
     }
     let listed: Vec<_> = given.iter().zip(&columns).map(|(given, values)| (given.key, values.as_slice())).collect();
     let results = plan.results();
-    let made = rows::listed(py, &plan, &listed, count, &results)?;
+    let made = rows::listed(py, &plan, &contact.contact, &listed, count, &results)?;
     say_failures(py, count, made.status.iter().copied())?;
-    Ok(Table::of_shape(shape, made.table(&plan, &results, columns.into_iter().map(Column::numbers).collect())))
+    let table = made.table(&plan, &results, columns.into_iter().map(Column::numbers).collect());
+    keep(contact, &given, plan);
+    Ok(Table::of_shape(shape, table))
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
@@ -230,7 +245,7 @@ pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<
     let key = given[0].key;
     let speeds = given[0].values()?;
     if !speeds.is_empty() {
-        warn(py, &py.detach(|| warnings(&plan)))?;
+        warn(py, &py.detach(|| warnings_of(&plan, &contact.contact)))?;
     }
     let is_exact = plan.scene.forces.is_none() && matches!(plan.scene.solver.method, Method::Auto | Method::ClosedForm);
     let restitutions = if is_exact {
@@ -255,10 +270,11 @@ pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<
         restitutions
     } else {
         let columns: Vec<_> = plan.results().into_iter().filter(|column| column.name == "restitution").collect();
-        let mut made = rows::listed(py, &plan, &[(key, speeds)], speeds.len(), &columns)?;
+        let mut made = rows::listed(py, &plan, &contact.contact, &[(key, speeds)], speeds.len(), &columns)?;
         say_failures(py, speeds.len(), made.status.into_iter())?;
         made.columns.pop().unwrap_or_default()
     };
+    keep(contact, &given, plan);
     match restitutions[..] {
         [restitution] if given[0].shape().is_empty() => Ok(restitution.into_pyobject(py)?.into_any()),
         _ => shaped(py, restitutions, given[0].shape()),

@@ -10,9 +10,9 @@ use rayon::prelude::*;
 use super::convert::warn;
 use super::table::Column;
 use super::work::{FEW, interruptible};
-use crate::impact::Method;
+use crate::impact::{Contact, Method};
 use crate::plan::Plan;
-use crate::plan::axis::{Axis, Setting, Word};
+use crate::plan::axis::{Axis, Setting, Word, keeps_contact};
 use crate::scene::Key;
 use crate::scene::results::Column as Result;
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
@@ -38,10 +38,18 @@ impl Made {
 }
 
 /// Rows of a plan at listed values of these keys, with these results. If the yield strength follows from the keys, it
-/// is the first column.
-pub fn listed(py: Python<'_>, plan: &Plan, keys: &[(&Key, &[f64])], rows: usize, results: &[Result]) -> PyResult<Made> {
+/// is the first column. `contact` is that of the plan, which the keys may change.
+pub fn listed(
+    py: Python<'_>,
+    plan: &Plan,
+    contact: &Contact,
+    keys: &[(&Key, &[f64])],
+    rows: usize,
+    results: &[Result],
+) -> PyResult<Made> {
     let compute = |is_cancelled: Option<&AtomicBool>| {
-        let evaluator = Evaluator::new(plan);
+        let is_known = keys.iter().all(|(key, _)| keeps_contact(key.path));
+        let evaluator = if is_known { Evaluator::of_contact(plan, contact) } else { Evaluator::new(plan) };
         let n_derived = usize::from(plan.derives_strength());
         fill(rows, n_derived, results, is_cancelled, |cases, made| evaluator.listed(keys, cases, made))
     };

@@ -2,6 +2,7 @@
 
 use super::outcome::{Outcome, file, no_result, texts};
 use crate::error::Error;
+use crate::impact::Contact;
 use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
 use crate::plot::Pictures;
@@ -18,7 +19,7 @@ use crate::sweep::count::Tally;
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
     let contact = plan.scene.contact().map_err(|error| no_result(scenario, &error))?;
-    let (warnings, depth) = cautions(&plan);
+    let (warnings, depth) = cautions(&plan, Some(&contact));
     let strength = strength::which(&plan.scene.half_space, plan.scene.has_flow(), depth);
     let text = plan_lines(&plan) + &overview(&plan.scene, &contact) + &strength.unwrap_or_default();
     Ok(Outcome::checked(warnings, text))
@@ -32,12 +33,17 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 
 /// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    cautions(plan).0
+    cautions(plan, None).0
 }
 
-/// The same, and the largest peak indentation over the radius of the sphere.
-fn cautions(plan: &Plan) -> (Vec<String>, f64) {
-    let (cautions, depth) = at_corners(plan);
+/// The same where the contact of the plan is known.
+pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
+    cautions(plan, Some(contact)).0
+}
+
+/// The warnings, and the largest peak indentation over the radius of the sphere.
+fn cautions(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
+    let (cautions, depth) = at_corners(plan, known);
     ([texts(&plan.scene.warnings), cautions].concat(), depth)
 }
 

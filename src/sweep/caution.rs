@@ -4,11 +4,10 @@
 
 use std::mem::discriminant;
 
-use crate::impact::{Impact, Method, Solver, Warning};
+use crate::impact::{Contact, Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, put};
-use crate::scene::Scene;
 
 /// The largest number of corners that are computed all: those of thirteen axes of numbers. Of more, so many are a sample.
 const MOST_CORNERS: u64 = 1 << 13;
@@ -16,8 +15,8 @@ const MOST_CORNERS: u64 = 1 << 13;
 const TAILS: [f64; 2] = [0.001, 0.999];
 
 /// The worst warning of each kind with the corner where it was found, a warning about corners that were not looked at, and the
-/// largest peak indentation over the radius of the sphere.
-pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
+/// largest peak indentation over the radius of the sphere. `known` is the contact of the plan, if it is made already.
+pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     let tails: Vec<Axis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
@@ -31,13 +30,24 @@ pub fn at_corners(plan: &Plan) -> (Vec<String>, f64) {
         one_at_a_time(&ends).chain((0..MOST_CORNERS).map(|number| sampled(&ends, number))).collect()
     };
     let computed = chosen.len();
+    // where no axis changes the contact, one serves all corners
+    let is_one = axes.iter().all(Axis::keeps_contact);
+    let own = if is_one && known.is_none() { plan.scene.contact().ok() } else { None };
+    let shared = known.or(own.as_ref()).filter(|_| is_one);
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for places in chosen {
         let mut input = plan.input.clone();
         put(axes, &places, &mut input);
-        let scene = input.resolve();
-        let Some(impact) = impact(&scene) else { continue };
-        deepest = deepest.max(impact.peak_indentation / scene.sphere.radius);
+        let Some((impact, radius)) = shared.map_or_else(
+            || {
+                let scene = input.resolve();
+                impact(&scene.contact().ok()?, scene.speed)
+            },
+            |contact| impact(contact, input.speed()),
+        ) else {
+            continue;
+        };
+        deepest = deepest.max(impact.peak_indentation / radius);
         for warning in impact.warnings {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
             let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
@@ -125,10 +135,10 @@ fn tails(variable: &Variable) -> Axis {
     Axis::of_number(variable.key, Values::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 
-/// The impact of one corner; `None` if it has no result, which the status in the table says.
-fn impact(scene: &Scene) -> Option<Impact> {
+/// The impact of one corner, and the radius of its sphere; `None` if it has no result, which the status in the table says.
+fn impact(contact: &Contact, speed: f64) -> Option<(Impact, f64)> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
-    scene.contact().ok()?.impact(scene.speed, &solver, None).ok()
+    Some((contact.impact(speed, &solver, None).ok()?, contact.sphere().radius))
 }
 
 /// Whether the new warning is worse than the known one; NaN counts as the worst.

@@ -141,6 +141,13 @@ impl<'a> Evaluator<'a> {
         evaluator
     }
 
+    /// The same where the contact of the plan is known, and no axis changes it.
+    pub fn of_contact(plan: &'a Plan, contact: &Contact) -> Self {
+        let strength = plan.scene.half_space.yield_strength;
+        let contacts = vec![(plan.input.clone(), strength, Ok(contact.clone()))];
+        Self { plan, derives_strength: plan.derives_strength(), contacts, strides: vec![0; plan.axes().len()] }
+    }
+
     /// How many swept values a row has.
     pub fn n_swept(&self) -> usize {
         self.plan.paths().len() + usize::from(self.derives_strength)
