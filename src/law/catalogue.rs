@@ -144,15 +144,7 @@ pub struct Combined {
 
 impl ContactLaw for Combined {
     fn about(&self) -> &'static About {
-        &About {
-            name: "combined",
-            title: "Loading of one law, unloading of another",
-            source: "those of its halves",
-            loading: "named by `loading`",
-            unloading: "named by `unloading`",
-            validity: "those of its halves",
-            confidence: "the lower of its halves",
-        }
+        About::of("combined")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -1,6 +1,7 @@
 //! What every contact law has: a description, a loading, an unloading.
 
 use std::fmt::Debug;
+use std::sync::LazyLock;
 
 use super::published::{Loading, OutsideLaw, Published, RecoveryRule};
 use super::{ElasticApproach, Law};
@@ -23,6 +24,24 @@ pub struct About {
     pub validity: &'static str,
     /// How sure its equations are: "high" where several independent texts agree, "low" where they were written from memory.
     pub confidence: &'static str,
+}
+
+impl About {
+    /// The facts of a law, a line of the table `facts.csv`; nothing of a law that is not in it.
+    pub(super) fn of(name: &str) -> &'static Self {
+        static FACTS: LazyLock<Vec<About>> =
+            LazyLock::new(|| include_str!("facts.csv").lines().map(About::read).collect());
+        static NOTHING: LazyLock<About> = LazyLock::new(|| About::read(""));
+        FACTS.iter().find(|about| about.name == name).unwrap_or(&NOTHING)
+    }
+
+    /// A line of that table.
+    fn read(line: &'static str) -> Self {
+        let mut words = line.split('|');
+        let mut next = || words.next().unwrap_or_default();
+        let (name, title, source, loading) = (next(), next(), next(), next());
+        Self { name, title, source, loading, unloading: next(), validity: next(), confidence: next() }
+    }
 }
 
 /// What laws are built for: a yielding half-space and the sphere on it.

@@ -73,15 +73,7 @@ impl Plm {
 
 impl ContactLaw for Plm {
     fn about(&self) -> &'static About {
-        &About {
-            name: "plm",
-            title: "PLM (Weng et al. 2021 in form) with Xie et al. 2024",
-            source: "Tribol. Int. 162, 107114; Materials 17, 3018",
-            loading: "Hertz to 1.7, then straight pieces fitted to finite elements",
-            unloading: "Hertz with R_e from the sphere's own indentation (Eqs. 19-25)",
-            validity: "a/R <= 0.45 (0.32 with hardening), Poisson's ratio 0.3",
-            confidence: "high (unloading), coefficients of the loading fitted anew",
-        }
+        About::of("plm")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -23,15 +23,7 @@ pub struct Brake;
 
 impl ContactLaw for Brake {
     fn about(&self) -> &'static About {
-        &About {
-            name: "brake",
-            title: "Brake 2015",
-            source: "Int. J. Solids Struct. 62, 104",
-            loading: "none",
-            unloading: "Hertz with delta_m - delta_r = delta_m F_m/F_Hertz(delta_m)",
-            validity: "behind its own loading, which is not public in full",
-            confidence: "high (unloading)",
-        }
+        About::of("brake")
     }
 
     fn recovery(&self, _: &Bodies) -> RecoveryRule {

@@ -26,15 +26,7 @@ pub struct Hertz;
 
 impl ContactLaw for Hertz {
     fn about(&self) -> &'static About {
-        &About {
-            name: "hertz",
-            title: "Hertz 1882",
-            source: "J. reine angew. Math. 92, 156",
-            loading: "f = x^1.5, elastic without end",
-            unloading: "Hertz with the radius of the sphere (as a half: Sathuvalli 2016)",
-            validity: "elastic bodies, a << R",
-            confidence: "high",
-        }
+        About::of("hertz")
     }
 
     fn loading(&self, _: &Bodies) -> Option<Loading> {

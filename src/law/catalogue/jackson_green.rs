@@ -110,15 +110,7 @@ impl JacksonGreen {
 
 impl ContactLaw for JacksonGreen {
     fn about(&self) -> &'static About {
-        &About {
-            name: "jackson_green",
-            title: "Jackson and Green 2005, Jackson, Chusoipin and Green 2005",
-            source: "J. Tribol. 127, 343; J. Tribol. 127, 484",
-            loading: "Hertz to 1.9, then the finite-element fit with hardness falling with a/R",
-            unloading: "fitted residual indentation, Hertz in between",
-            validity: "a/R <= 0.412, strength/E* 0.00105 to 0.0081; residual below 10^4 yield indentations",
-            confidence: "high (loading), medium-high (residual)",
-        }
+        About::of("jackson_green")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -40,15 +40,7 @@ pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, rad
 
 impl ContactLaw for Johnson {
     fn about(&self) -> &'static About {
-        &About {
-            name: "johnson",
-            title: "Johnson 1985",
-            source: "Contact Mechanics, Cambridge University Press, ch. 11.5",
-            loading: "rigid-plastic: constant pressure, a^2 = 2 R delta",
-            unloading: "Hertz from the contact radius: delta_m - delta_r = 3 F_m/(4 E* a_m)",
-            validity: "far beyond yield; refused where e would be above 1",
-            confidence: "medium-high",
-        }
+        About::of("johnson")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -60,15 +60,7 @@ impl KogutEtsion {
 
 impl ContactLaw for KogutEtsion {
     fn about(&self) -> &'static About {
-        &About {
-            name: "kogut_etsion",
-            title: "Kogut and Etsion 2002, Etsion, Kligerman and Kadin 2005",
-            source: "J. Appl. Mech. 69, 657; Int. J. Solids Struct. 42, 3716",
-            loading: "Hertz, two power fits, fully plastic beyond 110 (users' extension)",
-            unloading: "fitted residual indentation, exponent 1.5 x^-0.0331",
-            validity: "up to 110 yield indentations",
-            confidence: "high (loading), medium (unloading exponents from memory)",
-        }
+        About::of("kogut_etsion")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

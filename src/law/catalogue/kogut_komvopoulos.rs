@@ -82,15 +82,7 @@ impl KogutKomvopoulos {
 
 impl ContactLaw for KogutKomvopoulos {
     fn about(&self) -> &'static About {
-        &About {
-            name: "kogut_komvopoulos",
-            title: "Kogut and Komvopoulos 2004",
-            source: "J. Mater. Res. 19, 3641",
-            loading: "Hertz, logarithmic pressure and area, fully plastic at 2.9 strength",
-            unloading: "not public; that of Xie et al. 2024 with the PLM's elastic approach instead",
-            validity: "rigid sphere on an elastic-perfectly plastic half-space, delta << R",
-            confidence: "medium (from memory, checked at its limits)",
-        }
+        About::of("kogut_komvopoulos")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

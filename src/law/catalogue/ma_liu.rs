@@ -75,15 +75,7 @@ impl MaLiu {
 
 impl ContactLaw for MaLiu {
     fn about(&self) -> &'static About {
-        &About {
-            name: "ma_liu",
-            title: "Ma and Liu 2015",
-            source: "J. Appl. Mech. 82, 121006",
-            loading: "Hertz, x (c1 + c2 ln x) + c3 joined with equal slopes, then straight",
-            unloading: "Hertz with Thornton's radius, constant from full plasticity on",
-            validity: "unknown: hardness and transition ratio are parameters",
-            confidence: "low (form from memory, constants by continuity)",
-        }
+        About::of("ma_liu")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

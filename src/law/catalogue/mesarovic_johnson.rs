@@ -44,15 +44,7 @@ impl Default for MesarovicJohnson {
 
 impl ContactLaw for MesarovicJohnson {
     fn about(&self) -> &'static About {
-        &About {
-            name: "mesarovic_johnson",
-            title: "Storakers, Mesarovic and Johnson 1997-2000",
-            source: "J. Mech. Phys. Solids 48, 2009",
-            loading: "straight from first touch: mean pressure 3 strength, area with pile-up",
-            unloading: "from uniform pressure: (2 F_m/pi)(asin t - t sqrt(1 - t^2))",
-            validity: "full plasticity only, E* a/(strength R) >= 50; refused where the dent would be negative",
-            confidence: "high",
-        }
+        About::of("mesarovic_johnson")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -63,15 +63,7 @@ fn middle_integral([s, three_theta, _]: &Parameters, x: f64) -> f64 {
 
 impl ContactLaw for Stronge {
     fn about(&self) -> &'static About {
-        &About {
-            name: "stronge",
-            title: "Stronge 2000",
-            source: "Impact Mechanics, Cambridge University Press; unloading by Xie et al. 2024, Eq. 2",
-            loading: "Hertz to a mean pressure of 1.1 strength, a logarithm to 2.8, then straight",
-            unloading: "Hertz with (delta_m - delta_r)/R_e fixed at its value at yield",
-            validity: "elastic-plastic spheres and flats; far beyond yield it leaves large dents",
-            confidence: "medium (loading constants from memory, mutually consistent)",
-        }
+        About::of("stronge")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

@@ -61,15 +61,7 @@ impl Thornton {
 
 impl ContactLaw for Thornton {
     fn about(&self) -> &'static About {
-        &About {
-            name: "thornton",
-            title: "Thornton 1997",
-            source: "J. Appl. Mech. 64, 383; Thornton and Ning 1998, Powder Technol. 99, 154",
-            loading: "Hertz, then straight: pressure capped at yield_pressure",
-            unloading: "Hertz with radius R_p(F_m)",
-            validity: "near yield; far beyond it the force is about a third of what finite elements give",
-            confidence: "high",
-        }
+        About::of("thornton")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {

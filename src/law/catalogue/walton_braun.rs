@@ -38,15 +38,7 @@ impl Default for WaltonBraun {
 
 impl ContactLaw for WaltonBraun {
     fn about(&self) -> &'static About {
-        &About {
-            name: "walton_braun",
-            title: "Walton and Braun 1986",
-            source: "J. Rheol. 30, 949",
-            loading: "straight from first touch",
-            unloading: "straight, steeper: e = sqrt(k1/k2) at all speeds",
-            validity: "a fitted spring, no material behind it",
-            confidence: "high",
-        }
+        About::of("walton_braun")
     }
 
     fn loading(&self, _: &Bodies) -> Option<Loading> {

@@ -43,15 +43,7 @@ impl YigitChristoforou {
 
 impl ContactLaw for YigitChristoforou {
     fn about(&self) -> &'static About {
-        &About {
-            name: "yigit_christoforou",
-            title: "Yigit and Christoforou 1994 (ancestor of MYC 2012 and CYM 2013)",
-            source: "Compos. Eng. 4, 1143",
-            loading: "Hertz, then straight along the tangent at yield",
-            unloading: "the Hertz curve, moved: F_m - K_h (delta_m^1.5 - delta^1.5)",
-            validity: "near yield; far beyond it the dent is the largest of all laws",
-            confidence: "low (from memory)",
-        }
+        About::of("yigit_christoforou")
     }
 
     fn loading(&self, bodies: &Bodies) -> Option<Loading> {
