@@ -132,7 +132,7 @@
 //!
 //! # Modules
 //!
-//! Arrows point one way: the command and the Python module → `run` → `report`, `plot`, [`scenario`], [`sweep`] → `plan`, `scene` → [`repeat`]
+//! Arrows point one way: the command, the Python module and the web page → `run` → `report`, `plot`, [`scenario`], [`sweep`] → `plan`, `scene` → [`repeat`]
 //! → [`impact`] → `integrate`, [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
 //! beside [`impact`]; `validation` and [`fit`] compare with finite elements, whose tables are in `reference`, and fit to
 //! them. `integrate` knows no contact mechanics, [`law`] no time; only [`impact`] sees both. Inside an impact everything is

@@ -2,6 +2,8 @@
 
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value, value};
 
+use super::NEEDED;
+
 /// Why a text cannot be changed: it is no TOML.
 pub type NotToml = toml_edit::TomlError;
 
@@ -45,14 +47,14 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
     }
 }
 
-/// Takes a key away, and a table that is empty then.
+/// Takes a key away, and a table that is empty then, unless every impact needs that table.
 fn remove(table: &mut dyn TableLike, path: &str) {
     let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
     let inner = table.get_mut(first).and_then(Item::as_table_like_mut);
     let is_empty = match (inner, rest) {
         (Some(inner), Some(rest)) => {
             remove(inner, rest);
-            inner.is_empty()
+            inner.is_empty() && !NEEDED.iter().any(|key| key.split('.').next() == Some(first))
         }
         (None, Some(_)) => false,
         (_, None) => true,
@@ -62,7 +64,7 @@ fn remove(table: &mut dyn TableLike, path: &str) {
     }
 }
 
-/// Sets the value of a key. A comment beside the old value stays.
+/// Sets the value of a key. Comments beside the old value and above it stay.
 pub fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
     let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
     let mut table: &mut dyn TableLike = document.as_table_mut();
@@ -75,7 +77,10 @@ pub fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
     if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
         *value.decor_mut() = decor;
     }
-    table.insert(name, new);
+    match table.get_mut(name) {
+        Some(old) => *old = new,
+        None => drop(table.insert(name, new)),
+    }
 }
 
 /// A table that has no head of its own while there are only tables in it.
@@ -117,7 +122,7 @@ pub fn choose_law(document: &mut DocumentMut, law: &str) {
 mod tests {
     use super::*;
 
-    const TEXT: &str = "# a ball\n[sphere]\nradius = \"5 mm\"  # not the diameter\n[impact]\nspeed = 3\n";
+    const TEXT: &str = "# a ball\n[sphere]\n# how large\nradius = \"5 mm\"  # not the diameter\n[impact]\nspeed = 3\n";
 
     #[test]
     fn a_change_leaves_the_rest_of_the_text_as_it_was() {
@@ -130,7 +135,8 @@ mod tests {
         );
         assert_eq!(change("gravity.acceleration", "9.81"), format!("{TEXT}\n[gravity]\nacceleration = 9.81\n"));
         assert_eq!(change("law", "thornton"), format!("{TEXT}\n[law.thornton]\n"));
-        assert_eq!(change("impact.speed", ""), TEXT.replace("[impact]\nspeed = 3\n", ""));
+        assert_eq!(change("impact.speed", ""), TEXT.replace("speed = 3\n", ""));
+        assert_eq!(edited(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
         assert_eq!(change("damping.viscous", ""), TEXT);
     }
 

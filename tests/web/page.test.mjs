@@ -59,7 +59,7 @@ test("a changed speed changes number, pictures, text and address", async () => {
   for (const [at, name] of names.entries()) assert.notEqual(await picture(name), old[at]);
   const template = call("init", "impact", "--out", "-").stdout;
   assert.equal(await text(), template.replace('speed = "3 m/s"', 'speed = "1 m/s"'));
-  assert.equal(await page.value('new URLSearchParams(location.hash.slice(1)).get("scenario")'), await text());
+  await page.until('new URLSearchParams(location.hash.slice(1)).get("scenario") === document.getElementById("text").value');
 });
 
 test("a changed text changes the form and the numbers", async () => {
@@ -122,12 +122,10 @@ test("a text that is no TOML says where, and leaves the form", async () => {
 
 test("a key that stands in place of another one is chosen beside its field", async () => {
   await open();
-  await page.value(
-    `Object.assign(document.querySelector('select.names:has(option[value="impact.drop_height"])'), { value: "impact.drop_height" }).dispatchEvent(new Event("change"))`,
-  );
+  await choose('select.names:has(option[value="impact.drop_height"])', "impact.drop_height");
   await page.type(field("impact.speed"), "0.5 m");
   await page.until('document.getElementById("problem").innerText.includes("gravity")');
-  await page.click('details:has(> .row [id="field-gravity.acceleration"]) > summary');
+  await page.value(`document.querySelector('.group:has(${field("gravity.acceleration")})').open = true`);
   await page.type(field("gravity.acceleration"), "9.81 m/s^2");
   await page.until(`document.getElementById("problem").hidden && ${SHOWN}.includes("restitution")`);
   assert.doesNotMatch(await text(), /^speed/m);
@@ -139,7 +137,7 @@ test("the link restores a scenario, and the way back the one before", async () =
   const before = await text();
   assert.equal(before, read("hardening-steels.toml"));
   await agrees(runByCommand("hardening-steels.toml").stdout);
-  await page.value('Object.assign(document.getElementById("begin"), { value: "repeat" }).dispatchEvent(new Event("change"))');
+  await choose("#begin", "repeat");
   await page.until(`document.getElementById("text").value.includes("[repeat]")`);
   await page.back();
   await page.until(`document.getElementById("text").value === ${JSON.stringify(before)}`);
@@ -151,7 +149,7 @@ test("measurements are calibrated with the digits of the command", async () => {
   await page.send("#data", join(SCENARIOS, "drops.csv"));
   await agrees(runByCommand("calibrate-ball-drop.toml").stdout);
   await page.click("#without");
-  await page.until('document.getElementById("state").textContent === "impact"');
+  await page.until('document.getElementById("state").textContent.startsWith("impact ")');
 });
 
 test("every control has a name for a screen reader, and every field explains itself", async () => {

@@ -14,6 +14,7 @@ const at = (id) => document.getElementById(id);
 let text = "";
 let data;
 let form;
+let later;
 
 /** Takes another text, shows it everywhere, and runs it. */
 function take(newText) {
@@ -25,10 +26,18 @@ function take(newText) {
   if (!values.error) form.fill(values);
   at("measured").hidden = data === undefined;
   at("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
+  run(FILE, text, data);
+  // browsers take only some changes of the address a second
+  clearTimeout(later);
+  later = setTimeout(address, 300);
+}
+
+/** Puts the scenario into the address. */
+function address() {
+  clearTimeout(later);
   const link = new URLSearchParams({ scenario: text });
   if (data !== undefined && data.length < LONGEST) link.set("data", data);
   history.replaceState(null, "", `#${link}`);
-  run(FILE, text, data);
 }
 
 function done(reply) {
@@ -59,6 +68,7 @@ function listen() {
     const kind = at("begin").value;
     if (!kind) return;
     // the way back leads to the scenario before
+    address();
     history.pushState(null, "");
     data = undefined;
     at("data").value = "";
@@ -72,6 +82,7 @@ function listen() {
   });
   at("save").addEventListener("click", () => download(FILE, text));
   at("link").addEventListener("click", async () => {
+    address();
     await navigator.clipboard.writeText(location.href);
     at("told").textContent = "copied";
   });

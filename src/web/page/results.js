@@ -21,7 +21,9 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
   at("files").replaceChildren("Download: ", ...buttons.flatMap((button) => [button, " "]));
   at("files").hidden = false;
   at("results").classList.remove("old");
-  at("state").textContent = kind.replace("_", " ");
+  // this is what a screen reader says of a change
+  const e = text.split("\n").find((line) => line.startsWith("restitution "));
+  at("state").textContent = [kind.replace("_", " "), ...(e ?? "").split(/ {2,}/)].join(" ").trim();
 }
 
 /** Marks the results as those of a scenario before the one that was refused. */
