@@ -5,3 +5,4 @@ pub mod laws;
 pub mod measure;
 pub mod problems;
 pub mod report;
+pub mod throughput;

@@ -30,18 +30,19 @@ pub mod statistics;
 
 use nalgebra::DMatrix;
 
+use crate::error::{Error, ErrorKind};
 use crate::law::LawChoice;
 use crate::math::functions::hypot;
 use crate::plan::Source as Text;
 use crate::progress::Counter;
+use crate::scenario::Scenario;
 use crate::scenario::calibrate::{Source, Wanted};
-use crate::scenario::{Scenario, read_text};
 use crate::scene::Scene;
-use crate::units::csv_text::TableError;
+use crate::units::csv_text::refused;
+use crate::units::four_digits;
 use crate::units::human;
-use crate::units::rounded::number;
 use data::Data;
-pub use error::{CalibrateError, NoAnswer};
+pub use error::NoAnswer;
 pub use fit::{Fit, Noise};
 use fit::{in_order, shifts};
 use found::OUTLIER;
@@ -51,8 +52,6 @@ use problem::Problem;
 use quantity::Measured;
 use statistics::{chance, chance_of_runs};
 
-/// Largest file of measurements \[MiB\]: enough for a million lines.
-const LARGEST: u64 = 64;
 /// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
 const LEAST_DEVIATION: f64 = 1e-9;
 
@@ -69,28 +68,22 @@ pub struct Measurements {
 
 impl Measurements {
     /// Reads the request of a scenario and its measurements.
-    pub fn of(scenario: &Scenario) -> Result<Self, CalibrateError> {
+    pub fn of(scenario: &Scenario) -> Result<Self, Error> {
         let wanted = scenario.wanted()?;
         let of_text = |name: &str, text: String| {
             let data = Data::parse(name, &text)?;
-            let text = Text { text, overrides: Vec::new(), coefficients: None, flow_table: None };
-            Ok::<_, CalibrateError>((data, Some(text.sha256())))
+            let text = Text { text, ..Text::default() };
+            Ok::<_, Error>((data, Some(text.sha256())))
         };
         let (data, sha256) = match &wanted.source {
             Source::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
-            Source::File(path) => of_text(&path.display().to_string(), read_text(path, LARGEST)?)?,
             Source::Text(name, text) => of_text(name, text.clone())?,
         };
         Self::with(scenario, wanted, data, sha256)
     }
 
     /// The request of a scenario with data that were read. It may have no key to find.
-    pub fn with(
-        scenario: &Scenario,
-        wanted: Wanted,
-        data: Data,
-        sha256: Option<String>,
-    ) -> Result<Self, CalibrateError> {
+    pub fn with(scenario: &Scenario, wanted: Wanted, data: Data, sha256: Option<String>) -> Result<Self, Error> {
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
         let measured = Self { wanted, data, sha256 };
         measured.check()?;
@@ -98,9 +91,9 @@ impl Measurements {
     }
 
     /// What the law gives for every value, and the impact speed of every row \[m/s\], if there is no key to find.
-    pub fn predicted(&self) -> Result<(Vec<f64>, Vec<f64>), CalibrateError> {
+    pub fn predicted(&self) -> Result<(Vec<f64>, Vec<f64>), Error> {
         let problem = self.problem();
-        Ok((problem.predict(&[]).map_err(|reason| self.no_answer(reason))?, problem.speeds()))
+        Ok((problem.predict(&[]).map_err(|reason| self.no_answer(&reason))?, problem.speeds()))
     }
 
     /// The request and the data without deviations.
@@ -109,7 +102,7 @@ impl Measurements {
         Problem::new(&self.wanted.scene, &self.wanted.free, &self.data, ones, false)
     }
 
-    fn check(&self) -> Result<(), CalibrateError> {
+    fn check(&self) -> Result<(), Error> {
         let refuse = |message: String| Err(self.refusal(None, message));
         let (values, keys, measured) = (self.data.values.len(), self.wanted.free.len(), self.data.measured());
         if values < keys {
@@ -146,7 +139,7 @@ impl Measurements {
     }
 
     /// The standard deviation of every value, and whether only their ratios are known.
-    fn deviations(&self) -> Result<(Vec<f64>, bool), CalibrateError> {
+    fn deviations(&self) -> Result<(Vec<f64>, bool), Error> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
         let given = |what: Measured| deviations.iter().find(|(name, _)| name == what.name()).map(|(_, sd)| *sd);
         let of = |value: &data::Value| value.deviation.or_else(|| given(value.what));
@@ -168,8 +161,8 @@ impl Measurements {
             if whole < LEAST_DEVIATION * size {
                 let message = format!(
                     "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
-                    number(whole),
-                    number(LEAST_DEVIATION)
+                    four_digits(whole),
+                    four_digits(LEAST_DEVIATION)
                 );
                 return Err(self.refusal(self.line_of(value), message));
             }
@@ -179,31 +172,31 @@ impl Measurements {
         Ok((self.data.values.iter().zip(sizes).map(deviation).collect::<Result<_, _>>()?, is_estimated))
     }
 
-    fn refusal(&self, line: Option<u64>, message: String) -> CalibrateError {
-        TableError::of(&self.data.name)((line, message)).into()
+    fn refusal(&self, line: Option<u64>, message: String) -> Error {
+        refused(&self.data.name)((line, message))
     }
 
-    fn no_answer(&self, reason: NoAnswer) -> CalibrateError {
-        CalibrateError::NoAnswer { name: self.data.name.clone(), reason }
+    /// The error where the law gives no result anywhere in the ranges of the keys.
+    fn no_answer(&self, reason: &NoAnswer) -> Error {
+        let reason = format!(
+            "the law has no answer for these measurements anywhere in the range of the keys: {reason}; choose another range"
+        );
+        Error::in_file(ErrorKind::Input, &self.data.name, reason)
     }
 
     /// The best keys under a law.
-    fn fit(&self, law: &LawChoice) -> Result<Fit<'_>, CalibrateError> {
+    fn fit(&self, law: &LawChoice) -> Result<Result<Fit<'_>, NoAnswer>, Error> {
         let (deviations, is_estimated) = self.deviations()?;
         let scene = Scene { law: law.clone(), ..self.wanted.scene.clone() };
         let problem = Problem::new(&scene, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        Fit::of(problem, is_estimated).map_err(|reason| self.no_answer(reason))
+        Ok(Fit::of(problem, is_estimated))
     }
 
     /// The fits of all laws that were asked for, the best first.
-    fn ranked(&self, progress: &Counter) -> Result<Vec<OfLaw<'_>>, CalibrateError> {
+    fn ranked(&self, progress: &Counter) -> Result<Vec<OfLaw<'_>>, Error> {
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
-            let fit = match self.fit(law) {
-                Err(CalibrateError::NoAnswer { reason, .. }) => Err(reason),
-                fit => Ok(fit?),
-            };
-            laws.push((law.name(), fit));
+            laws.push((law.name(), self.fit(law)?));
             progress.step();
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
@@ -212,13 +205,13 @@ impl Measurements {
     }
 
     /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
-    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, CalibrateError> {
+    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, Error> {
         progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let laws = self.ranked(progress)?;
-        let fit = self.fit(&self.wanted.scene.law)?;
+        let no_answer = |reason: NoAnswer| self.no_answer(&reason);
+        let fit = self.fit(&self.wanted.scene.law)?.map_err(no_answer)?;
         progress.step();
         let (problem, shares) = (&fit.problem, &fit.best().shares);
-        let no_answer = |reason| self.no_answer(reason);
         let predicted = problem.predict(shares).map_err(no_answer)?;
         let residuals = problem.residuals(shares).map_err(no_answer)?;
         let matrix = problem.jacobian(shares).map_err(no_answer)?;

@@ -280,17 +280,15 @@ unsafe fn new(
     text: *const c_char,
     error: *mut c_char,
     length: usize,
-    read: impl FnOnce(&str) -> Result<Scenario, crate::scenario::ScenarioError>,
+    read: impl FnOnce(&str) -> Result<Scenario, Error>,
 ) -> *mut plm_contact {
     // SAFETY: not NULL, and it ends with a zero as the caller promises
     let text = if text.is_null() { None } else { Some(unsafe { CStr::from_ptr(text) }) };
     let made = guarded(Err("the program has an error: it panicked".to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
-        let (_, contact) = read(text)
-            .map_err(Error::from)
-            .and_then(|scenario| contact_alone(&scenario))
-            .map_err(|error| error.to_string())?;
+        let (_, contact) =
+            read(text).and_then(|scenario| contact_alone(&scenario)).map_err(|error| error.to_string())?;
         Ok(contact)
     });
     match made {

@@ -9,7 +9,6 @@ mod interrupt;
 mod materials;
 mod names;
 mod output;
-mod pictures;
 mod run;
 mod scenario;
 mod shells;

@@ -1,9 +1,10 @@
 //! Why a command failed: one type, whatever failed. Its kind is the exit code, its text says what is wrong and where, the
-//! value and the way out, and its details say the same to programs. The parts of the program with errors of their own
-//! say beside them what they are here.
+//! value and the way out, and its details say the same to programs.
 
 use std::error::Error as Cause;
 use std::fmt::Display;
+use std::io;
+use std::path::Path;
 
 use serde::Serialize;
 use thiserror::Error;
@@ -28,6 +29,8 @@ pub struct Error {
     pub kind: ErrorKind,
     text: String,
     pub details: Box<Details>,
+    /// What the file system said, where that is the reason.
+    pub reason: Option<io::Error>,
 }
 
 /// What is known of an error besides its text, for programs.
@@ -58,7 +61,7 @@ pub struct Details {
 
 impl Error {
     pub fn new(kind: ErrorKind, text: impl Into<String>) -> Self {
-        Self { kind, text: text.into(), details: Box::default() }
+        Self { kind, text: text.into(), details: Box::default(), reason: None }
     }
 
     /// An option, an argument or a scenario is wrong.
@@ -80,6 +83,27 @@ impl Error {
     /// Something is wrong with a file as a whole.
     pub fn in_file(kind: ErrorKind, file: &str, reason: impl Display) -> Self {
         Self::new(kind, format!("{file}: {reason}")).about(file)
+    }
+
+    /// The file system refuses a file; for `map_err`. The problem is such as `cannot be read`, and the way out may be empty.
+    pub fn of_file(kind: ErrorKind, path: &Path, problem: &str, way_out: &str) -> impl Fn(io::Error) -> Self {
+        let begin = format!("{}: {problem}", path.display());
+        move |reason| {
+            let separator = if way_out.is_empty() { "" } else { "; " };
+            let told = Self::new(kind, format!("{begin}: {reason}{separator}{way_out}")).about(path.display());
+            Self { reason: Some(reason), ..told }
+        }
+    }
+
+    /// Whether a file is not there.
+    pub fn is_not_found(&self) -> bool {
+        self.reason.as_ref().is_some_and(|reason| reason.kind() == io::ErrorKind::NotFound)
+    }
+
+    /// The same error, and another that was found with it.
+    #[must_use]
+    pub fn and(self, other: &Self) -> Self {
+        Self { text: format!("{}\n{other}", self.text), ..self }
     }
 
     /// The same error, with the file that it is about.

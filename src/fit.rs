@@ -1,7 +1,6 @@
 //! Coefficients of the PLM from loading curves: reads the curves, fits by least squares, and reports the fit.
 
 pub mod curve;
-mod error;
 mod header;
 pub mod knots;
 pub mod parameters;
@@ -10,5 +9,4 @@ pub mod residuals;
 pub mod solve;
 
 pub use curve::{LoadingCurve, LoadingPoint};
-pub use error::FitError;
 pub use solve::{Fit, Plan, fit};

@@ -7,7 +7,7 @@ mod file;
 use std::sync::LazyLock;
 
 pub use entry::{Entry, Known, Property, Written};
-pub use file::{MaterialsError, read};
+pub use file::read;
 
 /// All materials, in the order of the file.
 pub fn all() -> &'static [Entry] {

@@ -24,23 +24,6 @@ pub use new_file::{
 /// The name of the summary of any run.
 pub const SUMMARY: &str = "summary.json";
 
-/// The other results of runs, by names and endings. Those of an older scenario do not stay beside newer ones.
-const RESULTS: [(&[&str], &[&str]); 2] = [
-    (&["table", "trace", "impacts", "comparison", "residuals", "posterior"], &["csv", "parquet"]),
-    (
-        &[
-            "force_indentation",
-            "history",
-            "impacts",
-            "unloading",
-            "restitution",
-            "restitution_map",
-            "restitution_histogram",
-        ],
-        &["png", "svg"],
-    ),
-];
-
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputFile {
@@ -48,52 +31,28 @@ pub struct OutputFile {
     pub bytes: Vec<u8>,
 }
 
-/// Why nothing was written.
-#[derive(Debug, thiserror::Error)]
-pub enum OutputError {
-    /// The file system refuses.
-    #[error("{}: cannot be written: {reason}; name another directory with --out", .path.display())]
-    Unwritable { path: PathBuf, reason: io::Error },
-    /// A file that another program wrote.
-    #[error("{}: exists, and is no result of this program; move it, name another --out, or replace it with --force", .path.display())]
-    Foreign { path: PathBuf },
-    /// The directory holds other results.
-    #[error(
-        "{}: holds results of {other}, and these are of {own}; name another --out, or replace them with --force",
-        .path.display()
-    )]
-    Taken {
-        path: PathBuf,
-        /// Scenario of the results that are there.
-        other: String,
-        /// Scenario or command of the results to write.
-        own: String,
-    },
-}
-
-impl From<OutputError> for Error {
-    fn from(error: OutputError) -> Self {
-        use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
-        let is_full = |reason: &io::Error| matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
-        let (OutputError::Unwritable { path, .. } | OutputError::Foreign { path } | OutputError::Taken { path, .. }) =
-            &error;
-        let is_failure = matches!(&error, OutputError::Unwritable { reason, .. } if is_full(reason));
-        Self::of(if is_failure { ErrorKind::Failed } else { ErrorKind::Input }, &error).about(path.display())
+/// Makes the error of a place that cannot be written from that of the file system, for `map_err`. A full disk is a failure,
+/// all else has to change.
+pub fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
+    use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+    move |reason| {
+        let is_full = matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
+        let kind = if is_full { ErrorKind::Failed } else { ErrorKind::Input };
+        Error::of_file(kind, path, "cannot be written", "name another directory with --out")(reason)
     }
 }
 
-impl OutputError {
-    /// Makes the error from that of the file system, for `map_err`.
-    pub fn at(path: &Path) -> impl Fn(io::Error) -> Self {
-        move |reason| Self::Unwritable { path: path.to_owned(), reason }
-    }
+/// The error of a file that another program wrote.
+pub fn foreign(path: &Path) -> Error {
+    let reason = "exists, and is no result of this program; move it, name another --out, or replace it with --force";
+    Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
 /// The origin of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Origin<'a> {
-    /// A scenario: its file, and its hash.
-    File(&'a Path, &'a str),
+    /// A scenario: its file, its hash, and the names of all results that scenarios have, without their endings.
+    File(&'a Path, &'a str, &'static [&'static str]),
     /// A command that needs none.
     Command(&'static str),
 }
@@ -116,6 +75,8 @@ pub struct OutputDirectory {
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
     before: Before,
+    /// Names of results that do not stay beside newer ones.
+    results: &'static [&'static str],
     /// Set once the older results are removed.
     is_cleared: AtomicBool,
     is_forced: bool,
@@ -126,53 +87,53 @@ impl OutputDirectory {
     /// With `is_forced`, results of another scenario and files that the program did not write are replaced.
     ///
     /// # Errors
-    /// [`OutputError::Unwritable`] if it cannot be made, is a file, or takes no files; [`OutputError::Taken`];
-    /// [`OutputError::Foreign`] for a summary of another program.
-    pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, OutputError> {
-        let refuse = OutputError::at(path);
+    /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario, or a summary of
+    /// another program.
+    pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, Error> {
+        let refuse = unwritable(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
         let mut directory = Self {
             path: path.to_owned(),
             made,
             before: Before::Nothing,
+            results: if let Origin::File(_, _, results) = origin { results } else { &[] },
             is_cleared: AtomicBool::new(false),
             is_forced,
         };
         fs::create_dir_all(path).map_err(&refuse)?;
         directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
         drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
-        directory.before = match directory.find(origin) {
-            Err(OutputError::Taken { other, .. }) if is_forced => Before::Older(other),
-            Err(OutputError::Foreign { .. }) if is_forced => Before::Nothing,
-            found => found?,
-        };
+        directory.before = directory.find(origin)?;
         Ok(directory)
     }
 
     /// What the summary says of the results that are there.
-    fn find(&self, origin: Origin) -> Result<Before, OutputError> {
+    fn find(&self, origin: Origin) -> Result<Before, Error> {
         let path = self.path.join(SUMMARY);
-        refuse_special(&path).map_err(OutputError::at(&path))?;
+        refuse_special(&path).map_err(unwritable(&path))?;
         let text = match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Before::Nothing),
-            text => text.map_err(OutputError::at(&path))?,
+            text => text.map_err(unwritable(&path))?,
         };
         let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
         let of = |key: &str| summary["provenance"][key].as_str();
         let (Some(hash), Some(other)) = (of("scenario_sha256"), of("scenario_file")) else {
-            return Err(OutputError::Foreign { path });
+            return if self.is_forced { Ok(Before::Nothing) } else { Err(foreign(&path)) };
         };
-        match origin {
-            Origin::File(_, own) if own == hash => Ok(Before::Same),
-            Origin::File(file, _) if is_same_file(file, other) => Ok(Before::Older(other.to_owned())),
-            Origin::File(file, _) => Err(self.taken(other, &file.display().to_string())),
-            Origin::Command(name) => Err(self.taken(other, name)),
+        let own = match origin {
+            Origin::File(_, own, _) if own == hash => return Ok(Before::Same),
+            Origin::File(file, ..) if is_same_file(file, other) => return Ok(Before::Older(other.to_owned())),
+            Origin::File(file, ..) => file.display().to_string(),
+            Origin::Command(name) => name.to_owned(),
+        };
+        if self.is_forced {
+            return Ok(Before::Older(other.to_owned()));
         }
-    }
-
-    fn taken(&self, other: &str, own: &str) -> OutputError {
-        OutputError::Taken { path: self.path.clone(), other: other.to_owned(), own: own.to_owned() }
+        let reason = format!(
+            "holds results of {other}, and these are of {own}; name another --out, or replace them with --force"
+        );
+        Err(Error::in_file(ErrorKind::Input, &self.path.display().to_string(), reason))
     }
 
     /// Where it is.
@@ -194,10 +155,10 @@ impl OutputDirectory {
     /// gives way only to one that begins with the same line, as a table does to another of the same columns.
     ///
     /// # Errors
-    /// [`OutputError::Foreign`]; [`OutputError::Unwritable`] for what is no ordinary file.
-    pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), OutputError> {
+    /// [`Error`] if not, and for what is no ordinary file.
+    pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), Error> {
         let place = self.path.join(name);
-        refuse_special(&place).map_err(OutputError::at(&place))?;
+        refuse_special(&place).map_err(unwritable(&place))?;
         if self.is_forced || self.before != Before::Nothing || !place.exists() {
             return Ok(());
         }
@@ -205,15 +166,15 @@ impl OutputDirectory {
         let line = &line[..line.len().min(4096)];
         let mut begins = Vec::new();
         let read = File::open(&place).and_then(|file| file.take(line.len() as u64).read_to_end(&mut begins));
-        read.map_err(OutputError::at(&place))?;
-        if begins == line { Ok(()) } else { Err(OutputError::Foreign { path: place }) }
+        read.map_err(unwritable(&place))?;
+        if begins == line { Ok(()) } else { Err(foreign(&place)) }
     }
 
     /// Writes all files, then puts them in place, the summary last.
     ///
     /// # Errors
-    /// [`OutputError`] naming the file; then no file was replaced unless a rename itself failed halfway.
-    pub fn write(&self, files: &[OutputFile]) -> Result<(), OutputError> {
+    /// [`Error`] naming the file; then no file was replaced unless a rename itself failed halfway.
+    pub fn write(&self, files: &[OutputFile]) -> Result<(), Error> {
         let mut new = Vec::new();
         for file in files {
             self.may_replace(&file.name, &file.bytes)?;
@@ -224,27 +185,26 @@ impl OutputDirectory {
                 begun.sync()?;
                 Ok(begun)
             });
-            new.push((file.name == SUMMARY, written.map_err(OutputError::at(&place))?));
+            new.push((file.name == SUMMARY, written.map_err(unwritable(&place))?));
         }
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         self.remove_older(&names)?;
         new.sort_by_key(|(is_summary, _)| *is_summary);
-        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(OutputError::at(&self.path))
+        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))
     }
 
     /// Removes results of the same file with another text, apart from those of these names, and their summary first. Does
     /// nothing when it is called again.
-    pub fn remove_older(&self, kept: &[&str]) -> Result<(), OutputError> {
+    pub fn remove_older(&self, kept: &[&str]) -> Result<(), Error> {
         if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
         }
-        let results = RESULTS.iter().flat_map(|(names, endings)| {
-            names.iter().flat_map(|name| endings.iter().map(move |ending| format!("{name}.{ending}")))
-        });
+        let endings = ["csv", "parquet", "png", "svg", "toml"];
+        let results = self.results.iter().flat_map(|name| endings.map(|ending| format!("{name}.{ending}")));
         for name in std::iter::once(SUMMARY.to_owned()).chain(results).filter(|name| !kept.contains(&name.as_str())) {
             let place = self.path.join(name);
             if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
-                remove(&place).map_err(OutputError::at(&place))?;
+                remove(&place).map_err(unwritable(&place))?;
             }
         }
         Ok(())
@@ -264,29 +224,4 @@ fn is_same_file(file: &Path, named: &str) -> bool {
     let is_plain = |part: &Component| !matches!(part, Component::CurDir | Component::ParentDir);
     let tail: PathBuf = named.components().filter(is_plain).collect();
     file == named || file.canonicalize().is_ok_and(|file| file.ends_with(tail))
-}
-
-/// A temporary directory beside the outputs, which is removed with all its files.
-#[derive(Debug)]
-pub struct Scratch(PathBuf);
-
-impl Scratch {
-    /// Makes one with this name and a random number; those that killed runs left are removed after an hour.
-    pub fn new(directory: &OutputDirectory, name: &str) -> Result<Self, OutputError> {
-        let place = directory.path.join(name);
-        let made = remove_stale(&place).and_then(|()| new_file::temporary(&place));
-        let made = made.and_then(|path| fs::create_dir(&path).map(|()| path));
-        Ok(Self(made.map_err(OutputError::at(&place))?))
-    }
-
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        &self.0
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        drop(fs::remove_dir_all(&self.0));
-    }
 }

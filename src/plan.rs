@@ -6,10 +6,9 @@ pub(crate) mod random;
 mod source;
 
 use crate::impact::Method;
-use crate::law::LawChoice;
 use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
-use crate::scene::{EITHER, Input, Key, Scene};
+use crate::scene::{EITHER, Input, Key, Scene, Use};
 use axis::{Axis, Setting, Word};
 use random::Variable;
 pub use source::Source;
@@ -138,37 +137,44 @@ impl Plan {
         if let Some([other, path]) = EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path))) {
             return Some((path, format!("stands in place of {other}, which varies too; keep one of the two")));
         }
-        let scene = &self.scene;
-        let is_stepped = self.methods().iter().any(|method| self.is_stepped(*method));
-        let is_rigid = scene.sphere.material.youngs_modulus.is_infinite();
+        let cases = self.worded();
+        let is_plastic = cases.iter().any(|input| input.resolve().half_space.yield_strength.is_some());
         paths.iter().copied().find_map(|path| {
-            let problem = match path {
-                "impact.drop_height" if scene.forces.gravity.is_none() => {
-                    "needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\""
-                }
-                "half_space.edge_distance" => "is not used by a table: it only warns of single impacts",
-                "half_space.density" if !scene.forces.is_none() && scene.forces.plate.is_none() => {
-                    "is not used: elastic waves are computed without gravity and damping"
-                }
-                _ if self.has_waves() && (path == "gravity.acceleration" || is_of_damping(path)) => {
-                    "cannot vary beside half_space.density: elastic waves are computed without gravity and damping; leave one of the two out"
-                }
-                "sphere.yield_strength" => "is not used by a table: it only warns of single impacts",
-                "sphere.poissons_ratio" if is_rigid => "is not used: the sphere is rigid",
-                path if (path == "law" || path.starts_with("law.")) && !self.is_plastic() => {
-                    "is not used: without half_space.yield_strength the contact stays elastic"
-                }
-                path if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") => {
-                    "cannot vary together with \"law\": give it in the table of its law"
-                }
-                path if path.starts_with("law.") && !self.has_law_of(path) => "is not used: no case is under that law",
-                path if path.starts_with("solver.") && path != "solver.method" && !is_stepped => {
-                    "is not used: the closed form takes no steps; give solver.method too"
-                }
-                _ => return None,
+            let key = Key::find(path);
+            let problem = if self.has_waves() && (path == "gravity.acceleration" || is_of_damping(path)) {
+                "cannot vary beside half_space.density: elastic waves are computed without gravity and damping; leave one of the two out".to_owned()
+            } else if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") {
+                "cannot vary together with \"law\": give it in the table of its law".to_owned()
+            } else if key.is_some_and(|key| !cases.iter().any(|input| key.has_effect(input, Use::Rows))) {
+                format!("is not used: {}", key?.why_without_effect())
+            } else if path == "law" && !is_plastic {
+                "is not used: without half_space.yield_strength the contact stays elastic".to_owned()
+            } else {
+                return None;
             };
-            Some((path, problem.to_owned()))
+            Some((path, problem))
         })
+    }
+
+    /// The inputs under all laws and methods of the axes, with the first values of the other axes.
+    fn worded(&self) -> Vec<Input> {
+        let mut all = vec![vec![0; self.axes().len()]];
+        for (k, axis) in self.axes().iter().enumerate() {
+            if matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]) {
+                let with = |places: &Vec<u64>, place| {
+                    let mut places = places.clone();
+                    places[k] = place;
+                    places
+                };
+                all = all.iter().flat_map(|places| (0..axis.len()).map(move |place| with(places, place))).collect();
+            }
+        }
+        all.iter().map(|places| self.input_at(places)).collect()
+    }
+
+    /// The methods of the cases.
+    fn methods(&self) -> Vec<Method> {
+        self.worded().iter().map(|input| input.solver().method).collect()
     }
 
     /// Whether a case has the method `closed_form`, but no closed form.
@@ -186,50 +192,18 @@ impl Plan {
         self.methods().iter().any(|method| matches!(method, Method::Dopri5 | Method::Dop853))
     }
 
-    /// Whether any case is under the law that a key belongs to.
-    fn has_law_of(&self, path: &str) -> bool {
-        self.laws().iter().any(|law| path.split('.').nth(1) == Some(law.about().name))
-    }
-
-    /// What `of` picks from the words of the axes, or else from the scene.
-    fn swept<T>(&self, of: fn(&Word) -> Option<T>, of_scene: T) -> Vec<T> {
-        let swept: Vec<T> = self.axes().iter().flat_map(Axis::words).filter_map(of).collect();
-        if swept.is_empty() { vec![of_scene] } else { swept }
-    }
-
-    /// The laws of the cases.
-    fn laws(&self) -> Vec<LawChoice> {
-        self.swept(|word| if let Word::Law(law) = word { Some(law.clone()) } else { None }, self.scene.law.clone())
-    }
-
-    /// The methods of the cases.
-    fn methods(&self) -> Vec<Method> {
-        self.swept(|word| if let Word::Method(method) = word { Some(*method) } else { None }, self.scene.solver.method)
-    }
-
-    /// Whether rows of this method are integrated, under any of the laws.
-    fn is_stepped(&self, method: Method) -> bool {
-        let auto_integrates = |law: &LawChoice| {
-            let scene = Scene { law: law.clone(), ..self.scene.clone() };
-            scene.contact().is_ok_and(|contact| contact.auto_integrates())
-        };
-        match method {
-            Method::ClosedForm => false,
-            Method::Auto => self.laws().iter().any(auto_integrates),
-            _ => true,
-        }
-    }
-
     /// About how many microseconds a row takes on one core, under the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
-        let steps = f64::from(self.scene.solver.steps_per_contact);
-        let of = |method: Method| match method {
-            Method::Verlet => 0.05 * steps,
-            Method::Dopri5 | Method::Dop853 => 32.0,
-            method if self.is_stepped(method) => 8.0,
-            _ => 0.25,
+        let of = |input: &Input| {
+            let scene = input.resolve();
+            match scene.solver.method {
+                Method::Verlet => 0.05 * f64::from(scene.solver.steps_per_contact),
+                Method::Dopri5 | Method::Dop853 => 32.0,
+                _ if scene.is_stepped() => 8.0,
+                _ => 0.25,
+            }
         };
-        self.methods().into_iter().map(of).fold(0.25, f64::max)
+        self.worded().iter().map(of).fold(0.25, f64::max)
     }
 
     /// Whether the half-space can yield. If not, nothing plastic is reported.

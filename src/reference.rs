@@ -6,7 +6,7 @@
 macro_rules! tables {
     ($($(#[doc = $about:literal])+ $read:ident: $row:ty = $file:literal;)+) => {$(
         $(#[doc = $about])+
-        pub fn $read() -> Result<Vec<$row>, $crate::reference::ReferenceError> {
+        pub fn $read() -> Result<Vec<$row>, $crate::error::Error> {
             $crate::reference::rows($file, include_str!($file))
         }
     )+};
@@ -19,7 +19,8 @@ pub mod quasi_static;
 pub mod unloading;
 
 use serde::de::DeserializeOwned;
-use thiserror::Error;
+
+use crate::error::Error;
 
 /// Name of the quasi-static finite elements in reports.
 pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
@@ -35,17 +36,14 @@ pub const LOADING: [(&str, &str); 5] = [
     ("case 5", include_str!("reference/fe_loading_case5.csv")),
 ];
 
-/// A damaged reference table; the tables are compiled in.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("reference table {table}: {problem}")]
-pub struct ReferenceError {
-    pub table: &'static str,
-    pub problem: String,
+/// The error of a damaged table; the tables are compiled in.
+pub(crate) fn damaged(table: &str, problem: &str) -> Error {
+    Error::failed(format!("reference table {table}: {problem}"))
 }
 
 /// Rows of a table.
-pub(crate) fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, ReferenceError> {
+pub(crate) fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, Error> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let rows = reader.deserialize().collect::<Result<Vec<T>, csv::Error>>();
-    rows.map_err(|error| ReferenceError { table, problem: error.to_string() })
+    rows.map_err(|error| damaged(table, &error.to_string()))
 }

@@ -10,7 +10,6 @@ pub(crate) mod overview;
 pub(crate) mod plan;
 pub mod reference;
 pub(crate) mod repeat;
-pub mod resolved;
 pub(crate) mod rows;
 pub(crate) mod strength;
 pub(crate) mod summary;

@@ -14,6 +14,24 @@ use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
 pub use outcome::{Order, Outcome, no_result, texts};
 
+/// The names of all results, without their endings. Those of an older scenario do not stay beside newer ones.
+pub const RESULTS: &[&str] = &[
+    "table",
+    "trace",
+    "impacts",
+    "comparison",
+    "residuals",
+    "posterior",
+    "calibrated",
+    "force_indentation",
+    "history",
+    "height",
+    "unloading",
+    "restitution",
+    "restitution_map",
+    "restitution_histogram",
+];
+
 /// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]
 pub struct Way {
@@ -62,7 +80,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     if kind != Kind::Impact {
         let table = Kind::ALL.iter().find(|(_, known)| *known == kind).map_or("", |(name, _)| name);
         let message = "is not a part of a contact of two bodies: leave this table out";
-        return Err(scenario.document.refuse(table, message).into());
+        return Err(scenario.document.refuse(table, message));
     }
     let scene = scenario.resolve_bodies()?;
     let Forces { gravity, damping, plate } = scene.forces;
@@ -74,7 +92,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     ];
     if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
         let message = format!("is not a part of the contact law: {way_out}");
-        return Err(scenario.document.refuse(key, message).into());
+        return Err(scenario.document.refuse(key, message));
     }
     let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
     let contact = scene.contact().map_err(failed)?;

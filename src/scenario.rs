@@ -18,7 +18,7 @@
 //! "#;
 //! let scene = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
 //! assert_eq!(scene.speed, 1.0);
-//! # Ok::<(), plm_impact::scenario::ScenarioError>(())
+//! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 
 mod axes;
@@ -27,7 +27,6 @@ mod columns;
 mod compare;
 mod document;
 pub mod edit;
-mod error;
 mod explain;
 mod extreme;
 mod file;
@@ -44,25 +43,21 @@ mod repeat;
 pub mod schema;
 mod source;
 mod sweep;
-mod template;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use crate::error::Error;
 use crate::impact::Warning;
-use crate::material::{HalfSpace, Material};
 use crate::plan::axis::Setting;
-use crate::scene::field::{Given, Table as _};
 use crate::scene::read::{Fault, Reader};
+use crate::scene::table::Table as _;
 use crate::scene::taken::Taken;
-use crate::scene::{EITHER, Input, KEYS, Key, Scene};
-pub use document::{Document, LARGEST_SCENARIO, read_text, text_of};
-pub use error::ScenarioError;
+use crate::scene::{EITHER, Input, KEYS, Key, Scene, Use};
+pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 use file::File;
 pub use file::{every_key, list_of};
-pub use kind::Kind;
-pub use place::{Place, Refusal};
-pub use template::template;
+pub use kind::{Kind, template};
 
 /// A scenario file, read and checked.
 #[derive(Debug, Clone)]
@@ -77,8 +72,6 @@ pub struct Scenario {
     pub taken: Vec<Taken>,
     /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
     files: BTreeMap<String, (PathBuf, String)>,
-    /// Measurements that are known without the file of them.
-    data: Option<String>,
     /// The folder of the files that it names.
     directory: PathBuf,
 }
@@ -94,6 +87,9 @@ const NEEDED: [&str; 7] = [
     "impact.speed",
 ];
 
+/// The key of the file of measurements.
+const DATA: &str = "calibrate.data";
+
 /// Why a law has no effect.
 const ELASTIC: &str =
     "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
@@ -102,8 +98,8 @@ impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
     ///
     /// # Errors
-    /// [`ScenarioError`], naming file, line, value, allowed range.
-    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
+    /// [`Error`], naming file, line, value, allowed range.
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
         let text = document::read_text(path, LARGEST_SCENARIO)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
@@ -112,21 +108,16 @@ impl Scenario {
     /// Reads a scenario from a text; `name` stands for the file in messages.
     ///
     /// # Errors
-    /// [`ScenarioError`], naming line, value, allowed range.
-    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, ScenarioError> {
+    /// [`Error`], naming line, value, allowed range.
+    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
         Self::in_directory(name, text, overrides, PathBuf::new())
     }
 
     /// The same, where files that it names are relative to a directory.
     ///
     /// # Errors
-    /// [`ScenarioError`], naming line, value, allowed range.
-    pub fn in_directory(
-        name: &str,
-        text: &str,
-        overrides: &[String],
-        directory: PathBuf,
-    ) -> Result<Self, ScenarioError> {
+    /// [`Error`], naming line, value, allowed range.
+    pub fn in_directory(name: &str, text: &str, overrides: &[String], directory: PathBuf) -> Result<Self, Error> {
         Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
     }
 
@@ -137,7 +128,7 @@ impl Scenario {
         overrides: &[String],
         directory: PathBuf,
         mut texts: BTreeMap<String, String>,
-    ) -> Result<Self, ScenarioError> {
+    ) -> Result<Self, Error> {
         let document = Document::new(name, text, overrides)?;
         let mut files = BTreeMap::new();
         let mut read = |key: &str, name: &str| {
@@ -161,7 +152,13 @@ impl Scenario {
         for taken in &taken {
             input.take(taken);
         }
-        let scenario = Self { document, tables, input, taken, files, data: None, directory };
+        if let Some(name) = tables.calibrate.as_ref().and_then(|calibrate| calibrate.data.as_ref()) {
+            let path = directory.join(name);
+            // one that cannot be read is refused where it is needed
+            let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
+            files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
+        }
+        let scenario = Self { document, tables, input, taken, files, directory };
         scenario.check_tables()?;
         Ok(scenario)
     }
@@ -178,7 +175,7 @@ impl Scenario {
     }
 
     /// Checks what every kind of scene needs: a sphere, and no two keys in place of each other.
-    fn check_tables(&self) -> Result<(), ScenarioError> {
+    fn check_tables(&self) -> Result<(), Error> {
         for [one, other] in EITHER {
             if self.has(one) && self.has(other) {
                 return Err(self.document.one_key(one, other));
@@ -195,7 +192,7 @@ impl Scenario {
 
     /// Refuses a scenario in which one of these keys is missing. A key in place of it counts, and a key that varies
     /// over the cases of a table.
-    fn need(&self, keys: &[&'static str]) -> Result<(), ScenarioError> {
+    fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
@@ -215,22 +212,22 @@ impl Scenario {
     /// The scene of an impact: defaults filled in, files read.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
+    /// [`Error`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
-    pub fn resolve(&self) -> Result<Scene, ScenarioError> {
+    pub fn resolve(&self) -> Result<Scene, Error> {
         let input = self.first_impact()?;
         let mut scene = self.scene_of(&input);
-        scene.warnings = self.unused(scene.half_space.yield_strength.is_none());
+        scene.warnings = self.without_effect(&input, Use::Impact, scene.half_space.yield_strength.is_none());
         Ok(scene)
     }
 
     /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
-    pub fn resolve_bodies(&self) -> Result<Scene, ScenarioError> {
+    pub fn resolve_bodies(&self) -> Result<Scene, Error> {
         self.checked(NEEDED.len() - 1).map(|input| self.scene_of(&input))
     }
 
     /// The input of the first impact.
-    fn first_impact(&self) -> Result<Input, ScenarioError> {
+    fn first_impact(&self) -> Result<Input, Error> {
         let shot = self.first_of_speeds()?;
         let mut input = self.checked(if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() })?;
         if let (Some(speed), Some(key)) = (shot, Key::find("impact.speed")) {
@@ -240,7 +237,7 @@ impl Scenario {
     }
 
     /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
-    fn checked(&self, needed: usize) -> Result<Input, ScenarioError> {
+    fn checked(&self, needed: usize) -> Result<Input, Error> {
         self.need(&NEEDED[..needed])?;
         self.check_law()?;
         let input = self.first_case();
@@ -276,63 +273,37 @@ impl Scenario {
         Scene { materials: self.taken.clone(), ..input.resolve() }
     }
 
-    /// What the scenario gives for a numeric key, itself or by a material.
-    pub fn given(&self, path: &str) -> Option<Given> {
-        (Key::find(path)?.get)(&self.input).filter(|_| self.has(path))
+    /// The scene of what is given, complete or not: a number that is missing is not a number there.
+    pub fn as_given(&self) -> Scene {
+        self.scene_of(&self.input)
     }
 
-    /// A numeric key that the scenario gives, in SI.
-    pub fn number_of(&self, path: &str) -> Option<f64> {
-        match self.given(path)? {
-            Given::Number(value) => Some(value),
-            Given::Word => None,
-        }
-    }
-
-    /// The sphere's radius \[m\], by its radius or its diameter.
-    pub fn sphere_radius(&self) -> Option<f64> {
-        self.input.radius()
-    }
-
-    /// Rows of a trace.
-    pub fn samples(&self) -> usize {
-        self.input.resolve().samples
-    }
-
-    /// The sphere's radius \[m\].
-    fn radius(&self) -> Result<f64, ScenarioError> {
-        self.sphere_radius().ok_or_else(|| self.document.missing("sphere", "radius"))
-    }
-
-    /// The sphere's material.
-    fn sphere_material(&self) -> Result<Material, ScenarioError> {
-        self.needs_all("sphere", &["youngs_modulus", "poissons_ratio"])?;
-        Ok(self.input.resolve().sphere.material)
-    }
-
-    /// The half-space of a scene without an impact.
-    fn half_space(&self) -> Result<HalfSpace, ScenarioError> {
-        self.needs_all("half_space", &["youngs_modulus", "poissons_ratio"])?;
+    /// The scene of a scenario without motion.
+    fn at_rest(&self) -> Result<Scene, Error> {
+        self.need(&NEEDED[3..5])?;
+        self.check_law()?;
         self.check_flow(&self.input)?;
-        Ok(self.input.resolve().half_space)
+        Ok(self.as_given())
     }
 
-    /// Refuses a table in which one of these keys is missing.
-    fn needs_all(&self, table: &str, names: &[&str]) -> Result<(), ScenarioError> {
-        match names.iter().find(|name| !self.has(&format!("{table}.{name}"))) {
-            Some(name) => Err(self.document.missing(table, name)),
-            None => Ok(()),
-        }
-    }
-
-    /// Warnings about keys of a law, which an elastic half-space does not use.
-    fn unused(&self, is_elastic: bool) -> Vec<Warning> {
-        const OF_PLM: [&str; 2] = ["law.plm.unloading_exponent", "law.plm.coefficients"];
-        if !is_elastic {
-            return Vec::new();
-        }
-        let of_plm = OF_PLM.into_iter().filter(|path| self.has(path));
-        let law = self.law_name().filter(|law| !matches!(*law, "plm" | "hertz")).map(|_| "law");
-        of_plm.chain(law).map(|key| Warning::UnusedKey { key, reason: ELASTIC }).collect()
+    /// Warnings about keys that the scenario gives, and that have no effect on what is computed. They are allowed, as the file
+    /// may also be run in another way.
+    fn without_effect(&self, input: &Input, of: Use, is_elastic: bool) -> Vec<Warning> {
+        let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
+        let is_needed = |path: &str| needed.contains(&path);
+        let is_in_place = |path: &str| EITHER.iter().any(|[one, other]| is_needed(one) && *other == path);
+        let is_open = |key: &&Key| self.document.has(key.path) && !is_needed(key.path) && !is_in_place(key.path);
+        // of another law than the PLM the whole table has no effect
+        let is_idle = |key: &&Key| match key.path.strip_prefix("law.") {
+            Some(law) => is_elastic && law.starts_with("plm."),
+            None => !key.has_effect(input, of),
+        };
+        let keys = KEYS.iter().filter(is_open).filter(is_idle).map(|key| (key.path, key.why_without_effect()));
+        let law = match self.law_name().filter(|_| is_elastic) {
+            Some("plm") if self.document.has("law.plm.coefficients") => Some("law.plm.coefficients"),
+            None | Some("plm" | "hertz") => None,
+            Some(_) => Some("law"),
+        };
+        keys.chain(law.map(|key| (key, ELASTIC))).map(|(key, reason)| Warning::UnusedKey { key, reason }).collect()
     }
 }

@@ -1,5 +1,6 @@
 //! The scene of an impact in plain numbers, and the tables of a scenario that give these numbers.
 
+mod effect;
 pub(crate) mod field;
 pub mod input;
 pub mod key;
@@ -9,6 +10,7 @@ pub mod quantity;
 pub(crate) mod read;
 mod resolve;
 pub(crate) mod results;
+pub(crate) mod table;
 pub(crate) mod taken;
 pub mod words;
 pub(crate) mod written;
@@ -16,6 +18,7 @@ pub(crate) mod written;
 use crate::impact::{Contact, Forces, ImpactError, PlateTheory, Solver, Warning};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
+pub use effect::Use;
 pub use field::Given;
 pub use input::Input;
 pub use keys::{EITHER, KEYS, Key};

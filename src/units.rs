@@ -14,7 +14,6 @@ mod parse;
 pub(crate) mod rounded;
 mod table;
 
-pub use csv_text::TableError;
 pub use dimension::Dimension;
 pub use format::{capital, describe, exact, four_digits, human, number, si};
 pub use parse::{parse, parse_as};

@@ -17,21 +17,22 @@ mod pictures;
 mod quasi_static;
 pub mod report;
 
+use crate::error::Error;
 use crate::law::PlmCoefficients;
 use crate::progress::Counter;
 pub use check::{Check, Group, Known, Tolerance, Verdict};
-pub use error::{EXPONENTS, ValidationError};
+pub use error::EXPONENTS;
 pub use pictures::pictures;
 
 /// A function that makes the checks against one kind of reference.
-type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, ValidationError>;
+type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, Error>;
 
 /// All of them, in the order of the table.
 const SOURCES: &[Source] =
     &[quasi_static::loading, quasi_static::cycles, dynamic::checks, hardening::checks, measured::checks];
 
 /// All checks of a law with these coefficients. `progress` counts the kinds of references.
-pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Check>, ValidationError> {
+pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Check>, Error> {
     let mut all = Vec::new();
     progress.expect(SOURCES.len() as u64);
     for source in SOURCES {

@@ -14,9 +14,10 @@
 //! Lines that begin with `#` are comments.
 
 use super::quantity::Measured;
+use crate::error::Error;
 use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scene::{KEYS, Key};
-use crate::units::csv_text::{CsvText, TableError};
+use crate::units::csv_text::{CsvText, refused};
 use crate::units::nearest::did_you_mean;
 use crate::units::{Dimension, parse};
 
@@ -104,9 +105,9 @@ impl Data {
     /// Reads measurements from a text. Messages use `name` for the file.
     ///
     /// # Errors
-    /// [`TableError`] with the line, what is wrong and what is allowed.
-    pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
-        let refused = TableError::of(name);
+    /// [`Error`] with the line, what is wrong and what is allowed.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
+        let refused = refused(name);
         let table = CsvText::new(text).map_err(refused)?;
         let mut data = Self { name: name.to_owned(), ..Self::default() };
         let columns = data.columns(&table.header).map_err(|message| refused((table.line, message)))?;
@@ -246,7 +247,7 @@ impl Column {
         } else {
             parse(&format!("{field} {}", self.unit), self.quantity.dimension).map_err(|error| error.to_string())?
         };
-        self.quantity.check(value).map_err(|error| error.to_string())
+        self.quantity.check(value)
     }
 }
 

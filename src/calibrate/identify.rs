@@ -10,7 +10,8 @@ use super::minimum::Place;
 use super::problem::Problem;
 use super::quantity::Measured;
 use crate::math::functions::{exp, ln};
-use crate::units::rounded::{number, percent};
+use crate::units::four_digits;
+use crate::units::rounded::percent;
 
 /// Usual error of a law, as a share of a prediction.
 pub const LAW: f64 = 0.02;
@@ -105,7 +106,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f
         let factors: Vec<String> = names
             .iter()
             .zip(direction.iter())
-            .map(|(name, part)| format!("{name} times {}", number(exp(step * part))))
+            .map(|(name, part)| format!("{name} times {}", four_digits(exp(step * part))))
             .collect();
         format!(
             "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",

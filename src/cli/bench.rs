@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use plm_impact::bench::throughput::throughput;
 use plm_impact::bench::{hard_cases, laws, measure, problems, report};
 use plm_impact::error::Error;
-use plm_impact::output::{Origin, OutputDirectory, OutputFile, Scratch};
+use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
-use plm_impact::sweep::throughput::throughput;
 
 use super::terminal::other;
 
@@ -76,17 +76,15 @@ const NINE: &str =
 
 /// How fast tables are computed and written: a row of the report for each table.
 fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<Vec<Vec<String>>, Error> {
-    let scratch = Scratch::new(directory, "throughput")?;
-    let tables = OutputDirectory::prepare(scratch.path(), Origin::Command("bench"), true)?;
     let measure = |columns: Option<&str>| -> Result<Vec<String>, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = table::plan(&scenario)?;
-        let rates = super::threads::with(None, || throughput(&plan, &tables, if is_quick { 1 } else { 7 }))??;
-        let parquet = rates.parquet.map_or("(built without the feature)".into(), |rate| format!("{rate:.2e}"));
-        let count = plan.column_names().len().to_string();
-        Ok(vec![count, format!("{:.2e}", rates.compute), format!("{:.2e}", rates.csv), parquet])
+        let rounds = if is_quick { 1 } else { 7 };
+        let rates = super::threads::with(None, || throughput(&plan, directory.path(), rounds))??;
+        let written = |rate: f64| if rate > 0.0 { format!("{rate:.2e}") } else { "(built without the feature)".into() };
+        Ok(std::iter::once(plan.column_names().len().to_string()).chain(rates.map(written)).collect())
     };
     Ok(vec![measure(Some(NINE))?, measure(None)?])
 }

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::fit::{self, FitError, LoadingCurve, Plan, report, solve};
+use plm_impact::fit::{self, LoadingCurve, Plan, report, solve};
 use plm_impact::law::PlmCoefficients;
-use plm_impact::output::{OutputError, refuse_special, replace};
+use plm_impact::output::{foreign, refuse_special, replace, unwritable};
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 
 /// Determine PLM coefficients from loading curves: a file for `[law.plm] coefficients`, deviations to the terminal
@@ -44,9 +44,7 @@ pub struct Arguments {
 pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
     let nameless = || Error::input(format!("--out {}: is not the name of a file", arguments.out.display()));
     let file_name = arguments.out.file_name().and_then(|name| name.to_str()).ok_or_else(nameless)?;
-    let curves: Result<Vec<LoadingCurve>, FitError> =
-        arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect();
-    let curves = curves?;
+    let curves = arguments.curves.iter().map(|path| LoadingCurve::load(path)).collect::<Result<Vec<_>, _>>()?;
     let is_out = |path: &PathBuf| {
         path.canonicalize().ok().is_some_and(|path| arguments.out.canonicalize().is_ok_and(|out| out == path))
     };
@@ -68,7 +66,7 @@ pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
     let name = arguments.name.clone().unwrap_or_else(default_name);
     let coefficients = report::coefficients(&fitted, &name, &super::output::command_line());
     let text = report::toml(&coefficients)?;
-    replace(&arguments.out, text.as_bytes()).map_err(OutputError::at(&arguments.out))?;
+    replace(&arguments.out, text.as_bytes()).map_err(unwritable(&arguments.out))?;
     let of_built_in: Vec<_> = curves.iter().map(|curve| solve::case_fit(curve, built_in)).collect();
     super::terminal::print(&report::table(&fitted, &of_built_in))?;
     super::terminal::note(format_args!("wrote {}", arguments.out.display()));
@@ -76,8 +74,8 @@ pub fn fit_plm(arguments: &Arguments) -> Result<(), Error> {
 }
 
 /// A file of coefficients names the command that wrote it.
-fn may_replace(out: &Path, is_forced: bool) -> Result<(), OutputError> {
-    refuse_special(out).map_err(OutputError::at(out))?;
+fn may_replace(out: &Path, is_forced: bool) -> Result<(), Error> {
+    refuse_special(out).map_err(unwritable(out))?;
     let is_own = || read_text(out, LARGEST_SCENARIO).is_ok_and(|text| text.contains("plm-impact fit-plm "));
-    if is_forced || !out.exists() || is_own() { Ok(()) } else { Err(OutputError::Foreign { path: out.to_owned() }) }
+    if is_forced || !out.exists() || is_own() { Ok(()) } else { Err(foreign(out)) }
 }

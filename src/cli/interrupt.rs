@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::sweep::SweepError;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
@@ -64,8 +63,7 @@ impl Interrupt {
     }
 
     /// The error of a sweep, with the exit code of the signal.
-    pub fn explain(&self, error: SweepError) -> Error {
-        let error = Error::from(error);
+    pub fn explain(&self, error: Error) -> Error {
         if let ErrorKind::Stopped(_) = error.kind { stopped(error.to_string(), &self.code) } else { error }
     }
 

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
-use plm_impact::run::{Order, Outcome, heed};
+use plm_impact::run::{Order, Outcome, RESULTS, heed};
 use plm_impact::scenario::Scenario;
+use plm_impact::sweep::parts::make_way;
 
-use super::pictures::PictureArguments;
+use super::names::PictureArguments;
 use super::watched::watched;
 
 /// What is written, and where.
@@ -52,6 +53,7 @@ impl Output {
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     ) -> Result<(), Error> {
         let directory = self.prepare(file, &scenario)?;
+        make_way(&directory)?;
         let pictures = self.pictures.format;
         let (scenario, outcome) = watched(self.quiet, move |progress| {
             let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress });
@@ -89,7 +91,7 @@ impl Output {
     /// The same, ready to be written to.
     pub fn prepare(&self, file: &Path, scenario: &Scenario) -> Result<OutputDirectory, Error> {
         let hash = scenario.sha256();
-        let origin = Origin::File(file, &hash);
+        let origin = Origin::File(file, &hash, RESULTS);
         let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force)?;
         if let Some(older) = directory.replaces() {
             let path = directory.path().display();

@@ -4,7 +4,8 @@ use std::io::stdin;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, ScenarioError, text_of};
+use plm_impact::error::Error;
+use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, text_of};
 
 /// What stands for standard input in place of a file.
 pub const STANDARD_INPUT: &str = "-";
@@ -30,12 +31,12 @@ impl ScenarioArguments {
         self.scenario == Path::new(STANDARD_INPUT)
     }
 
-    pub fn load(&self) -> Result<Scenario, ScenarioError> {
+    pub fn load(&self) -> Result<Scenario, Error> {
         self.load_with(&[])
     }
 
     /// The same with more overrides.
-    pub fn load_with(&self, more: &[String]) -> Result<Scenario, ScenarioError> {
+    pub fn load_with(&self, more: &[String]) -> Result<Scenario, Error> {
         let overrides = [&self.overrides, more].concat();
         if self.is_standard_input() {
             let text = text_of(self.name(), stdin().lock(), LARGEST_SCENARIO)?;

@@ -53,8 +53,8 @@ impl Options {
     /// Which part of the table is written; `None`: all.
     fn shard(&self) -> Result<Option<Shard>, Error> {
         match (&self.shard, &self.shard_env) {
-            (Some(text), _) => Ok(Some(Shard::parse(text)?)),
-            (None, Some(text)) => Ok(Some(Shard::parse_with_variable(text, |name| std::env::var(name).ok())?)),
+            (Some(text), _) => Shard::parse(text, None).map(Some),
+            (None, Some(text)) => Shard::parse(text, Some(&|name| std::env::var(name).ok())).map(Some),
             (None, None) => Ok(None),
         }
     }

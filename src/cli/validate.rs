@@ -8,9 +8,9 @@ use plm_impact::law::PlmCoefficients;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
 use plm_impact::plot::Pictures;
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
-use plm_impact::validation::{self, ValidationError, Verdict, check, experiments, report};
+use plm_impact::validation::{self, Verdict, check, experiments, report};
 
-use super::pictures::PictureArguments;
+use super::names::PictureArguments;
 use super::watched::watched;
 
 /// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal
@@ -87,10 +87,8 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     }
 }
 
-fn load(path: &Path) -> Result<PlmCoefficients, ValidationError> {
-    let text = read_text(path, LARGEST_SCENARIO).map_err(ValidationError::Unreadable)?;
-    PlmCoefficients::from_toml(&text).map_err(|error| ValidationError::Coefficients {
-        file: path.display().to_string(),
-        problem: error.to_string().trim_end().to_owned(),
-    })
+fn load(path: &Path) -> Result<PlmCoefficients, Error> {
+    let text = read_text(path, LARGEST_SCENARIO)?;
+    PlmCoefficients::from_toml(&text)
+        .map_err(|error| Error::in_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))
 }

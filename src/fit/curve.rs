@@ -23,12 +23,12 @@
 
 use std::path::Path;
 
-use super::error::FitError;
 use super::header::Bodies;
+use crate::error::Error;
 use crate::material::Pair;
 use crate::math::functions::ln;
 use crate::scenario::read_text;
-use crate::units::csv_text::{CsvText, TableError, without_mark};
+use crate::units::csv_text::{CsvText, refused, without_mark};
 
 /// Smallest number of points beyond first yield that a curve must have.
 pub const FEWEST_POINTS: usize = 8;
@@ -81,20 +81,20 @@ impl LoadingCurve {
     /// Reads a file.
     ///
     /// # Errors
-    /// [`FitError`] with the file, the line, what is wrong and what is needed.
-    pub fn load(path: &Path) -> Result<Self, FitError> {
+    /// [`Error`] with the file, the line, what is wrong and what is needed.
+    pub fn load(path: &Path) -> Result<Self, Error> {
         /// Largest file \[MiB\]: enough for a million rows.
         const LARGEST: u64 = 64;
         let text = read_text(path, LARGEST)?;
-        Ok(Self::parse(&path.display().to_string(), &text)?)
+        Self::parse(&path.display().to_string(), &text)
     }
 
     /// Reads a curve from a text. Messages use `name` for the file.
     ///
     /// # Errors
-    /// [`TableError`] with the line, what is wrong and what is needed.
-    pub fn parse(name: &str, text: &str) -> Result<Self, TableError> {
-        let refused = TableError::of(name);
+    /// [`Error`] with the line, what is wrong and what is needed.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
+        let refused = refused(name);
         let text = without_mark(text);
         let bodies = Bodies::read(text).map_err(refused)?;
         let table = CsvText::new(text).map_err(refused)?;

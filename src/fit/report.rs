@@ -2,13 +2,14 @@
 
 use std::fmt::Write as _;
 
+use super::LoadingPoint;
 use super::solve::{CaseFit, Fit};
-use super::{FitError, LoadingPoint};
+use crate::error::Error;
 use crate::law::PlmCoefficients;
 use crate::law::plm::Provenance;
 use crate::math::power::max_or_nan;
 use crate::units::aligned::aligned;
-use crate::units::rounded::number;
+use crate::units::four_digits;
 
 fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
@@ -78,8 +79,11 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
     let (from, _) = over(&|case| end(case.curve.points.first()));
     let (_, to) = over(&|case| end(case.curve.points.last()));
     let (least, most) = over(&|case| case.curve.pair.sphere_compliance);
-    let mut range =
-        format!("indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}", number(from), number(to));
+    let mut range = format!(
+        "indentation / yield indentation {} to {}, E*/E_s* {least:.3} to {most:.3}",
+        four_digits(from),
+        four_digits(to)
+    );
     let ratios = fit.cases.iter().flat_map(|case| {
         let radii = case.curve.points.iter().filter_map(|point| point.contact_radius);
         radii.map(|radius| radius * case.curve.yield_radius_ratio)
@@ -102,13 +106,11 @@ pub fn coefficients(fit: &Fit, name: &str, command: &str) -> PlmCoefficients {
 }
 
 /// The text of the file that `[law.plm] coefficients` reads: TOML, with numbers of ten digits.
-///
-/// # Errors
-/// [`FitError::Form`].
-pub fn toml(coefficients: &PlmCoefficients) -> Result<String, FitError> {
-    let mut rounded = toml::Value::try_from(coefficients)?;
+pub fn toml(coefficients: &PlmCoefficients) -> Result<String, Error> {
+    let failed = |error: toml::ser::Error| Error::failed(format!("coefficients: {error}"));
+    let mut rounded = toml::Value::try_from(coefficients).map_err(failed)?;
     round(&mut rounded);
-    let text = toml::to_string(&rounded)?;
+    let text = toml::to_string(&rounded).map_err(failed)?;
     Ok(format!(
         "# Coefficients of the piecewise-linear loading law, for `[law.plm] coefficients = \"...\"` in a scenario.\n\n{text}"
     ))

@@ -3,10 +3,10 @@
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
 
-use super::FitError;
 use super::curve::LoadingCurve;
 use super::parameters::encode;
 use super::residuals::{Residuals, deviations, rises};
+use crate::error::Error;
 use crate::law::plm::contact_radius::{ContactRadius, RadiusTable};
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::least_squares::least_squares;
@@ -68,8 +68,8 @@ pub struct Fit<'c> {
 /// Fits the coefficients to all curves. Then leaves out each curve in turn and fits to the others.
 ///
 /// # Errors
-/// [`FitError::Request`] without curves, [`FitError::NotConverged`] if the fit does not converge.
-pub fn fit<'c>(curves: &'c [LoadingCurve], plan: &Plan) -> Result<Fit<'c>, FitError> {
+/// [`Error`] without curves, and if the fit does not converge.
+pub fn fit<'c>(curves: &'c [LoadingCurve], plan: &Plan) -> Result<Fit<'c>, Error> {
     let all: Vec<&LoadingCurve> = curves.iter().collect();
     let coefficients = coefficients(&all, plan)?;
     let cases = curves.iter().enumerate().map(|(i, curve)| {
@@ -84,13 +84,13 @@ pub fn fit<'c>(curves: &'c [LoadingCurve], plan: &Plan) -> Result<Fit<'c>, FitEr
         };
         Ok(CaseFit { left_out, ..case_fit(curve, &coefficients) })
     });
-    let cases = cases.collect::<Result<Vec<_>, FitError>>()?;
+    let cases = cases.collect::<Result<Vec<_>, Error>>()?;
     Ok(Fit { coefficients, cases })
 }
 
-fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients, FitError> {
+fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients, Error> {
     if curves.is_empty() {
-        return Err(FitError::Request("no curves: name at least one file".to_owned()));
+        return Err(Error::input("no curves: name at least one file"));
     }
     let Plan { start, has_knots } = plan;
     let problem = Residuals { curves, form: start, has_knots: *has_knots, start: encode(start, *has_knots) };
@@ -103,14 +103,20 @@ fn coefficients(curves: &[&LoadingCurve], plan: &Plan) -> Result<PlmCoefficients
         // as close as rounding errors allow
         | TerminationReason::NoImprovementPossible(_) => {}
         TerminationReason::LostPatience => {
-            return Err(FitError::NotConverged(format!("no minimum after {PATIENCE} evaluations for each coefficient")));
+            return Err(not_converged(&format!("no minimum after {PATIENCE} evaluations for each coefficient")));
         }
-        other => return Err(FitError::NotConverged(format!("{other:?}"))),
+        other => return Err(not_converged(&format!("{other:?}"))),
     }
     let mut table = problem.table_at(&numbers);
     table.contact_radius = radius_table(curves, &plan.start.contact_radius);
-    table.check().map_err(|error| FitError::NotConverged(error.to_string()))?;
+    table.check().map_err(|error| not_converged(&error.to_string()))?;
     Ok(table)
+}
+
+fn not_converged(why: &str) -> Error {
+    Error::failed(format!(
+        "the least-squares fit did not converge ({why}); take other knots, or curves with less scatter"
+    ))
 }
 
 /// Λ at the knots of `start`, by linear least squares of Λ/Λ_point − 1. Λ at the first knot and the geometry factor G

@@ -2,26 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-use thiserror::Error;
-
 use super::{Entry, Known, Property, Written};
+use crate::error::Error;
 use crate::strength::hardness;
 use crate::units;
-
-/// Why a file of materials is refused.
-#[derive(Debug, Error)]
-pub enum MaterialsError {
-    /// The text is not a file of materials.
-    #[error(transparent)]
-    Form(#[from] toml::de::Error),
-    /// A value is not a number that is allowed.
-    #[error("{material}.{property}: {message}")]
-    Number { material: String, property: &'static str, message: String },
-    /// A source has no entry in `[sources]`.
-    #[error("{material}.{property}: no source is called \"{source_name}\"")]
-    Source { material: String, property: &'static str, source_name: String },
-}
+use serde::Deserialize;
 
 /// The file as it is written.
 #[derive(Deserialize)]
@@ -57,15 +42,15 @@ struct RawKnown {
 /// Reads a file of materials.
 ///
 /// # Errors
-/// [`MaterialsError`] for a text of another form, a value that is not allowed, and a source without an entry.
-pub fn read(text: &str) -> Result<Vec<Entry>, MaterialsError> {
-    let File { basis, sources, material } = toml::from_str(text)?;
+/// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
+pub fn read(text: &str) -> Result<Vec<Entry>, Error> {
+    let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
     let entry = |raw: Raw| {
         let Raw { name, title, note, density, youngs_modulus, poissons_ratio, hardness, hardening_exponent } = raw;
         let given = [density, youngs_modulus, poissons_ratio, hardness, hardening_exponent];
         let known = Property::ALL.into_iter().zip(given).filter_map(|(property, raw)| Some((property, raw?)));
         let known = known.map(|(property, raw)| raw.known(&name, property, &basis, &sources));
-        Ok(Entry { known: known.collect::<Result<_, MaterialsError>>()?, name, title, note })
+        Ok(Entry { known: known.collect::<Result<_, Error>>()?, name, title, note })
     };
     material.into_iter().map(entry).collect()
 }
@@ -77,20 +62,15 @@ impl RawKnown {
         property: Property,
         basis: &BTreeMap<String, String>,
         sources: &BTreeMap<String, String>,
-    ) -> Result<Known, MaterialsError> {
+    ) -> Result<Known, Error> {
+        let refuse = |message: String| Error::input(format!("{material}.{}: {message}", property.name()));
         let written = |text: String| match number(&text, property) {
             Ok(value) => Ok(Written { text, value }),
-            Err(message) => {
-                Err(MaterialsError::Number { material: material.to_owned(), property: property.name(), message })
-            }
+            Err(message) => Err(refuse(message)),
         };
         let cited = |(name, says): (String, String)| match sources.get(&name) {
             Some(source) => Ok([source.clone(), says]),
-            None => Err(MaterialsError::Source {
-                material: material.to_owned(),
-                property: property.name(),
-                source_name: name,
-            }),
+            None => Err(refuse(format!("no source is called \"{name}\""))),
         };
         let [low, high] = self.range;
         Ok(Known {

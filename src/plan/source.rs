@@ -1,24 +1,23 @@
 //! The texts that a plan is read from: hashed, and kept beside tables so that another machine reads the same plan again.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::provenance::hex;
 
 /// All that a result depends on, as text.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Source {
     /// Of the scenario file.
     pub text: String,
     /// `key=value` of the command line, in its order.
     pub overrides: Vec<String>,
     /// Of the file of coefficients, if the scenario names one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coefficients: Option<String>,
     /// Of the file of a flow curve, if the scenario names one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flow_table: Option<String>,
+    /// Of the file of measurements, if the scenario names one.
+    pub data: Option<String>,
 }
 
 impl Source {
@@ -31,13 +30,11 @@ impl Source {
             hasher.update([0]);
             hasher.update(given);
         }
-        if let Some(coefficients) = &self.coefficients {
-            hasher.update([0, 0]);
-            hasher.update(coefficients);
-        }
-        if let Some(table) = &self.flow_table {
-            hasher.update([0, 0, 0]);
-            hasher.update(table);
+        for (zeros, file) in (2..).zip([&self.coefficients, &self.flow_table, &self.data]) {
+            if let Some(text) = file {
+                hasher.update(vec![0; zeros]);
+                hasher.update(text);
+            }
         }
         hex(&hasher.finalize())
     }

@@ -206,7 +206,7 @@ fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
     };
     let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
-        _ if is_plain => crate::units::rounded::number(f64::from(digit) * ten_to(exponent)),
+        _ if is_plain => crate::units::four_digits(f64::from(digit) * ten_to(exponent)),
         1 => power_of_ten(exponent),
         _ => format!("{digit}·{}", power_of_ten(exponent)),
     };

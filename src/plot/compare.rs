@@ -5,7 +5,7 @@ use super::style::Style;
 use super::{Axis, Chart, Series};
 use crate::compare::{Comparison, Origin};
 use crate::law::Unloading;
-use crate::units::rounded::number;
+use crate::units::four_digits;
 
 /// Number of pieces of a curve.
 const POINTS: u32 = 200;
@@ -34,7 +34,7 @@ pub fn picture(comparison: &Comparison) -> Chart {
         let points = curve.points.iter().map(|(x, f)| (x * scale_x * length, f * scale_f * force)).collect();
         series.push(Series::points("finite elements", points).styled(Style::BLACK));
     }
-    let title = format!("Unloading from {} × the yield indentation", number(comparison.peak.indentation));
+    let title = format!("Unloading from {} × the yield indentation", four_digits(comparison.peak.indentation));
     // the axis begins a little before the shallowest dent
     let (first, _) = extremes(series.iter().flat_map(|series| &series.points).map(|(x, _)| *x));
     let last = comparison.peak.indentation * length;

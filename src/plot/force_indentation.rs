@@ -8,7 +8,8 @@ use super::loops;
 use super::series::Series;
 use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
-use crate::units::rounded::{number, quantity};
+use crate::units::four_digits;
+use crate::units::rounded::quantity;
 
 /// The values of [`loops::INDENTATIONS`].
 pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
@@ -86,5 +87,5 @@ pub(super) fn title(impact: &Impact) -> String {
     if impact.captured().is_some() {
         return format!("Impact at {}: captured", quantity(impact.speed, "m/s"));
     }
-    format!("Impact at {}: restitution e = {}", quantity(impact.speed, "m/s"), number(impact.restitution))
+    format!("Impact at {}: restitution e = {}", quantity(impact.speed, "m/s"), four_digits(impact.restitution))
 }

@@ -11,7 +11,8 @@ use crate::impact::{Event, Impact, TraceRow};
 use crate::math::functions::pow;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Hit, Place, Repeat, Sequence};
-use crate::units::rounded::{number, quantity};
+use crate::units::four_digits;
+use crate::units::rounded::quantity;
 
 /// Largest number of points of one flight.
 const FLIGHT_POINTS: u32 = 48;
@@ -119,7 +120,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
             format!("Impacts {} to {}", first + 1, last + 1)
         };
         let mut drawn = one_loop(impact, &name, loops::style(i, width(i, named.len())));
-        let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), number(impact.restitution));
+        let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), four_digits(impact.restitution));
         drawn[0].texts.push(about);
         series.extend(drawn);
     }

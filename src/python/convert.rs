@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::error::{Details, Error};
 use crate::plan::Source;
-use crate::scenario::{Scenario, ScenarioError};
+use crate::scenario::Scenario;
 
 /// What `__reduce__` returns: a function, and the arguments with which it makes the object anew.
 pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;
@@ -154,16 +154,14 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
 }
 
 /// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.
-pub fn unreadable(py: Python<'_>, error: ScenarioError) -> PyErr {
+pub fn unreadable(py: Python<'_>, error: Error) -> PyErr {
     static NO_SUCH_FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-    match error {
-        ScenarioError::Unreadable { path, reason } if reason.kind() == std::io::ErrorKind::NotFound => {
-            let arguments = (reason.raw_os_error(), format!("cannot be read: {reason}"), path.display().to_string());
-            let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile");
-            class.map_or_else(|failed| failed, |class| PyErr::from_type(class.clone(), arguments))
-        }
-        other => exception(other),
-    }
+    let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.reason, &error.details.file) else {
+        return exception(error);
+    };
+    let arguments = (reason.raw_os_error(), format!("cannot be read: {reason}"), file.clone());
+    let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile");
+    class.map_or_else(|failed| failed, |class| PyErr::from_type(class.clone(), arguments))
 }
 
 /// The exception of an error: `ValueError` if the input has to change, `RuntimeError` if a run failed.
@@ -182,7 +180,7 @@ pub fn exception(error: impl Into<Error>) -> PyErr {
 }
 
 /// A scenario with `key=value` set.
-pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) -> Result<Scenario, ScenarioError> {
+pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) -> Result<Scenario, Error> {
     let mut source = scenario.source();
     source.overrides.extend(overrides);
     Scenario::from_source(scenario.document.name(), &source)

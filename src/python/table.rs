@@ -5,7 +5,7 @@ use std::sync::Arc;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::types::Int32Type;
 use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, RecordBatch, RecordBatchIterator, StringArray};
-use arrow_schema::{ArrowError, DataType, Field, Schema};
+use arrow_schema::ArrowError;
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::exceptions::{PyImportError, PyKeyError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
@@ -63,13 +63,6 @@ impl Column {
                 Arc::new(StringArray::from(words.clone())),
             )?),
         })
-    }
-
-    fn data_type(&self) -> DataType {
-        match self {
-            Self::Numbers(_) => DataType::Float64,
-            Self::Words(..) => DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8)),
-        }
     }
 
     /// The column as a NumPy array of this shape. Numbers are read-only, because Arrow shares their memory.
@@ -135,9 +128,8 @@ impl Table {
     }
 
     fn batch(&self) -> Result<RecordBatch, ArrowError> {
-        let fields = self.columns.iter().map(|(name, column)| Field::new(name, column.data_type(), true));
-        let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
-        RecordBatch::try_new(schema, self.columns.iter().map(|(_, column)| column.array()).collect::<Result<_, _>>()?)
+        let arrays = self.columns.iter().map(|(name, column)| Ok((name, column.array()?, true)));
+        RecordBatch::try_from_iter_with_nullable(arrays.collect::<Result<Vec<_>, ArrowError>>()?)
     }
 }
 

@@ -2,8 +2,9 @@
 
 use serde::Deserialize;
 
+use super::rows;
 use super::unloading::Unloaded;
-use super::{ReferenceError, rows};
+use crate::error::Error;
 use crate::law::{Bodies, Plm, UnloadingExponent};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
 use crate::strength::flow::{FlowCurve, FlowPoint};
@@ -102,16 +103,16 @@ impl ExactImpact {
 fn with_materials<T: serde::de::DeserializeOwned>(
     name: &'static str,
     text: &'static str,
-) -> Result<Vec<(Materials, T)>, ReferenceError> {
+) -> Result<Vec<(Materials, T)>, Error> {
     Ok(rows::<Materials>(name, text)?.into_iter().zip(rows(name, text)?).collect())
 }
 
 /// All exact impacts.
-pub fn impacts() -> Result<Vec<(Materials, ExactImpact)>, ReferenceError> {
+pub fn impacts() -> Result<Vec<(Materials, ExactImpact)>, Error> {
     with_materials("oracle_hardening.csv", include_str!("oracle_hardening.csv"))
 }
 
 /// All unloadings of the finite elements.
-pub fn unloadings() -> Result<Vec<(Materials, Unloaded)>, ReferenceError> {
+pub fn unloadings() -> Result<Vec<(Materials, Unloaded)>, Error> {
     with_materials("fe_hardening.csv", include_str!("fe_hardening.csv"))
 }

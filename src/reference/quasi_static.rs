@@ -2,8 +2,8 @@
 
 use std::sync::LazyLock;
 
-use super::ReferenceError;
 use super::unloading::{self, Unloaded};
+use crate::error::Error;
 use crate::law::Bodies;
 
 /// Xie et al. (2024), Table 1: E_s, E_h, σ_Y \[Pa\] of every case; ν is 0.3 in all. The sphere of case 5 is as good as rigid.
@@ -31,7 +31,7 @@ const FIGURE_10: [(&str, u32); 3] = [("case3_mini", 2), ("case3_fs", 1), ("case3
 static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| unloaded().unwrap_or_default());
 static CURVES: LazyLock<Vec<UnloadingCurve>> = LazyLock::new(|| curves().unwrap_or_default());
 
-fn unloaded() -> Result<Vec<Unloaded>, ReferenceError> {
+fn unloaded() -> Result<Vec<Unloaded>, Error> {
     let complete = |row: unloading::UnloadingRow| {
         Some(Unloaded {
             spent: row.spent?,
@@ -46,7 +46,7 @@ fn unloaded() -> Result<Vec<Unloaded>, ReferenceError> {
     Ok(unloading::unloadings()?.into_iter().filter_map(complete).collect())
 }
 
-fn curves() -> Result<Vec<UnloadingCurve>, ReferenceError> {
+fn curves() -> Result<Vec<UnloadingCurve>, Error> {
     let (cycles, points) = (unloading::unloadings()?, unloading::points()?);
     let peaks =
         FIGURE_10.iter().filter_map(|(run, cycle)| cycles.iter().find(|row| row.run == *run && row.cycle == *cycle));

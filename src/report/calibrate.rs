@@ -5,7 +5,6 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::inputs::Inputs;
-use super::resolved::of_scene;
 use super::rows::written;
 use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
@@ -192,8 +191,9 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let inputs = of_scene(&of.fit.problem.scene).into_iter().filter(|entry| !varies(&entry.key) && !entry.is_nan());
-    super::summary::of(fields(&results(), &Calibrated { measured, of }), &Inputs(inputs.collect()), provenance)
+    let mut inputs = Inputs::of(&of.fit.problem.scene);
+    inputs.0.retain(|entry| !varies(&entry.key));
+    super::summary::of(fields(&results(), &Calibrated { measured, of }), &inputs, provenance)
 }
 
 /// The name of a file without its folders, which differ from machine to machine.

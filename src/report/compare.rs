@@ -5,19 +5,17 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::inputs::Inputs;
-use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::{overview, terminal};
 use crate::compare::{Comparison, Origin};
 use crate::error::Error;
 use crate::law::LawChoice;
-use crate::plan::YIELD_STRENGTH;
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scene::results::compare::{self as results, Row};
 use crate::scene::results::{Fields, fields};
-use crate::scene::{Given, Key};
 use crate::units::aligned::aligned;
-use crate::units::rounded::{number, quantity};
+use crate::units::four_digits;
+use crate::units::rounded::quantity;
 
 #[derive(Serialize)]
 struct Results<'a> {
@@ -37,7 +35,7 @@ pub fn state(comparison: &Comparison) -> String {
     let mut text = format!(
         "peak {origin}: indentation {} ({} x yield), force {}, contact radius {}",
         quantity(peak.indentation * point.indentation, "m"),
-        number(peak.indentation),
+        four_digits(peak.indentation),
         quantity(peak.force * point.force, "N"),
         quantity(peak.radius * point.contact_radius, "m"),
     );
@@ -69,24 +67,24 @@ pub fn summary(
 }
 
 /// The inputs of a comparison, without its peak and its laws.
-pub fn inputs(scenario: &Scenario, comparison: &Comparison) -> Vec<Entry> {
-    let half_space = ["half_space.youngs_modulus", "half_space.poissons_ratio", STRENGTH[0]];
-    let mut entries = given(scenario, &[SPHERE, half_space].concat());
-    let strength = Key::find(YIELD_STRENGTH).map(|key| Entry::of(key, Given::Number(comparison.bodies.yield_strength)));
-    entries.extend(strength);
-    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), None));
-    entries.extend(of_materials(&scenario.taken));
-    for law in &comparison.laws {
-        if let LawChoice::Plm(_) = law {
-            entries.extend(of_law(law));
-        }
-    }
-    entries
+pub fn inputs(scenario: &Scenario) -> Inputs {
+    Inputs::of(&scenario.as_given()).beginning_with(&[
+        "sphere.radius",
+        "sphere.youngs_modulus",
+        "sphere.poissons_ratio",
+        "sphere.material",
+        "half_space.youngs_modulus",
+        "half_space.poissons_ratio",
+        "half_space.yield_strength",
+        "half_space.hardness",
+        "half_space.material",
+        "law.plm.",
+    ])
 }
 
 /// What `check` prints of a comparison.
 pub fn overview(scenario: &Scenario, comparison: &Comparison) -> String {
-    let mut rows = overview::rows(&inputs(scenario, comparison));
+    let mut rows = overview::rows(inputs(scenario));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
     rows.push(["laws".to_owned(), names.join(", ")]);
     rows.push([String::new(), String::new()]);

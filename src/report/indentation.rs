@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use super::inputs::Inputs;
-use super::resolved::{Entry, SPHERE, STRENGTH, given, of_law, of_materials, words_of_strength};
 use super::rows::csv;
 use super::{overview, terminal};
 use crate::error::Error;
@@ -69,21 +68,28 @@ pub fn table(tested: &[Tested]) -> String {
 }
 
 /// The inputs of an indentation, without its steps and half-spaces.
-pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Vec<Entry> {
-    let mut entries = given(scenario, &[&SPHERE[..], &["sphere.yield_strength"], &STRENGTH].concat());
-    entries.extend(words_of_strength(scenario.number_of(STRENGTH[0]), scene.law.flow()));
-    entries.extend(of_materials(&scenario.taken));
-    if scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some()) {
-        entries.push(Entry::word("law", scene.law.name()));
-        entries.extend(of_law(&scene.law));
-    }
-    entries.push(Entry::count("output.samples", scene.samples));
-    entries
+pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
+    let strength = scene.specimens.iter().find_map(|specimen| specimen.half_space.yield_strength);
+    let mut given = scenario.as_given();
+    given.half_space.yield_strength = given.half_space.yield_strength.or(strength);
+    Inputs::of(&given).beginning_with(&[
+        "sphere.radius",
+        "sphere.youngs_modulus",
+        "sphere.poissons_ratio",
+        "sphere.yield_strength",
+        "sphere.material",
+        "half_space.hardness",
+        "half_space.flow_stress.",
+        "half_space.yield_strength_from",
+        "half_space.material",
+        "law",
+        "output.samples",
+    ])
 }
 
 /// What `check` prints of an indentation: the inputs, the steps, and the contact of every half-space.
 pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
-    let mut rows = overview::rows(&inputs(scenario, scene));
+    let mut rows = overview::rows(inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (what, value) = match *target {

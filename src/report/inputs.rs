@@ -1,11 +1,45 @@
-//! The `inputs` of a summary: the values of all keys, defaults included, in SI, with the unit in every name.
+//! The values of all keys of a scene, defaults included: `check` prints them, and a summary lists them as `inputs`, in SI, with
+//! the unit in every name.
 
 use serde::ser::{Serialize, Serializer};
+use serde_json::Value;
 
-use super::resolved::{Entry, of_scene};
+use crate::impact::Method;
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Plan, YIELD_STRENGTH};
+use crate::scene::field::Held;
 use crate::scene::taken::Body;
+use crate::scene::{Input, Scene};
+use crate::units::describe;
+
+/// A key and its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// As in the file, with dots.
+    pub key: String,
+    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
+    pub column: String,
+    /// In SI, or a word.
+    pub value: Value,
+    /// The value as text, for the terminal.
+    pub text: String,
+}
+
+impl Entry {
+    fn of(Held { path: key, quantity, value }: Held) -> Self {
+        let text = match (quantity, value.as_f64(), value.as_str()) {
+            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
+            (.., Some(word)) => word.to_owned(),
+            _ => value.to_string(),
+        };
+        let unit = quantity.map_or("", |quantity| quantity.dimension.suffix());
+        Self { column: key.replace('.', "_") + unit, key, value, text }
+    }
+
+    fn word(key: &str, word: String) -> Self {
+        Self::of(Held { path: key.to_owned(), quantity: None, value: word.into() })
+    }
+}
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,18 +52,49 @@ impl Serialize for Inputs {
 }
 
 impl Inputs {
+    /// Those of a scene, as far as it has them.
+    pub fn of(scene: &Scene) -> Self {
+        let can_yield = scene.half_space.yield_strength.is_some();
+        let is_used = |held: &Held| match held.path.as_str() {
+            "solver.steps_per_contact" => scene.solver.method == Method::Verlet,
+            "solver.tolerance" | "output.samples" => true,
+            // an elastic half-space does not use the keys of the law
+            path => (can_yield || !path.starts_with("law")) && !held.value.is_null(),
+        };
+        let mut entries: Vec<Entry> = Input::of(scene).held().into_iter().filter(is_used).map(Entry::of).collect();
+        if scene.hardness.is_some() {
+            let rule = if scene.law.flow().is_some() {
+                "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
+            } else {
+                "hardness: mean pressure over 2.9"
+            };
+            entries.push(Entry::word("half_space.yield_strength_from", rule.to_owned()));
+        }
+        for taken in &scene.materials {
+            entries.push(Entry::word(taken.body.material(), taken.material.name.clone()));
+            entries.extend(taken.notes().map(|(key, note)| Entry::word(&key, note)));
+        }
+        Self(entries)
+    }
+
+    /// Those of them whose keys begin so.
+    #[must_use]
+    pub fn beginning_with(mut self, begins: &[&str]) -> Self {
+        self.0.retain(|entry| begins.iter().any(|begin| entry.key.starts_with(begin)));
+        self
+    }
+
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
-        let mut entries = of_scene(&plan.scene);
+        let Self(mut entries) = Self::of(&plan.scene);
         let adds_keys = |axis: &&Axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]);
         for axis in plan.axes().iter().filter(adds_keys) {
             for place in 0..axis.len() {
                 let mut input = plan.input.clone();
                 axis.put(place, &mut input);
-                let new = of_scene(&input.resolve())
-                    .into_iter()
-                    .filter(|entry| entries.iter().all(|old| old.key != entry.key));
-                entries.extend(new.collect::<Vec<_>>());
+                let Self(mut new) = Self::of(&input.resolve());
+                new.retain(|entry| entries.iter().all(|old| old.key != entry.key));
+                entries.extend(new);
             }
         }
         let mut varied = plan.paths();

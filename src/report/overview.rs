@@ -1,7 +1,7 @@
 //! What `check` prints of a scenario: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
-use super::resolved::{self, Entry};
+use super::inputs::{Entry, Inputs};
 use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::Pair;
@@ -16,15 +16,39 @@ type Row = [String; 2];
 
 /// A few aligned lines.
 pub fn overview(scene: &Scene, contact: &Contact) -> String {
-    let mut rows = given(scene);
+    let mut rows = Vec::new();
+    let is_plm = matches!(scene.law, LawChoice::Plm(_));
+    for Entry { key, text, .. } in Inputs::of(scene).0 {
+        match key.as_str() {
+            // the keys of the PLM name the law
+            "law" if is_plm => {}
+            "law" => {
+                let about = scene.law.about();
+                rows.push([key, format!("{text} ({})", scene.law.source())]);
+                rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
+                rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
+            }
+            HARDNESS => {
+                let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
+                rows.push([key, format!("{text}, {} HV", four_digits(vickers))]);
+            }
+            _ => rows.push([key, text]),
+        }
+    }
     rows.push([String::new(), String::new()]);
-    rows.extend(derived(contact));
+    rows.push(["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]);
+    rows.extend(paired(contact.pair()));
+    if let Some(point) = contact.pair().yield_point {
+        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
+        rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
+        rows.push(["yield speed v_Y".to_owned(), speed]);
+    }
     aligned(&rows, |_| true)
 }
 
 /// Keys and values.
-pub(super) fn rows(entries: &[Entry]) -> Vec<Row> {
-    entries.iter().map(|entry| [entry.key.to_string(), entry.text.clone()]).collect()
+pub(super) fn rows(inputs: Inputs) -> Vec<Row> {
+    inputs.0.into_iter().map(|entry| [entry.key, entry.text]).collect()
 }
 
 /// The rows that follow from the pair of bodies.
@@ -44,39 +68,3 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
 }
 
 const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
-
-fn given(scene: &Scene) -> Vec<Row> {
-    let is_plm = matches!(scene.law, LawChoice::Plm(_));
-    let mut rows = Vec::new();
-    for entry in resolved::of_scene(scene) {
-        let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-        match entry.key.as_ref() {
-            // the keys of the PLM name the law
-            "law" if is_plm => {}
-            "law" => {
-                let about = scene.law.about();
-                row("law", format!("{} ({})", entry.text, scene.law.source()));
-                row("law.validity", about.validity.to_owned());
-                row("law.confidence", about.confidence.to_owned());
-            }
-            HARDNESS => {
-                let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
-                row(&entry.key, format!("{}, {} HV", entry.text, four_digits(vickers)));
-            }
-            key => row(key, entry.text),
-        }
-    }
-    rows
-}
-
-fn derived(contact: &Contact) -> Vec<Row> {
-    let pair = contact.pair();
-    let mut rows = vec![["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]];
-    rows.extend(paired(pair));
-    if let Some(point) = pair.yield_point {
-        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
-        rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
-        rows.push(["yield speed v_Y".to_owned(), speed]);
-    }
-    rows
-}

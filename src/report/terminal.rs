@@ -6,7 +6,8 @@ use crate::impact::{Contact, Impact};
 use crate::scene::results::impact::{Single, results};
 use crate::scene::results::{Reported, Shown};
 use crate::units::aligned::aligned;
-use crate::units::rounded::{Prefix, number, percent, quantity};
+use crate::units::four_digits;
+use crate::units::rounded::{Prefix, percent, quantity};
 
 /// What came of one impact, in a few lines.
 pub fn impact(contact: &Contact, impact: &Impact) -> String {
@@ -86,7 +87,7 @@ fn text(shown: Shown, value: &Value) -> Option<String> {
         value => value.as_f64()?,
     };
     Some(match shown {
-        Shown::Plain => number(value),
+        Shown::Plain => four_digits(value),
         Shown::In(dimension) => quantity(value, dimension.si_unit()),
         Shown::Percent => percent(value),
         Shown::Deviation => format!("{:+.1} %", 100.0 * value),
@@ -98,5 +99,6 @@ fn text(shown: Shown, value: &Value) -> Option<String> {
 fn between(value: &Value, ends: &Value) -> Option<String> {
     let (low, high) = (ends.get(0)?.as_f64()?, ends.get(1)?.as_f64()?);
     let factor = Prefix::of(value.as_f64()?).factor;
-    (high - low > 1e-9 * high.abs()).then(|| format!(" ({} to {})", number(low / factor), number(high / factor)))
+    (high - low > 1e-9 * high.abs())
+        .then(|| format!(" ({} to {})", four_digits(low / factor), four_digits(high / factor)))
 }

@@ -79,7 +79,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     for Found { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
     }
-    for (key, path) in scenario.files() {
+    for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {
         if let Ok(path) = absolute(path) {
             set(&mut document, key, value(path.display().to_string()));
         }

@@ -5,7 +5,6 @@ use crate::error::Error;
 use crate::output::SUMMARY;
 use crate::plot;
 use crate::report::compare as report;
-use crate::report::inputs::Inputs;
 use crate::scenario::Scenario;
 use crate::scene::results::compare::rows;
 
@@ -17,7 +16,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let comparison = scenario.comparison()?;
-    let inputs = Inputs(report::inputs(scenario, &comparison));
+    let inputs = report::inputs(scenario);
     let provenance = scenario.provenance(order.command);
     let warnings = texts(&comparison.warnings);
     let rows = rows(&comparison);

@@ -8,7 +8,6 @@ use crate::plot;
 use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
-use crate::report::resolved::of_scene;
 use crate::report::{strength, summary, table, trace};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
@@ -64,10 +63,10 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let (scene, contact, impact) = compute(scenario, Some(scenario.samples()))?;
+    let (scene, contact, impact) = compute(scenario, Some(scenario.as_given().samples))?;
     let provenance = provenance(scenario, &scene, impact.method, order.command);
     let mut files = vec![
-        file(SUMMARY, summary(&contact, &impact, &Inputs(of_scene(&scene)), &provenance)?),
+        file(SUMMARY, summary(&contact, &impact, &Inputs::of(&scene), &provenance)?),
         file("trace.csv", trace(&impact)?),
     ];
     files.extend(order.pictures.files(|| {

@@ -7,9 +7,7 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{of_half_space, of_sphere};
 use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::output::SUMMARY;
-use crate::plan::HARDNESS;
 use crate::plot;
-use crate::report::inputs::Inputs;
 use crate::report::{indentation as report, strength};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
@@ -59,7 +57,7 @@ pub fn compute(
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, None)?;
-    let is_precise = scene.law.flow().is_some() || scenario.number_of(HARDNESS).is_some();
+    let is_precise = scene.law.flow().is_some() || scenario.as_given().hardness.is_some();
     let strength = tested.iter().find_map(|one| {
         let steps = one.indentation.steps.iter().map(|step| step.memory.indentation);
         let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;
@@ -69,8 +67,8 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let (scene, tested, warnings) = compute(scenario, Some(scenario.samples()))?;
-    let inputs = Inputs(report::inputs(scenario, &scene));
+    let (scene, tested, warnings) = compute(scenario, Some(scenario.as_given().samples))?;
+    let inputs = report::inputs(scenario, &scene);
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
     let mut files = vec![
@@ -88,6 +86,6 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
         reason @ (IndentationError::Range(_) | IndentationError::Law(_)) => {
             Error::in_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
         }
-        step => scenario.document.refuse("indentation.steps", format!("{on}{step}")).into(),
+        step => scenario.document.refuse("indentation.steps", format!("{on}{step}")),
     }
 }

@@ -72,7 +72,7 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     if let ImpactError::Range(range) = reason
         && let Some(refusal) = scenario.too_extreme(range)
     {
-        return refusal.into();
+        return refusal;
     }
     let key = match reason {
         ImpactError::Law(_) => "law",
@@ -81,7 +81,7 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
         ImpactError::Range(_) | ImpactError::Integration(_) => "",
     };
     if scenario.document.has(key) {
-        return scenario.document.refuse(key, reason.to_string()).into();
+        return scenario.document.refuse(key, reason.to_string());
     }
     let kind = if matches!(reason, ImpactError::Integration(_)) { ErrorKind::Failed } else { ErrorKind::Input };
     Error::in_file(kind, scenario.document.name(), reason)

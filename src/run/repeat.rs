@@ -10,7 +10,6 @@ use crate::progress::Counter;
 use crate::repeat::{Repeat, Sequence};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
-use crate::report::resolved::of_scene;
 use crate::report::{repeat as report, strength, summary};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
@@ -59,7 +58,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let provenance = provenance(scenario, &scene, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
-        file(SUMMARY, summary::of_series(&series, &Inputs(of_scene(&scene)), &provenance)?),
+        file(SUMMARY, summary::of_series(&series, &Inputs::of(&scene), &provenance)?),
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, scene.samples)?),
     ];

@@ -1,9 +1,9 @@
 //! `[calibrate]`: keys that are found from measurements.
 
-use std::path::PathBuf;
-
+use super::document::read_text;
 use super::file::{CalibrateInput, NoiseInput, numbers};
-use super::{Kind, NEEDED, Scenario, ScenarioError};
+use super::{DATA, Kind, LARGEST_DATA, NEEDED, Scenario};
+use crate::error::Error;
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
@@ -15,9 +15,7 @@ use crate::strength::hardness::CONSTRAINT;
 /// Where the measurements are.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
-    /// In a file.
-    File(PathBuf),
-    /// In a text of that form, by its name.
+    /// In a file, by its name: its text.
     Text(String, String),
     /// In `[calibrate.measured]`: names and values, SI, of one impact.
     Numbers(Vec<(String, f64)>),
@@ -52,20 +50,20 @@ impl Scenario {
     /// The calibration that the scenario asks for.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other or something is missing.
-    pub fn wanted(&self) -> Result<Wanted, ScenarioError> {
+    /// [`Error`] where keys contradict each other or something is missing.
+    pub fn wanted(&self) -> Result<Wanted, Error> {
         self.request(|given, input| self.free(given, input))
     }
 
     /// The same with nothing to find: the measurements are compared with the law.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other or something is missing.
-    pub fn compared(&self) -> Result<Wanted, ScenarioError> {
+    /// [`Error`] where keys contradict each other or something is missing.
+    pub fn compared(&self) -> Result<Wanted, Error> {
         self.request(|_, _| Vec::new())
     }
 
-    fn request(&self, free: impl Fn(&CalibrateInput, &Input) -> Vec<Free>) -> Result<Wanted, ScenarioError> {
+    fn request(&self, free: impl Fn(&CalibrateInput, &Input) -> Vec<Free>) -> Result<Wanted, Error> {
         self.refuse_columns("a calibration")?;
         if self.kind()? != Kind::Calibrate {
             return Err(self.document.refuse("", NO_TABLE));
@@ -106,13 +104,16 @@ impl Scenario {
         })
     }
 
-    fn measurements(&self, given: &CalibrateInput) -> Result<Source, ScenarioError> {
+    fn measurements(&self, given: &CalibrateInput) -> Result<Source, Error> {
         let measured = numbers(given.measured.as_ref());
         match (&given.data, measured.is_empty()) {
-            (Some(path), true) => Ok(match &self.data {
-                Some(text) => Source::Text(path.clone(), text.clone()),
-                None => Source::File(self.directory.join(path)),
-            }),
+            (Some(name), true) => match self.files.get(DATA) {
+                Some((path, text)) => Ok(Source::Text(path.display().to_string(), text.clone())),
+                None => {
+                    let path = self.directory.join(name);
+                    read_text(&path, LARGEST_DATA).map(|text| Source::Text(path.display().to_string(), text))
+                }
+            },
             (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {
@@ -135,12 +136,7 @@ impl Scenario {
     }
 
     /// Refuses keys to find and columns of the data that have no effect, and impacts without a speed or a mass.
-    pub fn check_varied(
-        &self,
-        wanted: &Wanted,
-        columns: &[&'static Key],
-        is_of_impacts: bool,
-    ) -> Result<(), ScenarioError> {
+    pub fn check_varied(&self, wanted: &Wanted, columns: &[&'static Key], is_of_impacts: bool) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
             let free = format!("calibrate.free.{path}");
             let is_column = columns.iter().any(|key| key.path == path);

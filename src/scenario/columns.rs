@@ -1,6 +1,7 @@
 //! `[output] columns`: which results a table has.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::plan::Plan;
 use crate::scene::results::columns;
 
@@ -9,7 +10,7 @@ const RESTITUTION: &str = "restitution";
 
 impl Scenario {
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
-    pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), ScenarioError> {
+    pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
         let Some(names) = &self.tables.output.columns else {
             return Ok(());
         };
@@ -30,7 +31,7 @@ impl Scenario {
     }
 
     /// Refuses columns for `scene`, which is no table.
-    pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), ScenarioError> {
+    pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), Error> {
         if self.tables.output.columns.is_none() {
             return Ok(());
         }

@@ -1,12 +1,15 @@
 //! `[compare]`: one peak, many unloading laws.
 
+use super::Scenario;
 use super::file::CompareInput;
 use super::flow::FLOW;
-use super::{Kind, Scenario, ScenarioError};
 use crate::compare::{Comparison, Origin};
+use crate::error::Error;
+use crate::impact::{of_half_space, of_sphere};
 use crate::law::published::PeakState;
 use crate::law::{Bodies, LawChoice, Plm};
-use crate::material::Pair;
+use crate::material::{HalfSpace, Pair};
+use crate::scene::{Scene, Use};
 use crate::units::{Dimension, human};
 
 /// A law whose parameter is a restitution, so that there is nothing to compare.
@@ -21,8 +24,8 @@ impl Scenario {
     /// The comparison that the scenario asks for.
     ///
     /// # Errors
-    /// [`ScenarioError`] where a key is missing, contradicts another, or names no law.
-    pub fn comparison(&self) -> Result<Comparison, ScenarioError> {
+    /// [`Error`] where a key is missing, contradicts another, or names no law.
+    pub fn comparison(&self) -> Result<Comparison, Error> {
         let refuse = |key: &str, message: &str| self.document.refuse(key, message);
         let Some(given) = &self.tables.compare else {
             return Err(refuse("compare", "the table [compare] is missing"));
@@ -30,18 +33,13 @@ impl Scenario {
         if self.has("impact") {
             return Err(refuse("impact", "is not used: [compare] has no motion; leave one of the two out"));
         }
-        let material = self.sphere_material()?;
-        if !self.has("half_space") {
-            return Err(self.document.missing("", "half_space"));
-        }
-        let half_space = self.half_space()?;
-        let pair = Pair::try_new(self.radius()?, &material, &half_space)
+        let Scene { sphere, half_space, law, .. } = self.at_rest()?;
+        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)
             .map_err(|error| refuse("sphere", &error.to_string()))?;
         let bodies =
             Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
-        self.check_law()?;
-        let LawChoice::Plm(plm) = self.input.resolve().law else { return Err(refuse("law", OTHER_LAW)) };
+        let LawChoice::Plm(plm) = law else { return Err(refuse("law", OTHER_LAW)) };
         if plm.flow.is_some() {
             return Err(refuse(FLOW, NO_HARDENING));
         }
@@ -60,7 +58,7 @@ impl Scenario {
             ));
         }
         let laws = self.compared_laws(given, &plm)?;
-        let mut comparison = Comparison::of_plm(bodies, material.youngs_modulus, &plm, x, laws);
+        let mut comparison = Comparison::of_plm(bodies, sphere.material.youngs_modulus, &plm, x, laws);
         match (given.peak_force, given.peak_contact_radius, given.peak_sphere_indentation) {
             (None, None, None) => {}
             (Some(force), Some(radius), Some(sphere)) => {
@@ -102,11 +100,13 @@ impl Scenario {
                 return Err(refuse("compare.spent_work", &message));
             }
         }
-        comparison.warnings = self.idle_keys(Kind::Compare);
+        let of_sphere = of_sphere(sphere.radius, &sphere.material, None, None);
+        comparison.warnings = of_sphere.chain(of_half_space(&HalfSpace { density: None, ..half_space })).collect();
+        comparison.warnings.extend(self.without_effect(&self.input, Use::Comparison, false));
         Ok(comparison)
     }
 
-    fn compared_laws(&self, given: &CompareInput, plm: &Plm) -> Result<Vec<LawChoice>, ScenarioError> {
+    fn compared_laws(&self, given: &CompareInput, plm: &Plm) -> Result<Vec<LawChoice>, Error> {
         let unload = || LawChoice::all().into_iter().filter(LawChoice::has_own_unloading);
         let own = |law: LawChoice| if matches!(law, LawChoice::Plm(_)) { LawChoice::Plm(plm.clone()) } else { law };
         match given.laws.as_deref() {

@@ -5,35 +5,45 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use super::ScenarioError;
 use super::explain::missing;
 use super::overrides::choose_law;
-use super::place::{Place, Refusal};
+use super::place::Place;
+use crate::error::{Details, Error, ErrorKind};
 use crate::scene::read::Fault;
 use crate::scene::written::{Node, Table, Value};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
 
+/// Largest file of measurements \[MiB\].
+pub const LARGEST_DATA: u64 = 64;
+
 /// Reads a text file of at most so many MiB, so that an endless device does not fill the memory.
-pub fn read_text(path: &Path, largest: u64) -> Result<String, ScenarioError> {
-    let file = File::open(path).map_err(|reason| ScenarioError::Unreadable { path: path.to_owned(), reason })?;
-    text_of(path, file, largest)
+pub fn read_text(path: &Path, largest: u64) -> Result<String, Error> {
+    text_of(path, File::open(path).map_err(unreadable(path))?, largest)
+}
+
+fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
+    Error::of_file(ErrorKind::Input, path, "cannot be read", "")
 }
 
 /// The same of what is already open; `path` stands for it in messages.
-pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, ScenarioError> {
-    let unreadable = |reason| ScenarioError::Unreadable { path: path.to_owned(), reason };
+pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
     let most = largest << 20;
     let mut bytes = Vec::new();
-    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable(path))?;
+    let file = path.display().to_string();
     if bytes.len() as u64 > most {
-        return Err(ScenarioError::TooLarge { path: path.to_owned(), largest });
+        let reason = format!(
+            "is larger than {largest} MiB, the most that is read; write long lists as linspace or logspace, or split the file"
+        );
+        return Err(Error::in_file(ErrorKind::Input, &file, reason));
     }
     String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + String::from_utf8_lossy(&error.as_bytes()[..good]).matches('\n').count();
-        ScenarioError::NotText { path: path.to_owned(), line }
+        let text = format!("{file}:{line}: is not a text file (not UTF-8)");
+        Error::input(text).with(Details { file: Some(file), line: Some(line as u64), ..Details::default() })
     })
 }
 
@@ -52,8 +62,13 @@ struct Override {
 }
 
 impl Override {
-    fn parse(text: &str, start: usize) -> Result<(Self, Table), ScenarioError> {
-        let refuse = |problem: String| ScenarioError::Override { text: text.to_owned(), problem };
+    fn parse(text: &str, start: usize) -> Result<(Self, Table), Error> {
+        let refuse = |problem: String| {
+            let (key, value) = text.split_once('=').unwrap_or((text, ""));
+            let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
+            let told = Error::input(format!("--set {text}: {problem}"));
+            told.with(Details { message: Some(problem), key, value, ..Details::default() })
+        };
         let (key, value) = text
             .split_once('=')
             .filter(|(key, value)| !key.trim().is_empty() && !value.trim().is_empty())
@@ -88,13 +103,13 @@ pub struct Document {
 
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
-    pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, ScenarioError> {
+    pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
         let whole = |table| Node { span: 0..0, value: Value::Table(table) };
         let parsed = Table::parse(&text, 0);
         let mut document = Self { name, text, overrides: Vec::new(), root: whole(Table::default()) };
         let mut root = parsed.map_err(|error| {
             let message = error.message().trim_end().replace('\n', "; ");
-            ScenarioError::Refused(Box::new(document.refusal(error.span(), String::new(), message)))
+            document.refusal(error.span(), "", &message)
         })?;
         let mut start = document.text.len() + 1;
         for given in overrides {
@@ -129,20 +144,16 @@ impl Document {
     }
 
     /// The refusal of the keys that were refused while they were read, in the order of the file.
-    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Option<ScenarioError> {
+    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Option<Error> {
         refused.sort_by_key(|(_, fault)| fault.span.start);
-        let mut all = refused.into_iter().take(MOST_REFUSALS);
-        let mut next = || all.next().map(|(key, Fault { span, message })| self.refusal(Some(span), key, message));
-        let mut first = next()?;
-        while let Some(other) = next() {
-            first.others.push(other);
-        }
-        Some(ScenarioError::Refused(Box::new(first)))
+        let refusals = refused.into_iter().take(MOST_REFUSALS);
+        let refusals = refusals.map(|(key, Fault { span, message })| self.refusal(Some(span), &key, &message));
+        refusals.reduce(|all, other| all.and(&other))
     }
 
     /// A refusal of the value at `key`, pointing at it.
-    pub fn refuse(&self, key: &str, message: impl Into<String>) -> ScenarioError {
-        ScenarioError::Refused(Box::new(self.refusal(self.root().span_of(key), key.to_owned(), message.into())))
+    pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
+        self.refusal(self.root().span_of(key), key, message.as_ref())
     }
 
     /// Whether the scenario, or the command line, gives the key itself.
@@ -151,12 +162,12 @@ impl Document {
     }
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
-    pub fn missing(&self, table: &str, key: &str) -> ScenarioError {
+    pub fn missing(&self, table: &str, key: &str) -> Error {
         self.refuse(table, missing(key, table))
     }
 
     /// The refusal where one of these keys is needed; `way_out` says what else can be done.
-    pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> ScenarioError {
+    pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
         let first = missing(names.next().unwrap_or_default(), table);
         let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
@@ -165,25 +176,25 @@ impl Document {
     }
 
     /// The refusal of a key that is given beside another key which it stands in place of.
-    pub(super) fn one_key(&self, first: &str, second: &str) -> ScenarioError {
+    pub(super) fn one_key(&self, first: &str, second: &str) -> Error {
         let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
         self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
     }
 
     /// The refusal of a table or a key that is given beside a table which it stands in place of.
-    pub(super) fn one_table(&self, first: &str, second: &str) -> ScenarioError {
+    pub(super) fn one_table(&self, first: &str, second: &str) -> Error {
         self.refuse(second, format!("[{first}] is given too; write only one of the two"))
     }
 
-    fn refusal(&self, span: Option<Range<usize>>, key: String, message: String) -> Refusal {
+    fn refusal(&self, span: Option<Range<usize>>, key: &str, message: &str) -> Error {
         let place = match span {
-            None => Place::File { name: self.name.clone() },
+            None => Place::file(&self.name),
             Some(span) => match self.overrides.iter().rfind(|given| given.start <= span.start) {
-                Some(given) => Place::Override { text: given.text.clone() },
+                Some(given) => Place::setting(&given.text),
                 None => Place::in_text(&self.name, &self.text, &span),
             },
         };
-        Refusal { place, key, message, others: Vec::new() }
+        place.refuse(key, message)
     }
 
     fn root(&self) -> &Table {

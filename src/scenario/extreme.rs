@@ -1,10 +1,11 @@
 //! Which number of a scenario is so large or small that a result leaves double precision.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::material::OutOfFloatRange;
 use crate::math::functions::log10;
 use crate::scene::quantity::Quantity;
-use crate::scene::{KEYS, Key};
+use crate::scene::{Given, KEYS, Key};
 use crate::units::{number, parse, si};
 
 /// A number is extreme if it is more powers of ten than this away from the example of its quantity.
@@ -12,9 +13,12 @@ const FAR: f64 = 20.0;
 
 impl Scenario {
     /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no number is extreme.
-    pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<ScenarioError> {
+    pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<Error> {
         let given = KEYS.iter().filter(|key| self.document.has(key.path));
-        let values = given.filter_map(|key| Some((key, self.number_of(key.path)?)));
+        let values = given.filter_map(|key| match (key.get)(&self.input)? {
+            Given::Number(value) => Some((key, value)),
+            Given::Word => None,
+        });
         let distances = values.filter_map(|(key, value)| Some((key, value, decades(value, key.quantity)?)));
         let distances = distances.filter(|(.., decades)| *decades > FAR);
         let (Key { path, quantity, .. }, value, _) = distances.max_by(|a, b| a.2.total_cmp(&b.2))?;

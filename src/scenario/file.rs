@@ -5,7 +5,7 @@ use super::axes::RandomKeys;
 use crate::plan::axis::Axis;
 use crate::plan::free::Free;
 use crate::repeat::Place;
-use crate::scene::field::{Field, Given, Table as _, tables};
+use crate::scene::field::{Field, Given};
 use crate::scene::input::{
     DampingInput, GravityInput, HalfSpaceInput, ImpactInput, Input, OutputInput, SolverInput, SphereInput,
 };
@@ -17,6 +17,7 @@ use crate::scene::quantity::{
     POISSONS_RATIO, RESTITUTION, SHOT_SPEED, SPEED, STRENGTH, TIME,
 };
 use crate::scene::read::{Fault, Reader, word};
+use crate::scene::table::{self, Table as _, tables};
 use crate::scene::words::{LAWS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS};
 use crate::scene::written::{Node, Value};
 
@@ -230,7 +231,7 @@ impl File {
 }
 
 /// The numbers that a table gives, by their names in alphabetical order.
-pub(super) fn numbers<T: crate::scene::field::Table>(table: Option<&T>) -> Vec<(String, f64)> {
+pub(super) fn numbers<T: table::Table>(table: Option<&T>) -> Vec<(String, f64)> {
     let Some(table) = table else { return Vec::new() };
     let number = |name: &str, given| match given {
         Some(Given::Number(value)) => Some((name.to_owned(), value)),

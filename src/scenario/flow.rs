@@ -1,6 +1,7 @@
 //! `[half_space.flow_stress]`: how the half-space hardens, and which keys may stand beside it.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::law::LawChoice;
 use crate::material::HalfSpace;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
@@ -15,7 +16,7 @@ const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, ra
 
 impl Scenario {
     /// Refuses two forms of a flow curve, none, and one that lacks a number.
-    pub(super) fn check_flow(&self, input: &Input) -> Result<(), ScenarioError> {
+    pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
         let path = |form: &str| format!("{FLOW}.{form}");
         let mut forms = input.half_space.flow_stress.forms();
         let Some(form) = forms.next() else {
@@ -42,7 +43,7 @@ impl Scenario {
         flow: Option<FlowCurve>,
         law: &LawChoice,
         half_space: Option<&HalfSpace>,
-    ) -> Result<(), ScenarioError> {
+    ) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
         let has_hardness = self.has(HARDNESS) || varies(HARDNESS);
         let Some(flow) = flow else { return Ok(()) };

@@ -1,11 +1,12 @@
 //! `[gravity]`, `[damping]` and the plate: the keys that need them, and those that exclude them.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::scene::{EITHER, Scene};
 
 impl Scenario {
     /// Refuses elastic waves beside gravity, damping or repeated impacts.
-    pub(super) fn refuse_waves(&self, scene: &Scene) -> Result<(), ScenarioError> {
+    pub(super) fn refuse_waves(&self, scene: &Scene) -> Result<(), Error> {
         let beside = if self.has("repeat") {
             "[repeat]"
         } else if scene.forces.damping.is_some() {
@@ -39,7 +40,7 @@ impl Scenario {
     }
 
     /// Refuses a drop height without gravity.
-    pub(super) fn needs_gravity(&self) -> Result<(), ScenarioError> {
+    pub(super) fn needs_gravity(&self) -> Result<(), Error> {
         let (height, gravity) = ("impact.drop_height", "gravity.acceleration");
         if !self.has(height) || self.has(gravity) || self.varies(gravity) {
             return Ok(());

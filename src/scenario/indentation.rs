@@ -1,11 +1,13 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
+use super::Scenario;
 use super::file::{self, IndentationInput, StepInput};
-use super::{Kind, Scenario, ScenarioError};
+use crate::error::Error;
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
+use crate::scene::{Scene, Use};
 use crate::units::{Dimension, human};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -35,8 +37,8 @@ impl Scenario {
     /// The scene of an indentation.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys contradict each other, something is missing, or the file of coefficients is bad.
-    pub fn indentation(&self) -> Result<IndentationScene, ScenarioError> {
+    /// [`Error`] where keys contradict each other, something is missing, or the file of coefficients is bad.
+    pub fn indentation(&self) -> Result<IndentationScene, Error> {
         self.refuse_columns("an indentation")?;
         let Some(given) = &self.tables.indentation else {
             return Err(self.document.missing("", "indentation"));
@@ -44,7 +46,7 @@ impl Scenario {
         let specimens = self.specimens(given)?;
         let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
         let targets = self.targets(given)?;
-        let samples = self.samples();
+        let Scene { sphere, law, samples, .. } = self.as_given();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
@@ -52,24 +54,23 @@ impl Scenario {
         }
         self.check_law()?;
         self.check_flow(&self.input)?;
-        let scene = self.input.resolve();
-        let (law, flow) = (scene.law, self.input.half_space.flow_stress.curve());
+        let flow = self.input.half_space.flow_stress.curve();
         self.check_strength(flow, &law, specimens.first().map(|first| &first.half_space))?;
         Ok(IndentationScene {
             indenter: Indenter {
-                radius: self.radius()?,
-                material: self.sphere_material()?,
-                yield_strength: scene.sphere.yield_strength,
+                radius: sphere.radius,
+                material: sphere.material,
+                yield_strength: sphere.yield_strength,
             },
             specimens,
             law,
             targets,
             samples,
-            warnings: self.unused(is_elastic).into_iter().chain(self.idle_keys(Kind::Indentation)).collect(),
+            warnings: self.without_effect(&self.input, Use::Indentation, is_elastic),
         })
     }
 
-    fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, ScenarioError> {
+    fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, Error> {
         let as_in = format!("as in {}", file::STEPS.example);
         let Some(steps) = &given.steps else {
             return Err(self.document.missing("indentation", "steps"));
@@ -90,13 +91,13 @@ impl Scenario {
         (1..).zip(steps).map(target).collect()
     }
 
-    fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, ScenarioError> {
+    fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
             if given.half_space.is_some() {
                 return Err(self.document.one_table("half_space", SPECIMENS));
             }
-            let half_space = self.half_space()?;
+            let half_space = self.at_rest()?.half_space;
             return Ok(vec![Specimen {
                 name: None,
                 half_space,
@@ -135,7 +136,7 @@ impl Scenario {
     }
 
     /// Refuses an uncertainty as large as its value: at the lower end there would be no stiffness or strength.
-    fn check_uncertainties(&self, name: &str, specimen: &Specimen) -> Result<(), ScenarioError> {
+    fn check_uncertainties(&self, name: &str, specimen: &Specimen) -> Result<(), Error> {
         let half_space = &specimen.half_space;
         let pairs = [
             ("youngs_modulus", Some(half_space.material.youngs_modulus), specimen.modulus_uncertainty),

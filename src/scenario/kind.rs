@@ -1,7 +1,7 @@
 //! The kind of a scenario, which follows from its tables: one impact, unless there is the table of another kind.
 
-use super::{Scenario, ScenarioError};
-use crate::impact::Warning;
+use super::Scenario;
+use crate::error::Error;
 
 /// The kinds of scene, each with its own way to be run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -24,13 +24,6 @@ pub enum Kind {
 
 /// Why forces have no effect.
 const NO_MOTION: &str = "there is no motion that it could act on";
-/// Why a density has no effect.
-const NO_MASS: &str = "nothing moves here, so a mass has no effect; leave the key out";
-/// Why the thickness has no effect.
-const NO_STIFFNESS: &str = "a large plate gives way only to what moves; leave the key out";
-/// Why the sphere's strength has no effect.
-const NO_SPHERE: &str =
-    "a comparison has one peak for all laws and does not ask whether the sphere yields; leave the key out";
 
 impl Kind {
     /// All kinds with their names; every one but the first has a table of that name.
@@ -64,12 +57,25 @@ impl Kind {
     }
 }
 
+/// A scenario of this kind, with a comment for every key: a test compares them with those of the keys.
+pub fn template(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Impact => include_str!("template/impact.toml"),
+        Kind::Sweep => include_str!("template/sweep.toml"),
+        Kind::MonteCarlo => include_str!("template/monte_carlo.toml"),
+        Kind::Repeat => include_str!("template/repeat.toml"),
+        Kind::Compare => include_str!("template/compare.toml"),
+        Kind::Indentation => include_str!("template/indentation.toml"),
+        Kind::Calibrate => include_str!("template/calibrate.toml"),
+    }
+}
+
 impl Scenario {
     /// What kind of scene the file is.
     ///
     /// # Errors
-    /// [`ScenarioError::Refused`] for tables of two kinds.
-    pub fn kind(&self) -> Result<Kind, ScenarioError> {
+    /// [`Error`] for tables of two kinds.
+    pub fn kind(&self) -> Result<Kind, Error> {
         let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.has(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
@@ -82,21 +88,5 @@ impl Scenario {
             },
             (Some((first, _)), Some((second, _))) => Err(self.document.one_table(first, second)),
         }
-    }
-
-    /// Warnings about keys of the bodies without effect. They are allowed, as the file may also be run as another kind.
-    pub(super) fn idle_keys(&self, kind: Kind) -> Vec<Warning> {
-        if !matches!(kind, Kind::Indentation | Kind::Compare) {
-            return Vec::new();
-        }
-        let keys = [
-            ("sphere.density", true, NO_MASS),
-            ("sphere.mass", true, NO_MASS),
-            ("sphere.yield_strength", kind == Kind::Compare, NO_SPHERE),
-            ("half_space.density", true, NO_MASS),
-            ("half_space.thickness", true, NO_STIFFNESS),
-        ];
-        let idle = keys.into_iter().filter(|(key, is_idle, _)| *is_idle && self.has(key));
-        idle.map(|(key, _, reason)| Warning::UnusedKey { key, reason }).collect()
     }
 }

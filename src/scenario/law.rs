@@ -1,6 +1,7 @@
 //! `[law]`: which laws may be named alone.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::law::LawChoice;
 use crate::scene::laws::COMBINED;
 
@@ -12,7 +13,7 @@ impl Scenario {
     }
 
     /// Refuses a law that does not load, and a combined law that lacks a half.
-    pub(super) fn check_law(&self) -> Result<(), ScenarioError> {
+    pub(super) fn check_law(&self) -> Result<(), Error> {
         let law = &self.tables.law;
         if let Some(halves) = &law.halves {
             let missing = |half| Err(self.document.missing("law.combined", half));

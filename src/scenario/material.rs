@@ -1,9 +1,10 @@
 //! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
 
+use super::Scenario;
 use super::axes::DrawnMaterial;
 use super::document::Document;
 use super::file::File;
-use super::{Scenario, ScenarioError};
+use crate::error::Error;
 use crate::law::LawChoice;
 use crate::materials::{Entry, Property};
 use crate::plan::axis::{Axis, Word};
@@ -30,7 +31,7 @@ fn instead(body: Body, property: Property) -> &'static [&'static str] {
 impl File {
     /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
     /// is drawn becomes random keys.
-    pub(super) fn take_materials(&mut self, document: &Document) -> Result<Vec<Taken>, ScenarioError> {
+    pub(super) fn take_materials(&mut self, document: &Document) -> Result<Vec<Taken>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
             let random = self.monte_carlo.iter().flat_map(|random| &random.materials);
@@ -145,7 +146,7 @@ impl File {
 
 impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
-    pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), ScenarioError> {
+    pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
             Word::Material(Taken { body: Body::HalfSpace, left, material }) if left.contains(&Property::Hardness) => {
                 Some(material)

@@ -1,6 +1,7 @@
 //! `[repeat]`: bouncing under gravity, or repeated shots without it.
 
-use super::{Scenario, ScenarioError};
+use super::Scenario;
+use crate::error::Error;
 use crate::repeat::{Drive, MOST_IMPACTS, Repeat};
 use crate::scene::Scene;
 
@@ -11,7 +12,7 @@ const NEEDS_IMPACTS: &str = "the key `impacts` is missing: the most impacts ther
 
 impl Scenario {
     /// The speed of the first shot of a list \[m/s\], if the scenario has one.
-    pub(super) fn first_of_speeds(&self) -> Result<Option<f64>, ScenarioError> {
+    pub(super) fn first_of_speeds(&self) -> Result<Option<f64>, Error> {
         let Some(speeds) = self.tables.repeat.as_ref().and_then(|repeat| repeat.speeds.as_ref()) else {
             return Ok(None);
         };
@@ -32,8 +33,8 @@ impl Scenario {
     /// What `[repeat]` asks for, if the scenario has it.
     ///
     /// # Errors
-    /// [`ScenarioError`] where keys are missing or contradict each other.
-    pub fn repeat(&self, scene: &Scene) -> Result<Option<Repeat>, ScenarioError> {
+    /// [`Error`] where keys are missing or contradict each other.
+    pub fn repeat(&self, scene: &Scene) -> Result<Option<Repeat>, Error> {
         let Some(given) = &self.tables.repeat else { return Ok(None) };
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         let Some(place) = given.spot else {

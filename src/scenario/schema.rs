@@ -15,25 +15,17 @@ use crate::scene::{EITHER, KEYS};
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.
 pub fn schema() -> Value {
     let mut root = table();
-    for key in every_key() {
-        let quantities = match &key.form {
-            Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::List(Form::Number(quantity)) => {
-                vec![*quantity]
-            }
-            Form::List(Form::Pair(first, second)) => vec![*first, *second],
-            _ => Vec::new(),
-        };
-        for quantity in quantities {
-            root["$defs"][quantity.name] = quantity_of(quantity);
-        }
-    }
     for law in LawChoice::names() {
         insert(&mut root, &format!("law.{law}"), table());
     }
+    let mut quantities = Vec::new();
     for key in every_key() {
-        let mut schema = of_form(&key.form);
+        let mut schema = of_form(&key.form, &mut quantities);
         schema["description"] = json!(key.about);
         insert(&mut root, key.path, schema);
+    }
+    for quantity in quantities {
+        root["$defs"][quantity.name] = quantity_of(quantity);
     }
     root["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     root["title"] = json!("Scenario of plm-impact");
@@ -51,12 +43,10 @@ pub fn schema() -> Value {
         root["properties"][table]["allOf"] = pairs;
     }
     // without the table of another kind it is one impact, and that needs a speed
-    let others: Vec<Value> = Kind::ALL[1..].iter().map(|(name, _)| json!({ "required": [name] })).collect();
     let speed = json!({ "anyOf": [{ "required": ["speed"] }, { "required": ["drop_height"] }] });
-    root["anyOf"] = json!(others);
-    if let Some(kinds) = root["anyOf"].as_array_mut() {
-        kinds.push(json!({ "required": ["sphere", "half_space", "impact"], "properties": { "impact": speed } }));
-    }
+    let impact = json!({ "required": ["sphere", "half_space", "impact"], "properties": { "impact": speed } });
+    let others = Kind::ALL[1..].iter().map(|(name, _)| json!({ "required": [name] }));
+    root["anyOf"] = others.chain([impact]).collect();
     root
 }
 
@@ -70,6 +60,11 @@ fn table_of(properties: &Value, required: &[&str]) -> Value {
     json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
 }
 
+/// A list of so many of these, or more.
+fn list_of(item: &Value, least: u32) -> Value {
+    json!({ "type": "array", "items": item, "minItems": least })
+}
+
 /// The two ends of a range.
 fn two_of(value: &Value) -> Value {
     json!({ "type": "array", "items": value, "minItems": 2, "maxItems": 2 })
@@ -80,34 +75,34 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
     let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
     let (name, is_list) = first.strip_suffix("[]").map_or((first, false), |name| (name, true));
     let place = &mut root["properties"][name];
-    match rest {
-        None if place.is_null() => *place = leaf,
-        None => {}
-        Some(rest) if is_list => {
-            if place.is_null() {
-                *place = json!({ "type": "array", "items": table() });
+    if place.is_null() {
+        *place = match rest {
+            None => leaf,
+            Some(rest) => {
+                let mut inner = table();
+                insert(&mut inner, rest, leaf);
+                if is_list { list_of(&inner, 0) } else { inner }
             }
-            insert(&mut place["items"], rest, leaf);
-        }
-        Some(rest) => {
-            if place.is_null() {
-                *place = table();
-            }
-            insert(place, rest, leaf);
-        }
+        };
+    } else if let Some(rest) = rest {
+        insert(if is_list { &mut place["items"] } else { place }, rest, leaf);
     }
 }
 
-fn of_form(form: &Form) -> Value {
+/// How a value may be written; the quantities that it refers to are added to the list.
+fn of_form(form: &Form, quantities: &mut Vec<&'static Quantity>) -> Value {
+    let mut number = |quantity: &'static Quantity| {
+        quantities.push(quantity);
+        reference(quantity)
+    };
     match form {
-        Form::Number(quantity) => number(quantity, None),
-        Form::NumberOr(quantity, word) => number(quantity, Some(word)),
+        Form::Number(quantity) => number(quantity),
+        Form::NumberOr(quantity, word) => json!({ "anyOf": [number(quantity), { "const": word }] }),
         Form::Count(quantity) => ranged("integer", quantity),
         Form::Pair(first, second) => {
-            json!({ "type": "array", "prefixItems": [number(first, None), number(second, None)], "minItems": 2, "maxItems": 2 })
+            json!({ "type": "array", "prefixItems": [number(first), number(second)], "minItems": 2, "maxItems": 2 })
         }
-        Form::List(inner @ Form::Pair(..)) => json!({ "type": "array", "items": of_form(inner), "minItems": 2 }),
-        Form::List(inner) => json!({ "type": "array", "items": of_form(inner) }),
+        Form::List(inner) => list_of(&of_form(inner, quantities), if let Form::Pair(..) = inner { 2 } else { 0 }),
         Form::Word(words) => one_of(words),
         Form::Text(_) => json!({ "type": "string" }),
         Form::Axes => axes(),
@@ -127,13 +122,8 @@ fn one_of(words: &Words) -> Value {
     json!({ "enum": (words.known)() })
 }
 
-/// A number, or the word.
-fn number(quantity: &Quantity, word: Option<&str>) -> Value {
-    let number = json!({ "$ref": format!("#/$defs/{}", quantity.name.replace(' ', "%20")) });
-    match word {
-        Some(word) => json!({ "anyOf": [number, { "const": word }] }),
-        None => number,
-    }
+fn reference(quantity: &Quantity) -> Value {
+    json!({ "$ref": format!("#/$defs/{}", quantity.name.replace(' ', "%20")) })
 }
 
 /// A number in SI within its range, or a text with a unit that is not one of another dimension.
@@ -146,46 +136,46 @@ fn quantity_of(quantity: &Quantity) -> Value {
 }
 
 fn ranged(kind: &str, quantity: &Quantity) -> Value {
-    let mut schema = Map::from_iter([("type".to_owned(), json!(kind))]);
+    let mut schema = json!({ "type": kind });
     let mut bound = |open: &str, closed: &str, bound: Bound| match bound {
-        Bound::Open(value) if value.is_finite() => drop(schema.insert(open.to_owned(), json!(value))),
-        Bound::Closed(value) => drop(schema.insert(closed.to_owned(), json!(value))),
+        Bound::Open(value) if value.is_finite() => schema[open] = json!(value),
+        Bound::Closed(value) => schema[closed] = json!(value),
         Bound::Open(_) => {}
     };
     bound("exclusiveMinimum", "minimum", quantity.low);
     bound("exclusiveMaximum", "maximum", quantity.high);
-    Value::Object(schema)
+    schema
+}
+
+/// A table of numeric keys, each with what `of` makes of its value.
+fn varied(of: impl Fn(&Value) -> Value) -> Value {
+    let mut schema = table();
+    for key in KEYS.iter() {
+        schema["properties"][key.path] = of(&reference(key.quantity));
+    }
+    schema
 }
 
 /// `[sweep]`: numeric keys with values, and the keys with words.
 fn axes() -> Value {
-    let mut schema = table();
-    for key in KEYS.iter() {
-        let value = number(key.quantity, None);
-        let space = |name: &str| {
-            let properties = json!({ name: two_of(&value), "points": { "type": "integer", "minimum": 1 } });
-            table_of(&properties, &[name, "points"])
-        };
-        let list = json!({ "type": "array", "items": value, "minItems": 1 });
-        schema["properties"][key.path] = json!({ "anyOf": [list, space("linspace"), space("logspace")] });
-    }
-    let words = |item: Value| json!({ "type": "array", "items": item, "minItems": 1 });
-    schema["properties"]["solver.method"] = words(one_of(&METHODS));
-    schema["properties"]["law"] = words(json!({ "type": "string" }));
+    let space = |name: &str, value: &Value| {
+        let properties = json!({ name: two_of(value), "points": { "type": "integer", "minimum": 1 } });
+        table_of(&properties, &[name, "points"])
+    };
+    let mut schema =
+        varied(|value| json!({ "anyOf": [list_of(value, 1), space("linspace", value), space("logspace", value)] }));
+    schema["properties"]["solver.method"] = list_of(&one_of(&METHODS), 1);
+    schema["properties"]["law"] = list_of(&json!({ "type": "string" }), 1);
     for body in Body::ALL {
-        schema["properties"][body.material()] = words(one_of(&MATERIALS));
+        schema["properties"][body.material()] = list_of(&one_of(&MATERIALS), 1);
     }
     schema
 }
 
 /// `calibrate.free`: numeric keys with ranges.
 fn free() -> Value {
-    let mut schema = table();
-    for key in KEYS.iter() {
-        let end = number(key.quantity, None);
-        let properties = json!({ "from": end, "to": end, "scale": one_of(&SCALES) });
-        schema["properties"][key.path] = table_of(&properties, &["from", "to"]);
-    }
+    let mut schema =
+        varied(|end| table_of(&json!({ "from": end, "to": end, "scale": one_of(&SCALES) }), &["from", "to"]));
     schema["minProperties"] = json!(1);
     schema["maxProperties"] = json!(2);
     schema
@@ -193,23 +183,15 @@ fn free() -> Value {
 
 /// `[monte_carlo]`: numeric keys with distributions.
 fn variables() -> Value {
-    let mut schema = table();
-    for key in KEYS.iter() {
-        let value = number(key.quantity, None);
-        let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
+    let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
+    let mut schema = varied(|value| {
         let moments = table_of(&json!({ "mean": value, "sd": spread }), &["mean", "sd"]);
-        schema["properties"][key.path] = json!({
-            "type": "object",
-            "minProperties": 1,
-            "maxProperties": 1,
-            "additionalProperties": false,
-            "properties": {
-                "normal": moments,
-                "lognormal": moments,
-                "uniform": two_of(&value)
-            }
-        });
-    }
+        let properties = json!({ "normal": moments, "lognormal": moments, "uniform": two_of(value) });
+        let mut one = table_of(&properties, &[]);
+        one["minProperties"] = json!(1);
+        one["maxProperties"] = json!(1);
+        one
+    });
     for body in Body::ALL {
         schema["properties"][body.material()] = one_of(&DRAWN);
     }

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Scenario, ScenarioError};
+use super::{DATA, Scenario};
+use crate::error::Error;
 use crate::plan::Source;
 use crate::provenance::Provenance;
 
@@ -18,23 +19,26 @@ impl Scenario {
             overrides: self.document.overrides(),
             coefficients: text(COEFFICIENTS),
             flow_table: text(TABLE),
+            data: text(DATA),
         }
     }
 
     /// Reads a scenario from its texts; `name` stands for the file in messages.
     ///
     /// # Errors
-    /// [`ScenarioError`], naming line, value, allowed range.
-    pub fn from_source(name: &str, source: &Source) -> Result<Self, ScenarioError> {
-        let texts = [(COEFFICIENTS, &source.coefficients), (TABLE, &source.flow_table)];
+    /// [`Error`], naming line, value, allowed range.
+    pub fn from_source(name: &str, source: &Source) -> Result<Self, Error> {
+        let texts = [(COEFFICIENTS, &source.coefficients), (TABLE, &source.flow_table), (DATA, &source.data)];
         let texts = texts.into_iter().filter_map(|(key, text)| Some((key.to_owned(), text.clone()?)));
         Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), texts.collect())
     }
 
     /// The same with measurements that are known without the file `calibrate.data`.
     #[must_use]
-    pub fn with_data(self, csv: String) -> Self {
-        Self { data: Some(csv), ..self }
+    pub fn with_data(mut self, csv: String) -> Self {
+        let name = self.tables.calibrate.as_ref().and_then(|calibrate| calibrate.data.clone());
+        self.files.insert(DATA.to_owned(), (name.unwrap_or_default().into(), csv));
+        self
     }
 
     /// SHA-256 of all that a result depends on: text, overrides, and the files that are named.

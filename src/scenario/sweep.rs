@@ -1,19 +1,21 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
 use super::axes::{LAW, RandomKeys};
-use super::{Kind, Scenario, ScenarioError};
+use super::{Kind, Scenario};
+use crate::error::Error;
 use crate::impact::{ImpactError, Method, Warning};
 use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Cases, MOST_CASES, Plan};
+use crate::scene::Use;
 use crate::scene::taken::Taken;
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
     ///
     /// # Errors
-    /// [`ScenarioError`] for an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
-    pub fn plan(&self) -> Result<Option<Plan>, ScenarioError> {
+    /// [`Error`] for an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
+    pub fn plan(&self) -> Result<Option<Plan>, Error> {
         if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
             return Ok(None);
         }
@@ -47,7 +49,8 @@ impl Scenario {
         let is_varied = |taken: &&Taken| plan.axes().iter().any(|axis| axis.path() == taken.body.material());
         plan.scene.materials = self.taken.iter().filter(|taken| !is_varied(taken)).cloned().collect();
         // a key that varies may give the half-space its yield strength
-        plan.scene.warnings = self.unused(plan.scene.half_space.yield_strength.is_none());
+        let is_elastic = plan.scene.half_space.yield_strength.is_none();
+        plan.scene.warnings = self.without_effect(&plan.input, Use::Impact, is_elastic);
         let unused_law = self.unused_law(&own_law, plan.axes());
         plan.scene.warnings.extend(unused_law);
         self.choose_columns(&mut plan)?;

@@ -1,13 +1,15 @@
 //! The tables of one impact as they are written: every number as it is given, and nothing that follows from others.
 
-use super::field::{Field, Given, tables};
+use super::field::{Field, Given, Held, show_word};
 use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
+use super::laws;
 use super::quantity::{
     ACCELERATION, DENSITY, DROP_HEIGHT, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY,
     LENGTH, MASS, MODULUS, POISSONS_RATIO, SAMPLES, SATURATION, SPEED, SPHERE_MODULUS, STEPS, STRAIN, STRENGTH,
     TOLERANCE, VISCOUS,
 };
 use super::read::{Fault, Reader, list, pair};
+use super::table::{Table as _, tables};
 use super::words::{COLUMNS, MATERIALS, METHODS, PLATES};
 use super::written::Node;
 use crate::impact::{Method, PlateTheory};
@@ -15,6 +17,7 @@ use crate::law::LawChoice;
 use crate::materials::Entry as Material;
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::csv_text::{CsvText, Refusal};
+use crate::units::{Dimension, human, number};
 
 /// What the file and the command line say about one impact. Every key sets a value of its own here, so that the order in
 /// which values are set does not matter; [`Input::resolve`] works out what follows from them.
@@ -156,6 +159,23 @@ tables! {
     }
 }
 
+impl Input {
+    /// The keys that have a value, for reports: numbers, words and counts in the order of the file.
+    pub fn held(&self) -> Vec<Held> {
+        let mut held = Vec::new();
+        self.sphere.show_keys("sphere", &mut held);
+        self.half_space.show_keys("half_space", &mut held);
+        self.impact.show_keys("impact", &mut held);
+        self.gravity.show_keys("gravity", &mut held);
+        self.damping.show_keys("damping", &mut held);
+        show_word(self.law.name(), "law", &mut held);
+        laws::show(&self.law, &mut held);
+        self.solver.show_keys("solver", &mut held);
+        self.samples.show(&Count(&SAMPLES), "output.samples", &mut held);
+        held
+    }
+}
+
 /// A flow curve through points, which stand in a list or in a file.
 impl Field for Option<FlowCurve> {
     fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
@@ -176,6 +196,12 @@ impl Field for Option<FlowCurve> {
         });
         Ok(())
     }
+    fn show(&self, _: &Form, path: &str, into: &mut Vec<Held>) {
+        let Some(FlowCurve::Points(points)) = self else { return };
+        let pair =
+            |point: &FlowPoint| format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure));
+        show_word(points.iter().map(pair).collect::<Vec<_>>().join(", "), path, into);
+    }
 }
 
 const OF_POINTS: [&str; 2] = ["plastic_strain", "stress_Pa"];
@@ -189,11 +215,11 @@ fn points(text: &str) -> Result<Vec<[f64; 2]>, Refusal> {
     let mut points = Vec::new();
     for row in table.rows() {
         let (line, row) = row?;
-        let number = |i: usize| {
+        let field = |i: usize| {
             let no_number = |_| (Some(line), format!("{} is no number, but \"{}\"", OF_POINTS[i], &row[i]));
             row[i].parse::<f64>().map_err(no_number)
         };
-        points.push([number(0)?, number(1)?]);
+        points.push([field(0)?, field(1)?]);
     }
     Ok(points)
 }

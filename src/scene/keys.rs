@@ -3,9 +3,9 @@
 
 use std::sync::LazyLock;
 
-use super::field::{Numeric, numeric};
 use super::input::Input;
 use super::laws;
+use super::table::{Numeric, numeric};
 
 /// A numeric key of the scene of an impact.
 pub type Key = Numeric<Input>;

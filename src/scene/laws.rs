@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use super::field::{Field, Numeric, Table as _, keys, numeric, tables};
+use super::field::{Field, Held, show_word};
 use super::key::AnyKey;
 use super::key::Form::{self, Number, NumberOr, Text, Word};
 use super::quantity::{AREA_FACTOR, EXPONENT, FACTOR, SHARE, STRENGTH, TRANSITION_RATIO};
 use super::read::{Fault, Reader};
+use super::table::{Numeric, Table as _, keys, numeric, tables};
 use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
 use super::written::{Node, Value};
 use crate::law::catalogue::brake::Brake;
@@ -117,6 +118,14 @@ macro_rules! laws {
             }
         }
 
+        /// Adds what the keys of this law have, for reports.
+        pub(super) fn show(choice: &LawChoice, into: &mut Vec<Held>) {
+            match choice {
+                $(LawChoice::$law(law) => law.show_keys(concat!("law.", $name), into),)*
+                LawChoice::Combined(_) => {}
+            }
+        }
+
         /// The keys of all laws.
         pub fn keys(path: &str, into: &mut Vec<AnyKey>) {
             $(<$law>::keys(&format!("{path}.{}", $name), into);)*
@@ -193,5 +202,8 @@ impl Field for Arc<PlmCoefficients> {
         let table = table.map_err(|error| Fault::at(node, format!("{path}: {}", error.to_string().trim_end())))?;
         *self = Self::new(table);
         Ok(())
+    }
+    fn show(&self, _: &Form, path: &str, into: &mut Vec<Held>) {
+        show_word(format!("{} ({})", self.provenance.name, self.provenance.source), path, into);
     }
 }

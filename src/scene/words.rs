@@ -1,6 +1,6 @@
 //! The words that keys take in place of numbers.
 
-use super::field::{Field, Given, number_or};
+use super::field::{Field, Given, Held, number_or, show_word};
 use super::key::{Form, Words};
 use super::read::{Fault, Reader, named};
 use super::results::columns;
@@ -64,6 +64,13 @@ macro_rules! named {
                     *self = named(words, node, $find)?.into();
                 }
                 Ok(())
+            }
+            fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
+                let Form::Word(words) = form else { return };
+                let is_this = |name: &String| ($find)(name).map(<$type>::from).as_ref() == Some(self);
+                if let Some(name) = (words.known)().into_iter().find(is_this) {
+                    show_word(name, path, into);
+                }
             }
         }
     )+};

@@ -16,36 +16,22 @@ use crate::plan::axis::Values;
 #[derive(Debug)]
 pub struct Csv {
     header: Vec<u8>,
-    fields: Vec<Field>,
+    /// The columns; those of an axis with its values as text, so that they are converted once.
+    fields: Vec<(Column, Vec<Vec<u8>>)>,
     /// Place of e among the fields; every table has it.
     restitution: usize,
-}
-
-/// How the values of a column are written.
-#[derive(Debug)]
-enum Field {
-    /// Case numbers, results, plain numbers and the status: converted to text in every row.
-    Plain(Column),
-    /// Values of an axis, converted to text once: the place of the axis, and the texts.
-    Rendered(usize, Vec<Vec<u8>>),
-    /// Values of a longer axis, converted to text when they change: the place of the axis, and the values.
-    Long(usize, Values),
 }
 
 /// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
 const RENDERED: usize = 1 << 15;
 
-impl Field {
-    fn of(column: Column) -> Self {
-        let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
-        match column {
-            Column::Name(place, names) => Self::Rendered(place, names.into_iter().map(String::into_bytes).collect()),
-            Column::Number(place, Values::List(values)) if values.len() <= RENDERED => {
-                Self::Rendered(place, values.iter().map(render).collect())
-            }
-            Column::Number(place, values) => Self::Long(place, values),
-            plain => Self::Plain(plain),
-        }
+/// The values of an axis as text, unless they are very many.
+fn rendered(column: &Column) -> Vec<Vec<u8>> {
+    let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
+    match column {
+        Column::Name(_, names) => names.iter().map(|name| name.clone().into_bytes()).collect(),
+        Column::Number(_, Values::List(values)) if values.len() <= RENDERED => values.iter().map(render).collect(),
+        _ => Vec::new(),
     }
 }
 
@@ -54,8 +40,9 @@ impl Csv {
     pub fn new(plan: &Plan) -> Self {
         let names = plan.column_names();
         let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
-        let header = (names.join(",") + "\n").into_bytes();
-        Self { header, fields: columns(plan).into_iter().map(Field::of).collect(), restitution }
+        let fields = columns(plan).into_iter().map(|column| (rendered(&column), column));
+        let fields = fields.map(|(texts, column)| (column, texts)).collect();
+        Self { header: (names.join(",") + "\n").into_bytes(), fields, restitution }
     }
 
     /// Appends rows.
@@ -64,35 +51,31 @@ impl Csv {
         let n_swept = if rows.cases.is_empty() { 0 } else { rows.swept.len() / rows.cases.len() };
         let mut integers = itoa::Buffer::new();
         let mut floats = zmij::Buffer::new();
-        // the last place and text of each long axis: the place of a slow axis stays the same for many rows
-        let mut last: Vec<(u64, String)> = vec![(u64::MAX, String::new()); n_swept];
         for (row, (case, result)) in rows.cases.iter().zip(&rows.results).enumerate() {
             let swept = &rows.swept[row * n_swept..];
-            for (place, field) in self.fields.iter().enumerate() {
+            for (place, (column, texts)) in self.fields.iter().enumerate() {
                 if place > 0 {
                     text.push(b',');
                 }
-                match field {
-                    Field::Plain(Column::Result(column)) => {
-                        if let Some(value) = result.as_ref().ok().and_then(column.value) {
-                            text.extend_from_slice(floats.format(value).as_bytes());
-                        }
+                let number = match column {
+                    Column::Name(place, _) | Column::Number(place, _) if !texts.is_empty() => {
+                        text.extend_from_slice(&texts[swept[*place] as usize]);
+                        continue;
                     }
-                    Field::Rendered(place, texts) => text.extend_from_slice(&texts[swept[*place] as usize]),
-                    Field::Long(place, values) => {
-                        let (at, last) = (swept[*place] as u64, &mut last[*place]);
-                        if last.0 != at {
-                            last.0 = at;
-                            last.1.clear();
-                            last.1.push_str(floats.format(values.at(at)));
-                        }
-                        text.extend_from_slice(last.1.as_bytes());
+                    Column::Case => {
+                        text.extend_from_slice(integers.format(*case).as_bytes());
+                        continue;
                     }
-                    Field::Plain(Column::Case) => text.extend_from_slice(integers.format(*case).as_bytes()),
-                    Field::Plain(Column::Plain(place)) => {
-                        text.extend_from_slice(floats.format(swept[*place]).as_bytes());
+                    Column::Name(..) | Column::Status => {
+                        text.extend_from_slice(status(result).as_bytes());
+                        continue;
                     }
-                    Field::Plain(_) => text.extend_from_slice(status(result).as_bytes()),
+                    Column::Result(column) => result.as_ref().ok().and_then(column.value),
+                    Column::Number(place, values) => Some(values.at(swept[*place] as u64)),
+                    Column::Plain(place) => Some(swept[*place]),
+                };
+                if let Some(number) = number {
+                    text.extend_from_slice(floats.format(number).as_bytes());
                 }
             }
             text.push(b'\n');

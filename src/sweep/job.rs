@@ -8,14 +8,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::SweepError;
 use super::count::{Count, Tally};
 use super::csv::Csv;
 use super::evaluator::{Evaluator, Rows};
 use super::form::{Form, Format, Found};
 use super::ordered::in_order;
-use super::parts::{self, IDENTITY, Identity, JOINED, Layout, ONE_FILE, folder_in};
+use super::parts::{self, IDENTITY, Identity, JOINED, Layout, ONE_FILE, PARTS};
 use super::shard::Shard;
+use super::{file, refused, unwritable};
+use crate::error::{Error, ErrorKind};
 use crate::output::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
 use crate::plan::{Plan, Source};
 
@@ -65,50 +66,22 @@ struct Made<T> {
     counts: Vec<Count>,
 }
 
-/// Where the files of a table are.
-struct Places {
-    layout: Layout,
-    /// The one file; `None` for a folder of parts.
-    file: Option<PathBuf>,
-    folder: PathBuf,
-    format: Format,
-}
-
-impl Places {
-    fn of(&self, part: u64) -> PathBuf {
-        self.file.clone().unwrap_or_else(|| self.folder.join(parts::name(part, self.format)))
-    }
-
-    /// Puts the parts together, and removes them.
-    fn join(&self, form: &impl Form, table: &Path) -> Result<(), SweepError> {
-        let unwritable = SweepError::file("cannot be written (free space, then give the same command)", table);
-        let header = form.header();
-        let mut whole = NewFile::create(table).map_err(&unwritable)?;
-        whole.write_all(header).map_err(&unwritable)?;
-        for part in 0..self.layout.parts() {
-            let path = self.of(part);
-            let mut part = File::open(&path).map_err(SweepError::file("cannot be read", &path))?;
-            part.seek(SeekFrom::Start(header.len() as u64)).map_err(SweepError::file("cannot be read", &path))?;
-            io::copy(&mut part, whole.inner()).map_err(&unwritable)?;
-        }
-        whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
-        remove_folder(&self.folder).map_err(SweepError::file("cannot be removed", &self.folder))
-    }
-}
-
 impl Job<'_> {
     /// Writes the table, or what is missing of it.
     ///
     /// # Errors
-    /// [`SweepError`]; parts written so far stay.
-    pub fn run(&self) -> Result<Written, SweepError> {
+    /// [`Error`]; parts written so far stay.
+    pub fn run(&self) -> Result<Written, Error> {
         let identity = Identity::new(self.plan, self.source, self.format, self.layout());
         match self.format {
             Format::Csv => self.run_as(&Csv::new(self.plan), &identity),
             #[cfg(feature = "parquet")]
-            Format::Parquet => self.run_as(&super::parquet::Parquet::new(self.plan, identity.hash()), &identity),
+            Format::Parquet => {
+                let failed = |error| Error::failed(format!("Parquet: {error}"));
+                self.run_as(&super::parquet::Parquet::new(self.plan, identity.hash()).map_err(failed)?, &identity)
+            }
             #[cfg(not(feature = "parquet"))]
-            Format::Parquet => Err(SweepError::Unsupported(
+            Format::Parquet => Err(Error::input(
                 "this build writes csv; for Parquet build with `cargo build --release --features parquet`",
             )),
         }
@@ -120,208 +93,202 @@ impl Job<'_> {
         Layout { rows: self.plan.count(), rows_per_part }
     }
 
-    /// The name of the table as one file.
-    fn name(&self) -> String {
-        format!("table.{}", self.format.name())
-    }
-
     /// Whether the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
     /// begun so.
     pub fn is_in_parts(&self) -> bool {
         self.shard.is_some() || self.layout().parts() > ONE_FILE || self.directory.path().join(IDENTITY).exists()
     }
 
-    fn run_as<F: Form>(&self, form: &F, identity: &Identity) -> Result<Written, SweepError> {
-        let evaluator = Evaluator::new(self.plan);
+    fn run_as<F: Form>(&self, form: &F, identity: &Identity) -> Result<Written, Error> {
+        let table = Table {
+            job: self,
+            form,
+            evaluator: &Evaluator::new(self.plan),
+            layout: self.layout(),
+            name: format!("table.{}", self.format.name()),
+        };
         let mut tries = 0;
         loop {
-            match self.attempt(form, identity, &evaluator) {
+            match table.write(identity) {
                 // another run has put the parts together and removed them: then the table is there
                 Err(error) if error.is_not_found() && tries < 3 => tries += 1,
                 result => return result,
             }
         }
     }
+}
 
-    fn attempt<F: Form>(&self, form: &F, identity: &Identity, evaluator: &Evaluator) -> Result<Written, SweepError> {
-        let (directory, layout) = (self.directory, self.layout());
-        let (table, folder) = (directory.path().join(self.name()), folder_in(directory.path()));
-        directory.may_replace(&self.name(), form.header())?;
-        remove_stale(&table).map_err(SweepError::file("cannot be written", &table))?;
-        let is_begun = self.is_begun(identity, &folder)?;
-        if !is_begun && self.shard.is_none() && layout.parts() <= ONE_FILE {
-            let one = Layout { rows: layout.rows, rows_per_part: layout.rows.max(1) };
-            let places = Places { layout: one, file: Some(table.clone()), folder, format: self.format };
-            let (tally, found) = self.fill(form, evaluator, &places)?;
+/// A table in one form.
+struct Table<'a, F> {
+    job: &'a Job<'a>,
+    form: &'a F,
+    evaluator: &'a Evaluator<'a>,
+    layout: Layout,
+    /// Its name as one file.
+    name: String,
+}
+
+impl<F: Form> Table<'_, F> {
+    fn path(&self, name: &str) -> PathBuf {
+        self.job.directory.path().join(name)
+    }
+
+    fn part(&self, part: u64) -> PathBuf {
+        // so many digits that the names are in the order of the parts
+        self.path(PARTS).join(format!("part-{part:05}.{}", self.job.format.name()))
+    }
+
+    fn write(&self, identity: &Identity) -> Result<Written, Error> {
+        let Self { job, layout, .. } = *self;
+        let (table, folder) = (self.path(&self.name), self.path(PARTS));
+        job.directory.may_replace(&self.name, self.form.header())?;
+        remove_stale(&table).map_err(file("cannot be written", &table))?;
+        let is_begun = identity.is_in(job.directory)?;
+        if !is_begun && job.shard.is_none() && layout.parts() <= ONE_FILE {
+            let (tally, found) = self.fill(Layout { rows_per_part: layout.rows.max(1), ..layout }, true)?;
             return Ok(Written { table, tally, found });
         }
+        // CSV becomes one file in the end
+        let is_joined = job.format == Format::Csv && layout.rows <= JOINED;
         if !is_begun {
-            directory.remove_older(&[])?;
-            remove(&table).map_err(SweepError::file("cannot be removed", &table))?;
-            identity.create(directory.path())?;
-        } else if self.is_joined() && table.exists() {
+            job.directory.remove_older(&[])?;
+            remove(&table).map_err(file("cannot be removed", &table))?;
+            identity.create(job.directory)?;
+        } else if is_joined && table.exists() {
             // the table was finished, perhaps by another run; without its parts it is as good
-            let mut tally = Tally::of(self.plan);
-            let found = read(form, evaluator, &table, 0..layout.rows, &mut |count| tally.push(count))?;
-            if found == Found::Whole {
-                remove_folder(&folder).map_err(SweepError::file("cannot be removed", &folder))?;
+            let mut tally = Tally::of(job.plan);
+            if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? == Found::Whole {
+                remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
                 return Ok(Written { table, found: tally.rows, tally });
             }
         }
-        fs::create_dir_all(&folder).map_err(SweepError::file("cannot be made", &folder))?;
-        let places = Places { layout, file: None, folder, format: self.format };
-        let (tally, found) = self.fill(form, evaluator, &places)?;
-        if self.shard.is_none() && self.is_joined() {
-            places.join(form, &table)?;
-            return Ok(Written { table, tally, found });
+        fs::create_dir_all(&folder).map_err(file("cannot be made", &folder))?;
+        let (tally, found) = self.fill(layout, false)?;
+        if job.shard.is_some() || !is_joined {
+            return Ok(Written { table: folder, tally, found });
         }
-        Ok(Written { table: places.folder, tally, found })
+        self.join()?;
+        Ok(Written { table, tally, found })
     }
 
-    /// Whether the parts become one file in the end.
-    fn is_joined(&self) -> bool {
-        self.format == Format::Csv && self.plan.count() <= JOINED
+    /// Puts the parts together, and removes them.
+    fn join(&self) -> Result<(), Error> {
+        let (table, folder, header) = (self.path(&self.name), self.path(PARTS), self.form.header());
+        let unwritable = unwritable(&table);
+        let mut whole = NewFile::create(&table).map_err(&unwritable)?;
+        whole.write_all(header).map_err(&unwritable)?;
+        for part in 0..self.layout.parts() {
+            let path = self.part(part);
+            let mut part = File::open(&path).map_err(file("cannot be read", &path))?;
+            part.seek(SeekFrom::Start(header.len() as u64)).map_err(file("cannot be read", &path))?;
+            io::copy(&mut part, whole.inner()).map_err(&unwritable)?;
+        }
+        whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
+        remove_folder(&folder).map_err(file("cannot be removed", &folder))
     }
 
-    /// Whether the table was begun in parts. Parts of another table are refused, or removed by force.
-    fn is_begun(&self, identity: &Identity, folder: &Path) -> Result<bool, SweepError> {
-        let directory = self.directory.path();
-        let there = match Identity::read(directory) {
-            Err(SweepError::Damaged { .. }) if self.directory.is_forced() => None,
-            there => there?,
-        };
-        if there.as_ref() == Some(identity) {
-            return Ok(true);
+    /// Reads a file that ought to hold these cases.
+    fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<Found, Error> {
+        let mut ends = Rows::default();
+        self.evaluator.rows(cases.start..cases.start + 1, &mut ends);
+        if cases.end > cases.start + 1 {
+            self.evaluator.rows(cases.end - 1..cases.end, &mut ends);
         }
-        if parts::are_in(folder).map_err(SweepError::file("cannot be read", folder))? {
-            match there {
-                _ if self.directory.is_forced() => {}
-                Some(there) => return Err(identity.refuse(&there, directory)),
-                None => {
-                    let problem = format!(
-                        "holds parts, and no {IDENTITY} says of which table; move or delete them, or start over with --force"
-                    );
-                    return Err(SweepError::Damaged { path: folder.to_owned(), problem });
-                }
-            }
-            remove_folder(folder).map_err(SweepError::file("cannot be removed", folder))?;
-        }
-        let path = directory.join(IDENTITY);
-        remove(&path).map_err(SweepError::file("cannot be removed", &path))?;
-        Ok(false)
+        self.form.read(path, &ends, cases.end - cases.start, count).map_err(file("cannot be read", path))
     }
 
-    /// Reads the parts of this table or shard that are there, and computes the others. Returns the counts of all rows, and how
-    /// many were there.
-    fn fill<F: Form>(&self, form: &F, evaluator: &Evaluator, places: &Places) -> Result<(Tally, u64), SweepError> {
-        let layout = places.layout;
+    /// Reads the parts of this table or shard that are there, and computes the others; as one file all is computed. Returns
+    /// the counts of all rows, and how many were there.
+    fn fill(&self, layout: Layout, is_one_file: bool) -> Result<(Tally, u64), Error> {
+        let job = self.job;
+        let path = |part| if is_one_file { self.path(&self.name) } else { self.part(part) };
         // rows may be slow, and a signal has to be heard between two pieces
-        let step = F::BATCH.min(self.layout().rows_per_part / 64).max(1);
+        let step = F::BATCH.min(self.layout.rows_per_part / 64).max(1);
         let pieces = |part: u64| {
             let cases = layout.cases(part);
             let count = (cases.end - cases.start).div_ceil(step);
             (0..count).map(move |k| cases.start + k * step..cases.end.min(cases.start + (k + 1) * step))
         };
-        let is_mine = |part: &u64| self.shard.is_none_or(|shard| shard.has(*part));
-        let total =
-            (0..layout.parts()).filter(is_mine).map(|part| layout.cases(part)).map(|of| of.end - of.start).sum();
-        let tasks = (0..layout.parts()).filter(is_mine).flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
+        let mine = || (0..layout.parts()).filter(|part| job.shard.is_none_or(|shard| shard.has(*part)));
+        let total = mine().map(|part| layout.cases(part)).map(|of| of.end - of.start).sum();
+        let tasks = mine().flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
             // looked for when its turn comes: another process may have written it in the meantime
-            if places.file.is_none() && places.of(part).exists() {
+            if !is_one_file && path(part).exists() {
                 Box::new(std::iter::once(Task::Read(part)))
             } else {
                 Box::new(pieces(part).map(Task::Compute))
             }
         });
-        let interrupted = |rows| SweepError::Interrupted { rows, total, is_in_parts: places.file.is_none() };
+        let interrupted = |rows: u64| {
+            let then = if is_one_file {
+                "nothing was written, as a table of this size is written at once; the same command starts anew"
+            } else {
+                "the same command goes on from the parts that are whole"
+            };
+            Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
+        };
         let compute = |cases: Range<u64>| {
-            if self.is_cancelled.load(Ordering::Relaxed) {
+            if job.is_cancelled.load(Ordering::Relaxed) {
                 return Err(interrupted(0));
             }
-            let mut rows = Rows::with_capacity(cases.end - cases.start, evaluator.n_swept());
-            evaluator.rows(cases.clone(), &mut rows);
-            let piece = form.encode(&rows).map_err(SweepError::file("cannot be encoded", &places.folder))?;
+            let mut rows = Rows::with_capacity(cases.end - cases.start, self.evaluator.n_swept());
+            self.evaluator.rows(cases.clone(), &mut rows);
+            let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
             Ok(Made { cases, piece: Some(piece), counts: rows.results.iter().map(Count::of).collect() })
         };
-        let make = |task| -> Result<Vec<Made<F::Piece>>, SweepError> {
+        let make = |task| -> Result<Vec<Made<F::Piece>>, Error> {
             let part = match task {
                 Task::Compute(cases) => return Ok(vec![compute(cases)?]),
                 Task::Read(part) => part,
             };
-            let (cases, mut counts) = (layout.cases(part), Vec::new());
-            match read(form, evaluator, &places.of(part), cases.clone(), &mut |count| counts.push(count))? {
+            let (path, cases, mut counts) = (path(part), layout.cases(part), Vec::new());
+            match self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
                 Found::Whole => Ok(vec![Made { cases, piece: None, counts }]),
                 Found::Torn => pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect(),
-                Found::Foreign => {
-                    let problem = "is no part of this table, as its first row is another; move it away, and the same command computes that part";
-                    Err(SweepError::Damaged { path: places.of(part), problem: problem.to_owned() })
-                }
+                Found::Foreign => Err(refused(
+                    &path,
+                    "is no part of this table, as its first row is another; move it away, and the same command computes that part",
+                )),
             }
         };
-        let (mut tally, mut found, mut open) = (Tally::of(self.plan), 0, None);
+        let (mut tally, mut found, mut open) = (Tally::of(job.plan), 0, None);
+        let append = |cases: &Range<u64>, piece: &F::Piece, open: &mut Option<F::Writer>| -> Result<(), Error> {
+            let part = cases.start / layout.rows_per_part;
+            let (of_part, path) = (layout.cases(part), path(part));
+            let unwritable = unwritable(&path);
+            let mut writer = match open.take() {
+                Some(writer) => writer,
+                None => {
+                    let file = NewFile::create(&path);
+                    file.and_then(|file| self.form.begin(file, of_part.start)).map_err(&unwritable)?
+                }
+            };
+            self.form.append(&mut writer, piece).map_err(&unwritable)?;
+            if cases.end < of_part.end {
+                *open = Some(writer);
+                return Ok(());
+            }
+            // the part is whole: it is put in its place
+            let file = self.form.end(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
+            if is_one_file {
+                job.directory.remove_older(&[&self.name])?;
+            }
+            file.put().map_err(&unwritable)
+        };
         let take = |many: Vec<Made<F::Piece>>| {
             for Made { cases, piece, counts } in many {
-                let rows = cases.end - cases.start;
                 match piece {
-                    Some(piece) => self.append(form, places, &cases, &piece, &mut open)?,
-                    None => found += rows,
+                    Some(piece) => append(&cases, &piece, &mut open)?,
+                    None => found += cases.end - cases.start,
                 }
-                for count in counts {
-                    tally.push(count);
-                }
-                (self.progress)(tally.rows, total);
+                counts.into_iter().for_each(|count| tally.push(count));
+                (job.progress)(tally.rows, total);
             }
             Ok(())
         };
-        let result = in_order(tasks, make, take);
-        match result {
-            Err(SweepError::Interrupted { .. }) => Err(interrupted(tally.rows)),
+        match in_order(tasks, make, take) {
+            Err(error) if error.kind == ErrorKind::Stopped(130) => Err(interrupted(tally.rows)),
             result => result.map(|()| (tally, found)),
         }
     }
-
-    /// Appends rows to the file of their part; with the last of them the file is put in its place.
-    fn append<F: Form>(
-        &self,
-        form: &F,
-        places: &Places,
-        cases: &Range<u64>,
-        piece: &F::Piece,
-        open: &mut Option<F::Writer>,
-    ) -> Result<(), SweepError> {
-        let part = cases.start / places.layout.rows_per_part;
-        let (of_part, path) = (places.layout.cases(part), places.of(part));
-        let unwritable = SweepError::file("cannot be written (free space, then give the same command)", &path);
-        let mut writer = match open.take() {
-            Some(writer) => writer,
-            None => NewFile::create(&path).and_then(|file| form.begin(file, of_part.start)).map_err(&unwritable)?,
-        };
-        form.append(&mut writer, piece).map_err(&unwritable)?;
-        if cases.end < of_part.end {
-            *open = Some(writer);
-            return Ok(());
-        }
-        let file = form.end(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
-        if places.file.is_some() {
-            self.directory.remove_older(&[&self.name()])?;
-        }
-        file.put().map_err(&unwritable)
-    }
-}
-
-/// Reads a file that ought to hold these cases.
-fn read(
-    form: &impl Form,
-    evaluator: &Evaluator,
-    path: &Path,
-    cases: Range<u64>,
-    count: &mut dyn FnMut(Count),
-) -> Result<Found, SweepError> {
-    let mut ends = Rows::default();
-    evaluator.rows(cases.start..cases.start + 1, &mut ends);
-    if cases.end > cases.start + 1 {
-        evaluator.rows(cases.end - 1..cases.end, &mut ends);
-    }
-    let read = form.read(path, &ends, cases.end - cases.start, count);
-    read.map_err(SweepError::file("cannot be read", path))
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use arrow_array::cast::AsArray as _;
 use arrow_array::types::{Float64Type, Int32Type};
 use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatch, StringArray};
-use arrow_schema::{DataType, Field, Schema, SchemaRef};
+use arrow_schema::{Schema, SchemaRef};
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::arrow::arrow_writer::{ArrowWriter, ArrowWriterOptions};
@@ -47,21 +47,19 @@ pub(super) struct Parquet {
 
 impl Parquet {
     /// The table of a plan; `table` tells it from all others.
-    pub(super) fn new(plan: &Plan, table: String) -> Self {
+    pub(super) fn new(plan: &Plan, table: String) -> Result<Self, ParquetError> {
         let columns = columns(plan);
         let words: Vec<_> = columns.iter().map(words).collect();
-        let fields = plan.column_names().into_iter().zip(&columns).map(|(name, column)| {
-            let of = match column {
-                Column::Case => DataType::Int64,
-                Column::Name(..) | Column::Status => {
-                    DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
-                }
-                _ => DataType::Float64,
-            };
-            Field::new(name, of, matches!(column, Column::Result(_)))
-        });
-        let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
-        Self { columns, words, schema, table }
+        let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()), table };
+        // the types are those of the arrays
+        let fields = |arrays: Vec<ArrayRef>| {
+            let names = plan.column_names().into_iter().zip(arrays).zip(&parquet.columns);
+            let fields = names.map(|((name, array), column)| (name, array, matches!(column, Column::Result(_))));
+            RecordBatch::try_from_iter_with_nullable(fields).map_err(ParquetError::from)
+        };
+        let empty = parquet.arrays(&Rows::default()).and_then(fields)?;
+        parquet.schema = empty.schema();
+        Ok(parquet)
     }
 
     /// Numbers hardly repeat, so only words have dictionaries. A page holds the rows of one batch.
@@ -85,9 +83,9 @@ impl Parquet {
         format!("{} from case {first}", self.table)
     }
 
-    /// Rows as Arrow data.
+    /// Rows as Arrow data, column by column.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap)] // places, cases < 2^63
-    fn record_batch(&self, rows: &Rows) -> Result<RecordBatch, ParquetError> {
+    fn arrays(&self, rows: &Rows) -> Result<Vec<ArrayRef>, ParquetError> {
         let n_swept = if rows.cases.is_empty() { 1 } else { (rows.swept.len() / rows.cases.len()).max(1) };
         let swept = |place: usize| rows.swept.chunks_exact(n_swept).map(move |row| row[place]);
         let array = |(column, words): (&Column, &Option<Arc<StringArray>>)| -> Result<ArrayRef, ParquetError> {
@@ -111,8 +109,7 @@ impl Parquet {
                 Column::Status => Arc::new(coded(Int32Array::from_iter_values(rows.results.iter().map(code)))?),
             })
         };
-        let arrays = self.columns.iter().zip(&self.words).map(array).collect::<Result<_, _>>()?;
-        Ok(RecordBatch::try_new(self.schema.clone(), arrays)?)
+        self.columns.iter().zip(&self.words).map(array).collect()
     }
 }
 
@@ -168,7 +165,8 @@ impl Form for Parquet {
     }
 
     fn encode(&self, rows: &Rows) -> io::Result<RecordBatch> {
-        self.record_batch(rows).map_err(io::Error::other)
+        let arrays = self.arrays(rows).map_err(io::Error::other)?;
+        RecordBatch::try_new(self.schema.clone(), arrays).map_err(io::Error::other)
     }
 
     fn begin(&self, file: NewFile, first: u64) -> io::Result<Self::Writer> {

@@ -1,16 +1,19 @@
 //! How a table is divided into parts, and the file that says which table the parts of a folder are of.
 
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 
-use super::SweepError;
 use super::form::Format;
-use crate::output::create;
+use super::{file, refused};
+use crate::error::Error;
+use crate::output::{OutputDirectory, create, remove, remove_folder};
 use crate::plan::{Plan, Source};
 use crate::provenance::{FORMAT, NUMBERS, VERSION, hex};
 
@@ -63,23 +66,35 @@ impl Layout {
     }
 }
 
-/// The file of a part in its folder. Its number has so many digits that the names are in the order of the parts.
-pub fn name(part: u64, format: Format) -> String {
-    format!("part-{part:05}.{}", format.name())
+/// The names in a folder; none if there is no such folder.
+fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
+    let names = match fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.and_then(|entries| entries.map(|entry| entry.map(|entry| entry.file_name())).collect()),
+    };
+    names.map_err(file("cannot be read", folder))
 }
 
-/// Whether a folder has parts.
-pub fn are_in(folder: &Path) -> io::Result<bool> {
-    let entries = match fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
-        entries => entries?,
-    };
-    for entry in entries {
-        if entry?.file_name().as_encoded_bytes().starts_with(b"part-") {
-            return Ok(true);
-        }
+fn is_part(name: &OsString) -> bool {
+    name.as_encoded_bytes().starts_with(b"part-")
+}
+
+/// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
+///
+/// # Errors
+/// [`Error`] if there are parts, and for files that cannot be removed.
+pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
+    let (folder, identity) = (directory.path().join(PARTS), directory.path().join(IDENTITY));
+    let names = names_in(&folder)?;
+    if !directory.is_forced() && names.iter().any(is_part) {
+        return Err(refused(&folder, "has the parts of a table; name another --out, or remove them with --force"));
     }
-    Ok(false)
+    // files of others stay
+    let is_own = |name: &OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
+    if names.iter().all(is_own) && (identity.exists() || !names.is_empty()) {
+        remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
+    }
+    remove(&identity).map_err(file("cannot be removed", &identity))
 }
 
 /// How this machine computes powers: a hash of many of them. The C library computes powers in one way on processors
@@ -99,8 +114,7 @@ fn powers_of_machine() -> String {
 }
 
 /// Which table the parts of a folder are of. Two equal ones have the same bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Serialize)]
 pub struct Identity {
     format_version: u64,
     version: String,
@@ -109,8 +123,8 @@ pub struct Identity {
     rows: u64,
     rows_per_part: u64,
     /// How the machine computes powers; `None` if the rows do not depend on it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     powers_of_machine: Option<String>,
+    #[serde(flatten)]
     scenario: Source,
 }
 
@@ -129,90 +143,77 @@ impl Identity {
         }
     }
 
-    fn bytes(&self) -> Result<Vec<u8>, io::Error> {
-        let mut text = serde_json::to_vec_pretty(self)?;
-        text.push(b'\n');
-        Ok(text)
+    fn text(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
     /// A hash of it, which the files of the table carry where their format has room for it.
     pub fn hash(&self) -> String {
-        hex(&Sha256::digest(self.bytes().unwrap_or_default()))
+        hex(&Sha256::digest(self.text()))
     }
 
-    /// Reads that of a folder; `None` if there is none.
+    /// Whether the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
+    /// by force.
     ///
     /// # Errors
-    /// [`SweepError::Damaged`] for a file that is not one.
-    pub fn read(folder: &Path) -> Result<Option<Self>, SweepError> {
-        let path = folder.join(IDENTITY);
-        let text = match fs::read(&path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            text => text.map_err(SweepError::file("cannot be read", &path))?,
+    /// [`Error`] that says in what the other table differs.
+    pub fn is_in(&self, directory: &OutputDirectory) -> Result<bool, Error> {
+        let (path, folder) = (directory.path().join(IDENTITY), directory.path().join(PARTS));
+        let there = fs::read_to_string(&path);
+        if there.as_ref().is_ok_and(|there| *there == self.text()) {
+            return Ok(true);
+        }
+        if directory.is_forced() || !names_in(&folder)?.iter().any(is_part) {
+            make_way(directory)?;
+            return Ok(false);
+        }
+        let difference = match there {
+            Ok(there) => self.difference(&there),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => format!("of a table that no {IDENTITY} tells"),
+            Err(error) => return Err(file("cannot be read", &path)(error)),
         };
-        let damaged = |error| SweepError::Damaged {
-            path: path.clone(),
-            problem: format!(
-                "does not say which table this is ({error}); name another --out, or start over with --force"
-            ),
-        };
-        serde_json::from_slice(&text).map(Some).map_err(damaged)
+        let way_out = "go on as they were begun, name another --out, or start over with --force";
+        Err(refused(&folder, format!("these parts are {difference}; {way_out}")))
     }
 
     /// Writes it into a folder that has none.
     ///
     /// # Errors
-    /// [`SweepError::Changed`] if another process has written that of another table in the meantime.
-    pub fn create(&self, folder: &Path) -> Result<(), SweepError> {
-        let path = folder.join(IDENTITY);
-        match self.bytes().and_then(|bytes| create(&path, &bytes)) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match Self::read(folder)? {
-                Some(there) if there != *self => Err(self.refuse(&there, folder)),
+    /// [`Error`] if another process has written that of another table in the meantime.
+    pub fn create(&self, directory: &OutputDirectory) -> Result<(), Error> {
+        let path = directory.path().join(IDENTITY);
+        match create(&path, self.text().as_bytes()) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::read_to_string(&path) {
+                Ok(there) if there != self.text() => {
+                    Err(refused(&path, format!("another process has begun a table {}", self.difference(&there))))
+                }
                 _ => Ok(()),
             },
-            result => result.map_err(SweepError::file("cannot be written", &path)),
+            result => result.map_err(file("cannot be written", &path)),
         }
     }
 
-    /// The error where a folder has parts of another table.
-    pub fn refuse(&self, there: &Self, folder: &Path) -> SweepError {
-        SweepError::Changed { path: folder.join(PARTS), difference: self.difference(there) }
-    }
-
-    /// In what another table differs.
-    fn difference(&self, there: &Self) -> String {
-        let versions = |of: &Self| format!("version {} (table numbers {})", of.version, of.numbers);
-        let (ours, theirs) = (&self.scenario, &there.scenario);
-        if (there.format_version, there.numbers, &there.version) != (self.format_version, self.numbers, &self.version) {
-            format!("of {}, and this program is {}", versions(there), versions(self))
-        } else if there.format != self.format {
-            format!("written as {}", there.format.name())
-        } else if theirs.overrides != ours.overrides {
-            let sets = |of: &Source| match &of.overrides[..] {
-                [] => "none".to_owned(),
-                all => format!("--set {}", all.join(" --set ")),
-            };
-            format!("of a run with other overrides: {} in place of {}", sets(theirs), sets(ours))
-        } else if theirs.text != ours.text {
-            let differs = |(_, (one, two)): &(usize, (&str, &str))| one != two;
-            let mut lines = (1..).zip(theirs.text.lines().zip(ours.text.lines()));
-            match lines.find(differs) {
-                Some((line, (theirs, ours))) => {
-                    format!("of another scenario: line {line} is `{theirs}` in place of `{ours}`")
-                }
-                None => "of another scenario, which is longer or shorter".to_owned(),
+    /// In what another table differs: the first entry that is not the same.
+    fn difference(&self, there: &str) -> String {
+        let object = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text).ok();
+        let (Some(ours), Some(theirs)) = (object(&self.text()), object(there)) else {
+            return format!("of a table that {IDENTITY} does not tell");
+        };
+        let Some((name, own)) = ours.iter().find(|(name, own)| theirs.get(*name) != Some(own)) else {
+            return "of another version of the program".to_owned();
+        };
+        if name == "powers_of_machine" {
+            return "of a machine that computes powers with other last digits, on which dopri5 and dop853 depend"
+                .to_owned();
+        }
+        let other = theirs.get(name).unwrap_or(&Value::Null);
+        let lines = |text: &Value| text.as_str().unwrap_or_default().lines().map(str::to_owned).collect::<Vec<_>>();
+        let (own_lines, other_lines) = (lines(own), lines(other));
+        match (1..).zip(own_lines.iter().zip(&other_lines)).find(|(_, (own, other))| own != other) {
+            Some((line, (own, other))) if own_lines.len() > 1 => {
+                format!("of another table: line {line} of its {name} is `{other}` in place of `{own}`")
             }
-        } else if theirs != ours {
-            "of the same scenario with another table of coefficients or of flow stress".to_owned()
-        } else if there.powers_of_machine != self.powers_of_machine {
-            "of a machine that computes powers with other last digits, on which dopri5 and dop853 depend".to_owned()
-        } else {
-            format!("of {} rows in parts of {}", there.rows, there.rows_per_part)
+            _ => format!("of another table: its {name} is {other} in place of {own}"),
         }
     }
-}
-
-/// The folder of the parts of a table in `folder`.
-pub fn folder_in(folder: &Path) -> PathBuf {
-    folder.join(PARTS)
 }

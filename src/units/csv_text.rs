@@ -1,38 +1,20 @@
 //! CSV as people and spreadsheets write it: with a byte order mark, comment lines that begin with `#`, empty lines, and
 //! spaces around values.
 
-use crate::error::{Details, Error};
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 
 use super::nearest::did_you_mean;
+use crate::error::{Details, Error};
 
 /// The line, counted from 1, and what is wrong there.
 pub type Refusal = (Option<u64>, String);
 
-/// Why a file of numbers is refused.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{name}{}: {message}", .line.map(|line| format!(":{line}")).unwrap_or_default())]
-pub struct TableError {
-    /// The name of the file.
-    pub name: String,
-    /// The line, counted from 1.
-    pub line: Option<u64>,
-    /// What is wrong, what is allowed, what to do.
-    pub message: String,
-}
-
-impl TableError {
-    /// Gives a refusal the name of its file.
-    pub(crate) fn of(name: &str) -> impl Fn(Refusal) -> Self + Copy {
-        |(line, message)| Self { name: name.to_owned(), line, message }
-    }
-}
-
-impl From<TableError> for Error {
-    fn from(error: TableError) -> Self {
-        let text = error.to_string();
-        let TableError { name, line, message } = error;
-        Self::input(text).with(Details { message: Some(message), file: Some(name), line, ..Details::default() })
+/// The error of a refusal in the file of this name.
+pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
+    move |(line, message)| {
+        let at = line.map(|line| format!(":{line}")).unwrap_or_default();
+        let told = Error::input(format!("{name}{at}: {message}"));
+        told.with(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
     }
 }
 

@@ -1,6 +1,6 @@
 //! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
 
-use super::ValidationError;
+use crate::error::Error;
 use crate::fit::{LoadingCurve, LoadingPoint};
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::ln;
@@ -36,7 +36,7 @@ pub struct Cycle {
 impl Cycle {
     /// The name, such as "case3_small, x = 105.1".
     pub fn name(&self) -> String {
-        format!("{}, x = {}", self.row.run, crate::units::rounded::number(self.row.x))
+        format!("{}, x = {}", self.row.run, crate::units::four_digits(self.row.x))
     }
 
     /// Residual indentation x_r of the finite elements.
@@ -79,8 +79,8 @@ impl Case {
 /// The five cases.
 ///
 /// # Errors
-/// [`ValidationError::Reference`] or [`ValidationError::Curve`] if a table is damaged.
-pub fn cases() -> Result<Vec<Case>, ValidationError> {
+/// [`Error`] if a table is damaged.
+pub fn cases() -> Result<Vec<Case>, Error> {
     let (rows, points, dents) = (unloading::unloadings()?, unloading::points()?, unloading::dents()?);
     let cycle = |row: &UnloadingRow, kappa: f64| {
         let is_this = |run: &str, cycle: u32| run == row.run && cycle == row.cycle;

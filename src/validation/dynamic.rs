@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use super::EXPONENTS;
 use super::check::{Check, Group, Tolerance, found};
-use super::{EXPONENTS, ValidationError};
+use super::error::damaged;
+use crate::error::Error;
 use crate::impact::Impact;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
 use crate::reference::impacts::{self, ImpactRow, Sample};
-use crate::reference::{DYNAMIC, ReferenceError};
+use crate::reference::{self, DYNAMIC};
 use crate::scenario::Scenario;
 
 /// A quantity of an impact: its checks, and the expected and the computed number.
@@ -79,17 +81,16 @@ pub struct Case {
 /// The three impacts.
 ///
 /// # Errors
-/// [`ValidationError`] if a reference is damaged or an impact has no result.
-pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationError> {
+/// [`Error`] if a reference is damaged or an impact has no result.
+pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
     let (references, samples) = (impacts::impacts()?, impacts::samples()?);
     let coefficients = Arc::new(coefficients.clone());
     let case = |&(name, text): &(&'static str, &str)| {
         let reference = references.iter().find(|row| row.case == name).cloned();
-        let reference =
-            reference.ok_or_else(|| ReferenceError { table: impacts::TABLE, problem: format!("has no row {name}") })?;
+        let reference = reference.ok_or_else(|| reference::damaged(impacts::TABLE, &format!("has no row {name}")))?;
         let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
-        let mut scene = scene.map_err(ValidationError::Scenario)?;
-        let mut impact = |exponent| -> Result<Impact, ValidationError> {
+        let mut scene = scene.map_err(damaged("scenario"))?;
+        let mut impact = |exponent| -> Result<Impact, Error> {
             scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: None });
             Ok(scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES))?)
         };
@@ -100,7 +101,7 @@ pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, ValidationErro
     SCENARIOS.iter().map(case).collect()
 }
 
-pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let cases = cases(coefficients)?;
     let of = |(group, numbers): &OfImpact| {
         let numbers = cases.iter().filter_map(|case| Some((case.name.to_owned(), numbers(case)?)));

@@ -18,17 +18,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::ValidationError;
 use super::check::{largest, mean, rms};
 use super::report::{share, signed};
+use crate::calibrate::Measurements;
 use crate::calibrate::data::Data;
 use crate::calibrate::quantity::Measured;
-use crate::calibrate::{CalibrateError, Measurements};
+use crate::error::Error;
 use crate::law::{LawChoice, PlmCoefficients};
-use crate::scenario::{Scenario, every_key, read_text};
+use crate::scenario::{LARGEST_DATA, Scenario, every_key, read_text};
 use crate::scene::words::LAWS;
 use crate::units::aligned::{aligned, markdown};
-use crate::units::csv_text::{TableError, keys_in_comments};
+use crate::units::csv_text::{keys_in_comments, refused};
 use crate::units::nearest::did_you_mean;
 
 /// A file of measurements, with the predictions of the law.
@@ -66,15 +66,13 @@ impl Row {
 
 /// The tables of a scenario whose keys a comment line may give.
 const TABLES: [&str; 5] = ["sphere.", "half_space.", "law.", "gravity.", "damping."];
-/// Largest file of measurements \[MiB\].
-const LARGEST: u64 = 64;
 
 /// All experiments of a directory, in the order of their names. `coefficients` are used for the PLM if a file names no
 /// others.
 ///
 /// # Errors
-/// [`ValidationError`] with the file, the line, what is wrong and what is needed.
-pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, ValidationError> {
+/// [`Error`] with the file, the line, what is wrong and what is needed.
+pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, Error> {
     let refuse = |message: String| refusal(directory, (None, message));
     let entries = fs::read_dir(directory).map_err(|error| refuse(format!("cannot be read: {error}")))?;
     let paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<PathBuf>, std::io::Error>>();
@@ -85,18 +83,17 @@ pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Expe
         return Err(refuse(
             "has no file of measurements: a CSV file with columns such as speed_m_per_s, restitution, restitution_sd"
                 .to_owned(),
-        )
-        .into());
+        ));
     }
-    paths.iter().map(|path| Ok(experiment(path, coefficients)?)).collect()
+    paths.iter().map(|path| experiment(path, coefficients)).collect()
 }
 
-fn refusal(path: &Path, refusal: (Option<u64>, String)) -> CalibrateError {
-    TableError::of(&path.display().to_string())(refusal).into()
+fn refusal(path: &Path, refusal: (Option<u64>, String)) -> Error {
+    refused(&path.display().to_string())(refusal)
 }
 
-fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, CalibrateError> {
-    let (text, name) = (read_text(path, LARGEST)?, path.display().to_string());
+fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, Error> {
+    let (text, name) = (read_text(path, LARGEST_DATA)?, path.display().to_string());
     let keys: Vec<&str> = every_key().map(|key| key.path).collect();
     let of_tables = keys.into_iter().filter(|key| TABLES.iter().any(|table| key.starts_with(table)));
     let known: Vec<&str> = of_tables.chain(["law", "source"]).collect();
@@ -123,7 +120,7 @@ fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment,
         }
     }
     let directory = path.parent().unwrap_or(Path::new("")).to_owned();
-    let scenario = Scenario::in_directory(&name, &lines.join("\n"), &settings, directory)?;
+    let scenario = Scenario::in_directory(&name, &lines.join("\n"), &settings, directory)?.with_data(text.clone());
     let mut wanted = scenario.compared()?;
     if let LawChoice::Plm(plm) = &mut wanted.scene.law
         && !scenario.document.has("law.plm.coefficients")

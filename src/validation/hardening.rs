@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::ValidationError;
 use super::check::{Check, Group, RMS, Statistic, Tolerance, found};
+use crate::error::Error;
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
 use crate::reference::hardening::{Materials, unloadings};
 use crate::reference::unloading::Unloaded;
@@ -69,7 +69,7 @@ pub(super) fn law(
     materials: &Materials,
     coefficients: &PlmCoefficients,
     hardens: bool,
-) -> Result<Option<(Law, f64)>, ValidationError> {
+) -> Result<Option<(Law, f64)>, Error> {
     let plm = Plm {
         coefficients: Arc::new(coefficients.clone()),
         exponent: UnloadingExponent::PressureShape,
@@ -78,7 +78,7 @@ pub(super) fn law(
     Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
 }
 
-pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let rows = unloadings()?;
     let mut states = Vec::with_capacity(rows.len());
     for (materials, row) in &rows {

@@ -6,8 +6,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::ValidationError;
 use super::check::{Check, Group, RMS, Tolerance, found};
+use crate::error::Error;
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -33,11 +33,7 @@ const GROUP: Group = Group::of(
 .with_overall(&[(RMS, found(0.0184, 0.02))]);
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
-pub(super) fn restitution(
-    device: &Device,
-    strength: f64,
-    coefficients: &Arc<PlmCoefficients>,
-) -> Result<f64, ValidationError> {
+pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
     let sphere = Sphere::elastic(TIP, device.tip(), device.mass / (4.0 / 3.0 * PI * TIP * TIP * TIP));
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
@@ -47,7 +43,7 @@ pub(super) fn restitution(
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, ValidationError> {
+fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
     let mut failed = None;
     let is_low = |strength: f64| match restitution(device, exp(strength), coefficients) {
         Ok(e) => e < wanted,
@@ -60,7 +56,7 @@ fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients
     failed.map_or_else(|| Ok(exp(0.5 * (low + high))), Err)
 }
 
-pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let devices = measured::devices()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };

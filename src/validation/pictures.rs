@@ -9,9 +9,9 @@ mod plate;
 
 use rayon::prelude::*;
 
-use super::ValidationError;
 use super::cases::cases;
 use super::experiments::Experiment;
+use crate::error::Error;
 use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln};
 use crate::output::OutputFile;
@@ -42,7 +42,7 @@ pub fn pictures(
     measured: &[Experiment],
     format: Pictures,
     progress: &Counter,
-) -> Result<Vec<OutputFile>, ValidationError> {
+) -> Result<Vec<OutputFile>, Error> {
     if format == Pictures::None {
         return Ok(Vec::new());
     }

@@ -1,13 +1,13 @@
 //! Checks against the quasi-static finite elements of five pairs of materials: loading curves, unloadings from the peak of
 //! the finite elements, and load cycles by the whole law.
 
-use super::ValidationError;
 use super::cases::{Case, Cycle, cases};
 use super::check::{Check, Group, Known, MEAN, RMS, Tolerance, deviation, found, rms};
+use crate::error::Error;
 use crate::fit::LoadingPoint;
 use crate::law::{Law, Peak, PlmCoefficients, Unloading, UnloadingExponent};
 use crate::reference::STATIC;
-use crate::units::rounded::number;
+use crate::units::four_digits;
 
 /// A quantity along the loading curve, by the law and by the finite elements, in units of first yield.
 pub(super) struct Quantity {
@@ -61,7 +61,7 @@ pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f
 }
 
 /// Two checks for each curve: the root mean square of the deviations along it, and the largest.
-pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let (mut checks, cases) = (Vec::new(), cases()?);
     for quantity in &QUANTITIES {
         let name = |what: &str| format!("loading: {}, {what} over the curve", quantity.name);
@@ -75,7 +75,7 @@ pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Vali
             let worst = points.iter().max_by(|a, b| off(a).abs().total_cmp(&off(b).abs()));
             if let (Some((x, numbers)), Some((unit, tolerance))) = (worst, quantity.largest) {
                 let check = Group::of("", STATIC, unit, tolerance);
-                let check = check.check(format!("{}, x = {}", case.name, number(*x)), *numbers);
+                let check = check.check(format!("{}, x = {}", case.name, four_digits(*x)), *numbers);
                 of_largest.push(Check { quantity: name("largest"), ..check });
             }
         }
@@ -197,7 +197,7 @@ const UNFITTED: Known = Known {
 };
 
 /// Every cycle: the dent and the force from the peak of the finite elements; dent and restitution by the whole law.
-pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Check>, ValidationError> {
+pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let (mut checks, cases) = (Vec::new(), cases()?);
     for of in &CYCLES {
         let laws: Vec<Law> = cases.iter().map(|case| case.law(coefficients, of.exponent)).collect();

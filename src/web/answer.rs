@@ -50,7 +50,7 @@ fn of_table(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
         let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };
         let message =
             format!("a table of {rows} rows: a page computes at most {MOST_ROWS}; ask for fewer, or use the command");
-        return Err(scenario.document.refuse(key, message).into());
+        return Err(scenario.document.refuse(key, message));
     }
     let warnings = table::warnings(&plan);
     let (csv, tally) = rows_of(&plan);

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use approx::assert_relative_eq;
-use plm_impact::materials::{MaterialsError, Property, all, find, read};
+use plm_impact::error::Error;
+use plm_impact::materials::{Property, all, find, read};
 use plm_impact::scenario::Scenario;
 use plm_impact::scene::quantity::{DENSITY, HARDENING_EXPONENT, HARDNESS, MODULUS, POISSONS_RATIO, Quantity};
 use plm_impact::strength::hardness::flow_stress;
@@ -188,7 +189,7 @@ fn a_file_with_a_slip_is_refused_with_its_place() {
              hardness = {{ value = \"{value}\", range = [\"1 HV\", \"2 HV\"], says = {{ {source} = \"1\" }} }}\n"
         )
     };
-    let message = |text: &str| read(text).map_err(|error: MaterialsError| error.to_string());
+    let message = |text: &str| read(text).map_err(|error: Error| error.to_string());
     assert!(message(&file("1 HV", "me")).is_ok());
     assert_eq!(message(&file("1 HV", "you")), Err("x.hardness: no source is called \"you\"".to_owned()));
     let outside = message(&file("1 HB", "me"));

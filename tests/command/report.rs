@@ -6,7 +6,6 @@ use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::provenance::{FORMAT, LawOf, MethodOf, Provenance};
 use plm_impact::report;
 use plm_impact::report::inputs::Inputs;
-use plm_impact::report::resolved::of_scene;
 use plm_impact::scenario::Scenario;
 use plm_impact::scene::Scene;
 use serde_json::Value;
@@ -29,7 +28,7 @@ fn impact(contact: &Contact, speed: f64) -> Impact {
 /// The inputs of the scene of a contact.
 fn inputs(contact: &Contact, speed: f64) -> Inputs {
     let scene = Scenario::from_text("steel", STEEL, &[]).unwrap().resolve().unwrap();
-    Inputs(of_scene(&Scene { sphere: *contact.sphere(), half_space: *contact.half_space(), speed, ..scene }))
+    Inputs::of(&Scene { sphere: *contact.sphere(), half_space: *contact.half_space(), speed, ..scene })
 }
 
 fn provenance() -> Provenance {

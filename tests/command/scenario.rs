@@ -1,16 +1,17 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
+use plm_impact::error::Error;
 use plm_impact::impact::{Damping, Method};
 use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
 use plm_impact::run::{Order, Run, way};
-use plm_impact::scenario::{Kind, Scenario, ScenarioError};
+use plm_impact::scenario::{Kind, Scenario};
 use plm_impact::scene::{Given, Input, KEYS, Key, Scene};
 
 use crate::common::STEEL;
 
-fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, ScenarioError> {
+fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, Error> {
     let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
     Scenario::from_text("steel.toml", text, &overrides)?.resolve()
 }

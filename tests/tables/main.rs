@@ -6,6 +6,7 @@
 mod common;
 
 mod columns;
+mod evaluator;
 mod files;
 mod limits;
 mod machines;

@@ -254,27 +254,27 @@ fn parts_of_another_table_are_refused_with_the_difference() {
         assert!(message.contains("out/parts: these parts are") && message.contains(wanted), "{message}");
         assert!(message.contains("name another --out, or start over with --force"), "{message}");
     };
-    refused(500, &["--set", "sphere.radius=0.004"], "other overrides: none in place of --set sphere.radius=0.004");
-    refused(400, &[], "of 12000 rows in parts of 500");
+    refused(500, &["--set", "sphere.radius=0.004"], "its overrides is [] in place of [\"sphere.radius=0.004\"]");
+    refused(400, &[], "its rows_per_part is 500 in place of 400");
     if cfg!(feature = "parquet") {
-        refused(500, &["--format", "parquet"], "written as csv");
+        refused(500, &["--format", "parquet"], "its format is \"csv\" in place of \"parquet\"");
     }
     fs::write(desk.path("s.toml"), grid().replace("345 MPa", "346 MPa")).unwrap();
-    refused(500, &["--shard", "1/2"], "line 10 is `yield_strength = \"345 MPa\"` in place of");
+    refused(500, &["--shard", "1/2"], "line 10 of its text is `yield_strength = \"345 MPa\"` in place of");
     fs::write(desk.path("s.toml"), grid()).unwrap();
     let identity = desk.read("out/_table.json");
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
     for (from, to, wanted) in [
-        (version.as_str(), "\"version\": \"0.0.1\"", "of version 0.0.1"),
-        ("\"numbers\": ", "\"numbers\": 7000", "table numbers 7000"),
+        (version.as_str(), "\"version\": \"0.0.1\"", "its version is \"0.0.1\" in place of"),
+        ("\"numbers\": ", "\"numbers\": 7000", "its numbers is 7000"),
     ] {
         fs::write(desk.path("out/_table.json"), identity.replacen(from, to, 1)).unwrap();
         refused(500, &[], wanted);
     }
     fs::write(desk.path("out/_table.json"), "no").unwrap();
-    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("does not say which table this is"));
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of a table that _table.json does not tell"));
     fs::remove_file(desk.path("out/_table.json")).unwrap();
-    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("no _table.json says of which table"));
+    assert!(ends(run(&desk, "out", Some(500), &[]), 2).contains("of a table that no _table.json tells"));
     ends(run(&desk, "out", Some(400), &["--force"]), 0);
     ends(run(&desk, "whole", None, &[]), 0);
     assert!(bytes(&desk, "out") == bytes(&desk, "whole"));
@@ -304,6 +304,30 @@ fn a_table_that_was_put_together_is_kept() {
     assert!(ends(edited, 0).contains("out: replaces the results of s.toml as it was"));
     assert!(fs::read(desk.path("out/table.csv")).unwrap() != whole);
     assert!(!desk.path("out/_table.json").exists());
+}
+
+#[test]
+fn another_run_of_the_same_file_leaves_nothing_of_a_table_beside_its_results() {
+    let desk = Desk::with(random());
+    ends(run(&desk, "out", Some(500), &[]), 0);
+    assert_eq!(desk.files("out"), ["_table.json", "summary.json", "table.csv"]);
+    // the same file as one impact
+    fs::write(desk.path("s.toml"), STEEL).unwrap();
+    ends(run(&desk, "out", None, &[]), 0);
+    assert_eq!(desk.files("out"), ["summary.json", "trace.csv"]);
+    // parts that cost time are removed by force alone
+    fs::write(desk.path("s.toml"), random()).unwrap();
+    ends(run(&desk, "parts", Some(500), &["--shard", "0/2"]), 0);
+    fs::write(desk.path("s.toml"), STEEL).unwrap();
+    let message = ends(run(&desk, "parts", None, &[]), 2);
+    assert!(message.contains("parts/parts: has the parts of a table; name another --out"), "{message}");
+    ends(run(&desk, "parts", None, &["--force"]), 0);
+    assert_eq!(desk.files("parts"), ["summary.json", "trace.csv"]);
+    // a folder of another program stays
+    fs::create_dir(desk.path("parts/parts")).unwrap();
+    fs::write(desk.path("parts/parts/mine"), "mine").unwrap();
+    ends(run(&desk, "parts", None, &["--force"]), 0);
+    assert_eq!(desk.read("parts/parts/mine"), "mine");
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Picture of restitution against depth on half-spaces that harden, by the law with the flow curve and with the initial
 //! yield strength.
 
-use super::super::ValidationError;
 use super::super::hardening::{at_energy, law};
 use super::{Picture, log_sampled};
+use crate::error::Error;
 use crate::law::PlmCoefficients;
 use crate::plot::{Axis, Chart, Series, Style};
 use crate::reference::hardening::unloadings;
@@ -12,7 +12,7 @@ use crate::reference::hardening::unloadings;
 const DRAWN: [(&str, &str); 3] =
     [("c3n10", "steel, N = 0.1"), ("alvoce", "aluminium, Voce"), ("cun30", "copper, N = 0.3")];
 
-pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
+pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let rows = unloadings()?;
     let mut series = Vec::new();
     for (i, (name, called)) in DRAWN.into_iter().enumerate() {

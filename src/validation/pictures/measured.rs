@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use super::super::ValidationError;
 use super::super::measured::restitution;
 use super::{Picture, sampled};
+use crate::error::Error;
 use crate::law::PlmCoefficients;
 use crate::plot::axis::extremes;
 use crate::plot::{Axis, Chart, Series};
@@ -31,7 +31,7 @@ fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
     lower.into_iter().chain(upper.into_iter().rev()).collect()
 }
 
-pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, ValidationError> {
+pub(super) fn picture(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let steels = steels()?;
     let ends = steels.iter().flat_map(Steel::ends).collect();

@@ -5,7 +5,21 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::{BOTH, STRENGTH, bodies, calibrated, near, pairs, restitutions, scenario};
-use crate::common::command::{Desk, numbers};
+use crate::common::command::{Desk, numbers, text};
+
+#[test]
+fn other_measurements_in_the_same_file_are_other_results() {
+    let desk = Desk::with(scenario(&format!("data = \"d.csv\"\n{STRENGTH}")));
+    let calibrated = |restitution: &str| {
+        let data = format!("speed_m_per_s,restitution,restitution_sd\n1,{restitution},0.01\n3,0.49,0.01\n");
+        std::fs::write(desk.path("d.csv"), data).unwrap();
+        let output = desk.call(&["calibrate", "s.toml", "--out", "o"]);
+        assert!(desk.path("o/summary.json").exists(), "{}", text(&output.stderr));
+        text(&output.stderr).contains("o: replaces the results of s.toml")
+    };
+    let replaces = ["0.60", "0.60", "0.61"].map(calibrated);
+    assert_eq!(replaces, [false, false, true]);
+}
 
 #[test]
 fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {

@@ -1,7 +1,8 @@
 //! Values of a wrong type: the refusal uses the words of a scenario, not those of the parser.
 
+use plm_impact::error::Error;
 use plm_impact::integrate::IntegrationError;
-use plm_impact::scenario::{Kind, Scenario, ScenarioError};
+use plm_impact::scenario::{Kind, Scenario};
 use serde::Deserialize;
 
 use crate::common::STEEL;
@@ -23,7 +24,7 @@ struct Keys {
 }
 
 /// Reads all parts of a scenario, without running it.
-fn understood(text: &str, change: &str) -> Result<(), ScenarioError> {
+fn understood(text: &str, change: &str) -> Result<(), Error> {
     let scenario = Scenario::from_text("steel.toml", text, &[change.to_owned()])?;
     match scenario.kind()? {
         Kind::Indentation => scenario.indentation().map(drop),

@@ -103,12 +103,15 @@ fn numbers_that_hardly_any_body_has_are_doubted() {
         ("sweep", format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n")),
         ("repeat", format!("{STEEL}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
         ("indentation", format!("{still}[indentation]\nsteps = [{{ indentation = \"1 um\" }}]\n")),
+        ("compare", format!("{still}[compare]\npeak_indentation_ratio = 50\n")),
     ];
     for (kind, scene) in kinds {
         let desk = Desk::with(scene);
-        // slow indentations take no density, and the impacts of a series no waves
+        // without motion a density has no effect, in a comparison the strength of the sphere neither; the impacts of a series
+        // radiate no waves, and the density of the half-space is refused beside them
         let has_key = |set: &str| match kind {
             "indentation" => !set.contains("density"),
+            "compare" => !set.contains("density") && !set.contains("sphere.yield_strength"),
             "repeat" => !set.contains("half_space.density"),
             _ => true,
         };

@@ -1,0 +1,88 @@
+//! Whether a key has an effect: it is changed, and what the computation gets is compared.
+
+use super::keys::Key;
+use super::{Input, Scene};
+use crate::impact::Method;
+use crate::material::Pair;
+use crate::units::parse;
+
+/// What is computed of a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Use {
+    /// The rows of a table.
+    Rows,
+    /// An impact, or several.
+    Impact,
+    /// A slow indentation.
+    Indentation,
+    /// Unloading laws from one peak.
+    Comparison,
+}
+
+impl Key {
+    /// Whether a computation gets something else when this key has another value.
+    pub fn has_effect(&self, input: &Input, of: Use) -> bool {
+        let mut other = input.clone();
+        let Some(value) = self.other_value(input) else { return true };
+        (self.set)(&mut other, Some(value));
+        other.resolve().reaching(of) != input.resolve().reaching(of)
+    }
+
+    /// Another value than that of the input.
+    fn other_value(&self, input: &Input) -> Option<f64> {
+        let example = parse(self.quantity.example.trim_matches('"'), self.quantity.dimension).ok();
+        let own = match (self.get)(input) {
+            Some(super::Given::Number(own)) => own,
+            _ => return example.or(Some(self.quantity.range().0.max(1.0))),
+        };
+        let mut near = [Some(1.01 * own), Some(0.99 * own), example].into_iter().flatten();
+        near.find(|value| *value != own && self.quantity.check(*value).is_ok())
+    }
+
+    /// Why it has none.
+    pub fn why_without_effect(&self) -> &'static str {
+        match self.path {
+            "impact.drop_height" => "it needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"",
+            "half_space.density" => {
+                "elastic waves are computed for one impact by the law alone, without gravity and damping; leave the key out"
+            }
+            "sphere.yield_strength" => "it only warns of single impacts and of indentations; leave the key out",
+            "sphere.poissons_ratio" => "the sphere is rigid",
+            "half_space.thickness" => "a large plate gives way only to what moves; leave the key out",
+            "half_space.edge_distance" => "it only warns of single impacts; leave the key out",
+            "sphere.density" | "sphere.mass" => "nothing moves here; leave the key out",
+            path if path.starts_with("solver.") => "the closed form takes no steps; give solver.method too",
+            path if path.starts_with("law.") => {
+                "no case is under that law, or there is no half_space.yield_strength and the contact stays elastic; leave the key out"
+            }
+            _ => "nothing that is computed here depends on it; leave the key out",
+        }
+    }
+}
+
+impl Scene {
+    /// What a computation gets of the scene, as text with all digits.
+    fn reaching(&self, of: Use) -> String {
+        let pair = Pair::try_new(self.sphere.radius, &self.sphere.material, &self.half_space);
+        let law = self.half_space.yield_strength.map(|_| &self.law);
+        let is_moving = matches!(of, Use::Rows | Use::Impact);
+        let mut forces = self.forces;
+        if let Some(plate) = forces.plate.as_mut().filter(|_| of == Use::Rows) {
+            plate.edge_distance = None;
+        }
+        let motion = is_moving.then_some((self.sphere.density, self.mass, self.speed, forces));
+        let waves = self.half_space.density.filter(|_| is_moving && (forces.is_none() || forces.plate.is_some()));
+        let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
+        let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));
+        format!("{pair:?} {law:?} {motion:?} {waves:?} {steps:?} {doubts:?}")
+    }
+
+    /// Whether a row of this scene is integrated.
+    pub fn is_stepped(&self) -> bool {
+        match self.solver.method {
+            Method::ClosedForm => false,
+            Method::Auto => self.contact().is_ok_and(|contact| contact.auto_integrates()),
+            _ => true,
+        }
+    }
+}
