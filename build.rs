@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A font with the tables of [`KEPT`] alone: a head of 12 bytes, 16 bytes for each table (name, checksum, offset, length), and
 /// the tables.
 fn widths_of(font: &[u8]) -> Option<Vec<u8>> {
-    let number = |at: usize| Some(usize::try_from(u32::from_be_bytes(font.get(at..at + 4)?.try_into().ok()?)).ok()?);
+    let number = |at: usize| usize::try_from(u32::from_be_bytes(font.get(at..at + 4)?.try_into().ok()?)).ok();
     let entries = font.get(12..)?.chunks_exact(16).enumerate().take(usize::from(font[5]));
     let kept: Vec<(usize, &[u8])> = entries.filter(|(_, entry)| KEPT.contains(&&entry[..4])).collect();
     let mut directory = [&font[..4], &[0, u8::try_from(kept.len()).ok()?], &[0; 6]].concat();
