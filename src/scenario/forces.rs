@@ -26,7 +26,7 @@ impl Scenario {
     }
 
     /// Refuses what a plate cannot be beside, and keys of a plate without its thickness.
-    pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), ScenarioError> {
+    pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), Error> {
         const THICKNESS: &str = "half_space.thickness";
         if scene.forces.plate.is_none() {
             // a column of measurements may give the thickness

@@ -1,8 +1,8 @@
 //! Pictures of impacts on plates: restitution against Zener's number with its limits, restitution against thickness
 //! between foil and half-space, and the force over time. Steel on steel, by the built-in law.
 
-use super::super::ValidationError;
 use super::{Picture, log_sampled};
+use crate::error::Error;
 use crate::impact::{Contact, Forces, Impact, Plate, PlateTheory, Solver};
 use crate::law::Plm;
 use crate::material::{HalfSpace, Material, Sphere};
@@ -15,7 +15,7 @@ const DENSITY: f64 = 7850.0;
 const DIAMETER: f64 = 5e-3;
 
 /// The ball on a plate of this thickness \[m\], or on a half-space.
-fn contact(yield_strength: Option<f64>, plate: Option<(f64, PlateTheory)>) -> Result<Contact, ValidationError> {
+fn contact(yield_strength: Option<f64>, plate: Option<(f64, PlateTheory)>) -> Result<Contact, Error> {
     let sphere = Sphere::elastic(0.5 * DIAMETER, STEEL, DENSITY);
     let half_space = HalfSpace { material: STEEL, yield_strength, density: Some(DENSITY) };
     let plate = plate.map(|(thickness, theory)| Plate { thickness, edge_distance: None, theory });
@@ -27,19 +27,19 @@ fn impact(
     plate: Option<(f64, PlateTheory)>,
     speed: f64,
     samples: Option<usize>,
-) -> Result<Impact, ValidationError> {
+) -> Result<Impact, Error> {
     Ok(contact(yield_strength, plate)?.impact(speed, &Solver::default(), samples)?)
 }
 
 /// Yield strength of the plates that yield \[Pa\].
 const STRENGTH: Option<f64> = Some(600e6);
 
-pub(super) fn pictures() -> Result<[Picture; 3], ValidationError> {
+pub(super) fn pictures() -> Result<[Picture; 3], Error> {
     Ok([limits()?, thicknesses()?, forces()?])
 }
 
 /// e against λ of elastic contacts.
-fn limits() -> Result<Picture, ValidationError> {
+fn limits() -> Result<Picture, Error> {
     let mut elastic = Vec::new();
     for (thickness, _) in log_sampled(0.25e-3, 40e-3, 200, |thickness| (thickness, 0.0)) {
         let of = impact(None, Some((thickness, PlateTheory::Zener)), 1.0, None)?;
@@ -58,7 +58,7 @@ fn limits() -> Result<Picture, ValidationError> {
 }
 
 /// e against thickness. The half-space with its waves holds below X = 2, the thin plate from X = 10 on.
-fn thicknesses() -> Result<Picture, ValidationError> {
+fn thicknesses() -> Result<Picture, Error> {
     let mut series = Vec::new();
     let mut ends = [f64::INFINITY, 0.0_f64];
     for (i, speed) in [0.3, 1.0, 3.0].into_iter().enumerate() {
@@ -71,7 +71,7 @@ fn thicknesses() -> Result<Picture, ValidationError> {
             let thicknesses = log_sampled(from, to, 60, |thickness| (thickness, 0.0)).into_iter();
             let point =
                 |(thickness, _)| Ok((thickness, impact(STRENGTH, Some((thickness, theory)), speed, None)?.restitution));
-            thicknesses.map(point).collect::<Result<Vec<_>, ValidationError>>()
+            thicknesses.map(point).collect::<Result<Vec<_>, Error>>()
         };
         let thin = curve(0.4e-3, at(10.0), PlateTheory::Zener)?;
         let thick = curve(at(10.0), at(4.0), PlateTheory::Thick)?;
@@ -87,7 +87,7 @@ fn thicknesses() -> Result<Picture, ValidationError> {
 }
 
 /// Force over time for three thicknesses.
-fn forces() -> Result<Picture, ValidationError> {
+fn forces() -> Result<Picture, Error> {
     let mut series = Vec::new();
     for (thickness, name) in [(None, "half-space"), (Some(4e-3), "4 mm"), (Some(2e-3), "2 mm"), (Some(1e-3), "1 mm")] {
         let of = impact(STRENGTH, thickness.map(|thickness| (thickness, PlateTheory::Zener)), 1.0, Some(300))?;
