@@ -172,22 +172,6 @@ fn yield_speed_is_crossed_without_a_jump() {
 }
 
 #[test]
-fn size_of_the_sphere_does_not_matter() {
-    let speed = 300.0 * Scene::steel().yield_speed();
-    // the same dimensionless impact, up to rounding of v/v_Y; a stepper may accept other steps, within its tolerance
-    for (method, allowed) in [(Method::ClosedForm, 1e-13)].into_iter().chain(STEPPING.map(|(m, f)| (m, f * 1e-10))) {
-        let one = Scene { radius: 1.0, ..Scene::steel() }.impact(speed, method, 1e-10, None);
-        for radius in [1e-9, 1e-6, 1e-3, 1e3] {
-            let other = Scene { radius, ..Scene::steel() }.impact(speed, method, 1e-10, None);
-            assert!(off(other.restitution, one.restitution) < allowed, "{radius} {}", method.name());
-            assert!(off(other.contact_time / radius, one.contact_time) < allowed);
-            assert!(off(other.peak_force / radius.powi(2), one.peak_force) < allowed);
-            assert!(off(other.residual_indentation / radius, one.residual_indentation) < allowed);
-        }
-    }
-}
-
-#[test]
 fn modulus_ratio_goes_to_its_limits() {
     let scene = Scene { exponent: UnloadingExponent::PressureShape, ..Scene::steel() };
     let impact = |sphere: f64, half_space: f64| {

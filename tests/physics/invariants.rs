@@ -87,7 +87,8 @@ proptest! {
 
     #[test]
     fn units_do_not_matter((scene, q) in any_impact(), log_length in -9.0..9.0_f64, log_time in -6.0..6.0_f64, log_mass in -9.0..9.0_f64) {
-        // lengths × a, times × b, masses × c: moduli and strengths × c/(a b²), density × c/a³
+        // lengths × a, times × b, masses × c: moduli and strengths × c/(a b²), density × c/a³. A heavier sphere, a common
+        // factor of moduli and strength, and another size are changes of units at the same v/v_Y
         let [a, b, c] = [log_length, log_time, log_mass].map(|log| 10_f64.powf(log));
         let pressure = c / (a * b * b);
         let body = |body: Material| Material { youngs_modulus: body.youngs_modulus * pressure, ..body };
@@ -116,28 +117,6 @@ proptest! {
     }
 
     #[test]
-    fn mass_and_moduli_scale_out_of_the_restitution((scene, q) in any_impact(), log_mass in -3.0..3.0_f64, log_modulus in -3.0..3.0_f64) {
-        // e depends only on v/v_Y, κ, σ_Y/E* and ν. It does not change with the density, nor with a common factor of
-        // all moduli and the strength
-        let heavier = Scene { density: scene.density * 10_f64.powf(log_mass), ..scene };
-        let modulus = 10_f64.powf(log_modulus);
-        let body = |body: Material| Material { youngs_modulus: body.youngs_modulus * modulus, ..body };
-        let stiffer = Scene {
-            sphere: body(scene.sphere),
-            half_space: body(scene.half_space),
-            yield_strength: scene.yield_strength.map(|strength| strength * modulus),
-            ..scene
-        };
-        for (method, allowed) in invariant() {
-            let want = scene.impact(q * scene.yield_speed(), method, TOLERANCE, None).restitution;
-            for scene in [heavier, stiffer] {
-                let got = scene.impact(q * scene.yield_speed(), method, TOLERANCE, None).restitution;
-                prop_assert!(off(got, want) <= allowed, "{}: {got} {want}", method.name());
-            }
-        }
-    }
-
-    #[test]
     fn restitution_is_continuous_in_speed_across_every_knot((scene, _) in any_impact(), log_gap in -12.0..-3.0_f64) {
         let contact = scene.contact();
         let yield_speed = scene.yield_speed();
@@ -151,19 +130,6 @@ proptest! {
             prop_assert!(off(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
             prop_assert!(off(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
             prop_assert!(off(above.peak_force, below.peak_force) <= 4.0 * gap + 1e-13, "{q}");
-        }
-    }
-
-    #[test]
-    fn a_traced_impact_is_the_same_impact((scene, q) in any_impact(), samples in 2..100_usize) {
-        let speed = q * scene.yield_speed();
-        for (method, factor) in STEPPING {
-            let plain = scene.impact(speed, method, TOLERANCE, None);
-            let traced = scene.impact(speed, method, TOLERANCE, Some(samples));
-            // not to the last bit: with a trace the stepper also lands on first yield
-            for (got, want) in results(&traced).into_iter().zip(results(&plain)) {
-                prop_assert!((got - want).abs() <= 2.0 * factor * TOLERANCE * want, "{}: {got} {want}", method.name());
-            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Events: their places, their order, and the rows of a trace.
 
-use plm_impact::impact::{Event, Impact, Method, TraceRow};
+use plm_impact::impact::{Event, Method};
 use plm_impact::law::{Branch, UnloadingExponent};
 use plm_impact::math::power::max_or_nan;
 use proptest::prelude::*;
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use crate::common::{STEPPING, Scene, off};
 
 /// Speeds in units of the yield speed: an elastic impact, impacts beyond each knot, and far beyond the last knot.
-const SPEEDS: [f64; 13] = [0.1, 0.999, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
+const SPEEDS: [f64; 14] = [0.1, 0.999, 1.000_001, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
 
 /// The steppers, and the closed form, whose traces are made of the exact motion.
 const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
@@ -54,6 +54,7 @@ fn check_events(scene: &Scene, share: f64, method: Method) {
     }
     // no event occurs twice at the same time: the times rise strictly
     assert!(got.windows(2).all(|pair| pair[0].time < pair[1].time), "{case}");
+    assert!(impact.trace.is_sorted_by(|one, next| one.time <= next.time), "{case}");
     let (peak, last) = (got[got.len() - 2], *impact.trace.last().unwrap());
     let summary = [impact.peak_indentation, impact.peak_force, impact.loading_time];
     assert_eq!((peak.speed, [peak.indentation, peak.force, peak.time]), (0.0, summary), "{case}");
@@ -139,37 +140,6 @@ fn branches_follow_each_other() {
         }
         let elastic = Scene::steel().impact(1e-3, method, 1e-10, Some(400));
         assert!(elastic.trace.iter().all(|row| row.branch != Branch::Plastic));
-    }
-}
-
-#[test]
-fn samples_lie_on_the_exact_motion() {
-    // dense output: every row of a stepped trace against the closed form at the same time
-    for scene in scenes() {
-        for share in SPEEDS {
-            for tolerance in [1e-6, 1e-9, 1e-12] {
-                let speed = share * scene.yield_speed();
-                let exact = scene.impact(speed, Method::ClosedForm, tolerance, Some(301));
-                for (method, factor) in STEPPING {
-                    let impact = scene.impact(speed, method, tolerance, Some(301));
-                    assert_eq!(impact.trace.len(), exact.trace.len());
-                    let even = |impact: &Impact| -> Vec<TraceRow> {
-                        impact.trace.iter().filter(|row| row.event.is_none()).copied().collect()
-                    };
-                    for (got, want) in even(&impact).iter().zip(even(&exact)) {
-                        let off = [
-                            (got.indentation - want.indentation) / exact.peak_indentation,
-                            (got.speed - want.speed) / speed,
-                            (got.force - want.force) / exact.peak_force,
-                        ];
-                        let worst = off.into_iter().fold(0.0, |worst, off| max_or_nan(worst, off.abs()));
-                        // near separation, an error of the dent of one tolerance changes F by up to the stiffness n/ε_m
-                        let allowed = 10.0 * factor * tolerance + 1e-12;
-                        assert!(worst <= allowed, "{} {tolerance:e} {share}: {worst:e} {got:?}", method.name());
-                    }
-                }
-            }
-        }
     }
 }
 

@@ -29,7 +29,6 @@ const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("plate", &[&["gravity.acceleration=9.81", "half_space.plate=thick", "law=thornton", "solver.method=dop853"]]),
     ("drop-heights", &[&["", "damping.viscous=0.1", "damping.hunt_crossley=0.1"], &["", "solver.method=rk8"]]),
     ("random", &[FORCES]),
-    ("elastic", &[FORCES]),
     ("elastic-bouncing", &[DAMPING]),
     ("bouncing", &[SPOTS, DAMPING]),
     ("bouncing", &[SPOTS, &["solver.method=rk8"]]),

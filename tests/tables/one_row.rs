@@ -1,12 +1,8 @@
 //! A row of a table and the single run of the same scene have the same bits, or nearly the same numbers if they are
 //! computed by different methods.
 
-use plm_impact::impact::{Damping, Event, Forces, Impact, Method};
-use plm_impact::integrate::Work;
-use proptest::prelude::*;
-
+use crate::common::STEEL;
 use crate::common::command::{Desk, column, text};
-use crate::common::{STEEL, Scene, any_scene, solver};
 
 /// Results that have the same name in `summary.json` and in a row.
 const NAMES: [&str; 6] =
@@ -66,47 +62,6 @@ fn a_row_has_the_bits_of_the_single_run() {
                     }
                 }
             }
-        }
-    }
-}
-
-/// All digits of the results of an impact, without its work, its trace, and the drift of the energy, which the trace
-/// changes.
-fn results(impact: &mut Impact) -> String {
-    (impact.energy.drift, impact.work) = (0.0, Work::default());
-    impact.warnings.clear();
-    impact.trace.clear();
-    format!("{impact:?}")
-}
-
-proptest! {
-    #![proptest_config(crate::common::cases(40))]
-
-    #[test]
-    fn a_trace_changes_no_result(scene in any_scene(), log_speed in -0.5..3.0_f64, which in 0..5_usize) {
-        let contact = scene.contact();
-        let speed = contact.yield_speed().unwrap() * 10_f64.powf(log_speed);
-        let damping = [None, None, Some(Damping::HuntCrossley(0.1 / speed)), Some(Damping::Viscous(0.1)), None][which];
-        let forces = Forces { gravity: (which == 1).then_some(9.81), damping, ..Forces::default() };
-        let contact = contact.with_forces(forces);
-        for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::Verlet] {
-            let with = |samples| contact.impact(speed, &solver(method, 1e-8), samples).map(|mut impact| results(&mut impact));
-            prop_assert_eq!(with(Some(30)), with(None));
-        }
-    }
-}
-
-#[test]
-fn a_trace_tells_of_first_yield_in_order_of_time() {
-    let contact = Scene::steel().contact();
-    for share in [1.0 + 1e-6, 1.5, 100.0] {
-        for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::ClosedForm] {
-            let speed = share * contact.yield_speed().unwrap();
-            let trace = contact.impact(speed, &solver(method, 1e-10), Some(40)).unwrap().trace;
-            let times: Vec<f64> = trace.iter().map(|row| row.time).collect();
-            assert!(times.is_sorted(), "{share}, {method:?}: {times:?}");
-            let yields = trace.iter().filter(|row| row.event == Some(Event::Yield));
-            assert_eq!(yields.count(), 1, "{share}, {method:?}");
         }
     }
 }
