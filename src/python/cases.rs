@@ -92,7 +92,7 @@ impl<'py> Given<'py> {
         if !is_known || quantity.check(low).is_err() || quantity.check(high).is_err() {
             for (index, value) in values.iter().enumerate() {
                 let place = if values.len() == 1 { String::new() } else { format!(" at index {index}") };
-                quantity.check(*value).map_err(|error| refused(self.key, &place, &error.to_string()))?;
+                quantity.check(*value).map_err(|error| refused(self.key, &place, &error))?;
             }
         }
         self.ends = Some([low, high]);

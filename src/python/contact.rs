@@ -89,7 +89,7 @@ impl Contact {
                 "{SPEED}: found {found}, expected one number or text; restitution and plm_impact.impacts take arrays"
             ))
         };
-        key.quantity.check(speed.extract().map_err(several)?).map_err(|error| refused(key, "", &error.to_string()))
+        key.quantity.check(speed.extract().map_err(several)?).map_err(|error| refused(key, "", &error))
     }
 
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {

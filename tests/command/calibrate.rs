@@ -27,15 +27,18 @@ fn pairs(table: &str, columns: [&str; 2], head: &str) -> String {
 
 /// e over the speed, as data, of a table that this sweep makes.
 fn swept(sweep: &str) -> String {
-    let table = Desk::ran(bodies() + sweep, &["--pictures", "none"]).read("out/table.csv");
+    let table = Desk::ran(bodies() + sweep).read("out/table.csv");
     pairs(&table, ["impact_speed_m_per_s", "restitution"], "speed_m_per_s,restitution")
 }
 
-/// Runs a calibration of these data, which has to end with this exit code.
+const DRAWN: [&str; 2] = ["--pictures", "png"];
+
+/// Runs a calibration of these data, which has to end with this exit code. It draws only if asked to.
 fn calibrated(scenario: &str, data: &str, more: &[&str], code: i32) -> (Desk, Value) {
     let desk = Desk::with(scenario);
     std::fs::write(desk.path("d.csv"), data).unwrap();
-    desk.ends(&[&["calibrate", "s.toml", "--out", "o"], more].concat(), code);
+    let pictures: &[&str] = if more.contains(&DRAWN[0]) { &[] } else { &["--pictures", "none"] };
+    desk.ends(&[&["calibrate", "s.toml", "--out", "o"], more, pictures].concat(), code);
     let summary = desk.json("o/summary.json");
     (desk, summary)
 }
@@ -146,7 +149,7 @@ fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
     // with as many values as keys there are no residuals to draw
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
-    let (desk, _) = calibrated(&text, data, &[], 0);
+    let (desk, _) = calibrated(&text, data, &DRAWN, 0);
     let pictures: Vec<String> = desk.files("o").into_iter().filter(|name| name.ends_with(".png")).collect();
     assert_eq!(pictures, ["posterior.png"]);
 }
@@ -154,7 +157,7 @@ fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
 #[test]
 fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
-    let (desk, summary) = calibrated(&text, &restitutions(), &[], 0);
+    let (desk, summary) = calibrated(&text, &restitutions(), &DRAWN, 0);
     let refusal = summary["refusal"].as_str().unwrap();
     assert!(refusal.contains("do not tell the keys apart") && refusal.contains("contact_time"), "{refusal}");
     for key in summary["keys"].as_array().unwrap() {
@@ -184,7 +187,10 @@ fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
         ];
         for (settings, wanted) in others {
             let settings: Vec<&str> = settings.into_iter().flat_map(|setting| ["--set", setting]).collect();
-            desk.ends(&[&["run", "o/calibrated.toml", "--out", "p", "--force"], &settings[..]].concat(), 0);
+            desk.ends(
+                &[&["run", "o/calibrated.toml", "--out", "p", "--force", "--pictures", "none"], &settings[..]].concat(),
+                0,
+            );
             let summary = desk.json("p/summary.json");
             let found = summary["restitution_with_waves"].as_f64().unwrap();
             assert!((found - wanted).abs() < 1e-3, "{found} instead of {wanted}");
@@ -201,7 +207,7 @@ fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
     let (desk, hardness) = calibrated(&of_hardness, "", &arguments, 0);
     assert_eq!(hardness["keys"][0]["key"], "half_space.hardness");
     near(&hardness["keys"][0]["estimate"], 2.9 * strength["keys"][0]["estimate"].as_f64().unwrap(), 1e-6);
-    desk.ends(&["run", "o/calibrated.toml", "--out", "p"], 0);
+    desk.ends(&["run", "o/calibrated.toml", "--out", "p", "--pictures", "none"], 0);
     let run = desk.json("p/summary.json");
     near(&run["restitution"], 0.49, 1e-6);
 }
@@ -210,7 +216,7 @@ fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
 fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
     let rising = "speed_m_per_s,restitution\n0.5,0.4\n1,0.5\n2,0.6\n4,0.7\n";
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
-    let (desk, summary) = calibrated(&text, rising, &[], 3);
+    let (desk, summary) = calibrated(&text, rising, &DRAWN, 3);
     assert_eq!(summary["fits"], false);
     assert!(summary["contradiction"].as_str().unwrap().contains("chi-square"));
     let wanted = ["calibrated.toml", "fit_restitution.png", "residuals.csv", "residuals.png", "summary.json"];
@@ -254,8 +260,12 @@ fn an_interval_that_reaches_its_bound_is_not_bounded() {
     let interval = &summary["keys"][0]["interval_95"];
     assert!(interval["high"].is_null() && interval["low"].as_f64().unwrap() > 100e6, "{interval}");
     assert_eq!(interval["note"], "not bounded by these data");
-    assert!(desk.ends(&["calibrate", "s.toml", "--out", "o"], 0).0.contains("above not bounded by these data"));
-    desk.ends(&["calibrate", "s.toml", "--out", "p", "--strict"], 1);
+    assert!(
+        desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0)
+            .0
+            .contains("above not bounded by these data")
+    );
+    desk.ends(&["calibrate", "s.toml", "--out", "p", "--pictures", "none", "--strict"], 1);
     assert!(!desk.path("p").exists());
 }
 
@@ -286,7 +296,7 @@ fn the_law_that_made_the_data_is_ranked_first() {
     let data =
         swept("[law.thornton]\n[sweep]\n\"impact.speed\" = { logspace = [\"0.1 m/s\", \"10 m/s\"], points = 12 }\n");
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}"));
-    let (desk, summary) = calibrated(&text, &data, &["--law", "all"], 3);
+    let (desk, summary) = calibrated(&text, &data, &[&["--law", "all"], &DRAWN[..]].concat(), 3);
     let laws = summary["laws"].as_array().unwrap();
     assert_eq!(laws[0]["law"], "thornton");
     near(&laws[0]["values"][0], 345e6, 1e-6);

@@ -34,7 +34,7 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
         "[impact]\nspeed = 1\n[sweep]\nlaw = [{}]\n\"impact.speed\" = {{ logspace = [1e-3, 10], points = 9 }}",
         list.join(", ")
     );
-    let desk = Desk::ran(format!("{BODIES}{text}"), &["--pictures", "none"]);
+    let desk = Desk::ran(format!("{BODIES}{text}"));
     let table = desk.read("out/table.csv");
     let (laws, status, e) = (column(&table, "law"), column(&table, "status"), column(&table, "restitution"));
     assert_eq!(laws.len(), 9 * list.len());
@@ -52,7 +52,7 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
     assert_eq!(summary["failures"], 0);
     // the rows of the PLM have the same bits as in a table of the PLM alone
     let alone = "[impact]\nspeed = 1\n[sweep]\n\"impact.speed\" = { logspace = [1e-3, 10], points = 9 }";
-    let alone = Desk::ran(format!("{BODIES}{alone}"), &["--pictures", "none"]).read("out/table.csv");
+    let alone = Desk::ran(format!("{BODIES}{alone}")).read("out/table.csv");
     assert!(!alone.contains("law"));
     let of_plm: Vec<String> = laws.iter().zip(&e).filter(|(law, _)| *law == "plm").map(|(_, e)| e.clone()).collect();
     assert_eq!(column(&alone, "restitution"), of_plm);
@@ -64,7 +64,7 @@ fn swept_laws_by_rk8_agree_with_the_closed_form() {
         let text = format!(
             "[impact]\nspeed = 1\n[solver]\nmethod = \"{method}\"\n[sweep]\n\"impact.speed\" = [0.005, 0.5, 5]\nlaw = [\"plm\", \"jackson_green\", \"kogut_etsion\", \"mesarovic_johnson\", \"thornton\", \"kogut_etsion + mesarovic_johnson\"]"
         );
-        let table = Desk::ran(format!("{BODIES}{text}"), &["--pictures", "none"]).read("out/table.csv");
+        let table = Desk::ran(format!("{BODIES}{text}")).read("out/table.csv");
         (numbers(&table, "restitution"), column(&table, "status"))
     };
     let (exact, stepped) = (rows("closed_form"), rows("rk8"));
@@ -118,7 +118,7 @@ fn sphere_share() -> f64 {
 fn a_peak_from_the_plm_unloads_by_the_plm_as_an_impact_does() {
     let bodies = BODIES.replace("density = \"7850 kg/m^3\"\n", "");
     let scenario = format!("{bodies}[compare]\npeak_indentation_ratio = 105.1\nlaws = [\"plm\", \"thornton\"]");
-    let table = Desk::ran(scenario, &[]).read("out/comparison.csv");
+    let table = Desk::ran(scenario).read("out/comparison.csv");
     let e = numbers(&table, "restitution")[1];
     // independent table for case 3: δ_r/δ_m = 0.700834, e = 0.5160391763
     assert!((e - 0.516_039_176_3).abs() < 1e-9, "{e}");

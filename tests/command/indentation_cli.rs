@@ -74,7 +74,7 @@ fn several_half_spaces_are_told_apart_by_name() {
 fn other_laws_leave_their_own_dents() {
     let under = |table: &str| CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", table);
     let steps = |scenario: String| {
-        let summary = Desk::ran(scenario, &[]).summary();
+        let summary = Desk::ran(scenario).summary();
         (summary["half_spaces"][0].clone(), summary["provenance"]["law"].as_str().unwrap().to_owned())
     };
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
@@ -131,6 +131,6 @@ fn densities_are_not_needed_and_do_no_harm() {
     let dense = CYCLES
         .replace("poissons_ratio = 0.23", "poissons_ratio = 0.23\ndensity = 15600")
         .replace("poissons_ratio = 0.3\n", "poissons_ratio = 0.3\ndensity = 4500\n");
-    let [plain, dense] = [CYCLES.to_owned(), dense].map(|text| Desk::ran(text, &["--pictures", "none"]).summary());
+    let [plain, dense] = [CYCLES.to_owned(), dense].map(|text| Desk::ran(text).summary());
     assert_eq!(plain["half_spaces"], dense["half_spaces"]);
 }

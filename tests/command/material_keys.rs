@@ -117,7 +117,7 @@ fn check_and_summary_repeat_name_values_and_basis() {
     {
         assert!(check.contains(line), "{line}: {check}");
     }
-    desk.ends(&["run", "s.toml", "--out", "out", "--quiet"], 0);
+    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let inputs = &desk.summary()["inputs"];
     assert_eq!(inputs["half_space_material"], "steel-304-annealed");
     assert_eq!(inputs["sphere_material"], "steel-52100-hardened");
@@ -141,7 +141,7 @@ fn materials_are_an_axis() {
     let plates = ["steel-s235", "steel-304-annealed", "aluminium-6061-t6", "copper-annealed"];
     let sweep = format!("[sweep]\n\"half_space.material\" = {plates:?}\n\"impact.speed\" = [1, 3]\n");
     let table = |text: &str| {
-        let desk = Desk::ran(text, &["--pictures", "none"]);
+        let desk = Desk::ran(text);
         (desk.read("out/table.csv"), desk.summary()["inputs"].clone())
     };
     let (csv, inputs) = table(&(steel() + &sweep));
@@ -187,7 +187,7 @@ fn one_line_draws_from_the_ranges_of_a_material() {
     let lines = "\"half_space.youngs_modulus\" = { uniform = [\"207 GPa\", \"210 GPa\"] }\n\"half_space.hardness\" = { uniform = [\"104 HB\", \"154 HB\"] }";
     let spelled = random.replace("\"half_space.material\" = \"uniform\"", lines);
     let rows = |text: &str| -> Vec<String> {
-        let table = Desk::ran(text, &["--pictures", "none"]).read("out/table.csv");
+        let table = Desk::ran(text).read("out/table.csv");
         table.lines().filter(|line| !line.starts_with('#')).map(ToOwned::to_owned).collect()
     };
     assert_eq!(rows(&random), rows(&spelled));

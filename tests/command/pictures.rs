@@ -50,7 +50,8 @@ fn pictures_of_the_program_keep_their_text() {
     ];
     let mut drawn = BTreeSet::new();
     for scene in scenes {
-        let desk = Desk::ran(&scene, &[]);
+        let desk = Desk::with(&scene);
+        desk.ends(&["run", "s.toml", "--out", "out"], 0);
         let names: Vec<String> = desk.files("out").into_iter().filter(|name| is_png(Path::new(name))).collect();
         assert!(!names.is_empty(), "no picture of\n{scene}");
         for name in names {

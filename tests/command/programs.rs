@@ -33,7 +33,7 @@ fn json_prints_the_summary_that_is_written_and_nothing_else() {
         let desk = Desk::with("");
         let file = format!("{kind}.toml");
         desk.ends(&["init", kind], 0);
-        let said = desk.ends(&["run", &file, "--json", "--out", "out"], 0);
+        let said = desk.ends(&["run", &file, "--json", "--pictures", "none", "--out", "out"], 0);
         assert_eq!(said, (desk.read("out/summary.json"), String::new()), "{kind}");
         assert!(desk.summary().is_object());
     }
@@ -231,7 +231,7 @@ fn progress_is_shown_on_a_terminal_alone() {
     let desk = Desk::with("");
     desk.ends(&["init", "repeat"], 0);
     // impacts of milliseconds each
-    let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=100000 --set repeat.impacts=200 \
+    let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=40000 --set repeat.impacts=200 \
                 --set output.samples=2 --pictures none";
     let piped = shell(&desk, &format!("plm-impact {slow}"));
     assert_eq!(piped.status.code(), Some(0), "{}", text(&piped.stderr));

@@ -84,7 +84,7 @@ fn a_bouncing_ball_writes_all_its_files() {
 #[test]
 fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
     let elastic = BODIES.replace("yield_strength = \"276 MPa\"\n", "");
-    let desk = Desk::ran(format!("{elastic}[repeat]\nspot = \"same\"\nspeeds = [1, 2]\n"), &[]);
+    let desk = Desk::ran(format!("{elastic}[repeat]\nspot = \"same\"\nspeeds = [1, 2]\n"));
     assert!(!desk.path("out/height.png").exists());
     let impacts = desk.read("out/impacts.csv");
     assert_eq!(

@@ -35,11 +35,11 @@ impl Desk {
         said
     }
 
-    /// Runs a scenario, with more arguments, into the folder `out`.
+    /// Runs a scenario into the folder `out`, without pictures.
     #[track_caller]
-    pub fn ran(scenario: impl AsRef<[u8]>, more: &[&str]) -> Self {
+    pub fn ran(scenario: impl AsRef<[u8]>) -> Self {
         let desk = Self::with(scenario);
-        desk.ends(&[&["run", "s.toml", "--out", "out", "--quiet"], more].concat(), 0);
+        desk.ends(&["run", "s.toml", "--out", "out", "--quiet", "--pictures", "none"], 0);
         desk
     }
 

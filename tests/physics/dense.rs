@@ -36,7 +36,8 @@ fn assert_follows_the_tolerance(scenes: &[Scene], methods: &[(Method, f64)]) {
         for share in SHARES {
             for digits in 4..=12 {
                 let tolerance = 10_f64.powi(-digits);
-                for &(method, factor) in methods {
+                // the steppers of the library at every third tolerance
+                for &(method, factor) in &methods[..if digits % 3 == 0 { methods.len() } else { 1 }] {
                     // near separation, an error of the dent of one tolerance changes F by up to the stiffness n/ε_m
                     let allowed = if method == Method::Rk8 { 3.0 } else { 10.0 * factor };
                     let worst = worst(scene, share, method, tolerance);

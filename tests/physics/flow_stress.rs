@@ -232,7 +232,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
             true,
         ),
     ] {
-        let desk = Desk::ran(format!("{bodies}{tables}"), &["--pictures", "none"]);
+        let desk = Desk::ran(format!("{bodies}{tables}"));
         let (table, summary) = (desk.read("out/table.csv"), desk.summary());
         assert_eq!(table.lines().next().unwrap().contains(name), varies, "{table}");
         // values that all rows have in common are inputs; values that vary are not

@@ -304,11 +304,11 @@ fn the_command_leaves_waves_out_at_a_jump_in_single_impacts_and_tables() {
     let plm = SCENARIO.find("[law.plm]").unwrap();
     let law = |jumps: &str| format!("{}[law.jackson_green]\njumps = \"{jumps}\"\n", &SCENARIO[..plm]);
     let desk = Desk::with(law("printed"));
-    let (_, said) = desk.ends(&["run", "s.toml", "--out", "out"], 0);
+    let (_, said) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     assert!(said.contains("jumps = \"crossed\""), "{said}");
     assert!(desk.summary()["wave_loss_fraction"].is_null());
     let sweep = "[sweep]\n\"impact.speed\" = [\"1 mm/s\", 3]\n";
-    let losses = numbers(&Desk::ran(law("printed") + sweep, &[]).read("out/table.csv"), "wave_loss_fraction");
+    let losses = numbers(&Desk::ran(law("printed") + sweep).read("out/table.csv"), "wave_loss_fraction");
     assert!(losses[0] > 0.0 && losses[1].is_nan(), "{losses:?}");
 }
 
@@ -317,7 +317,7 @@ const SCENARIO: &str = include_str!("../../scenarios/alumina-on-aluminium-with-w
 #[test]
 fn the_command_reports_waves_where_the_density_is_given_and_only_there() {
     let desk = Desk::with(SCENARIO);
-    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out"], 0);
+    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     assert!(printed.contains("with waves") && printed.contains("waves take 1.342 % of the energy"), "{printed}");
     let summary = desk.summary();
     let [e, loss, with] =
@@ -327,11 +327,11 @@ fn the_command_reports_waves_where_the_density_is_given_and_only_there() {
 
     let without = SCENARIO.replace("density = \"2700 kg/m^3\"\n", "");
     let desk = Desk::with(&without);
-    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out"], 0);
+    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let printed = printed + &desk.read("out/summary.json");
     assert!(!printed.contains("wave") && !printed.contains("half_space_density"), "{printed}");
 
-    let table = |tables: String| Desk::ran(tables, &["--pictures", "none"]).read("out/table.csv");
+    let table = |tables: String| Desk::ran(tables).read("out/table.csv");
     let sweep = "[sweep]\n\"impact.speed\" = [\"1 mm/s\", 3]\n";
     assert!(!table(format!("{without}{sweep}")).contains("wave"));
     let swept = table(format!("{SCENARIO}{sweep}"));

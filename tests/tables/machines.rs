@@ -43,7 +43,11 @@ fn tables(one_of: u32) -> Vec<(&'static str, String)> {
 /// The table that the command makes of a scenario.
 fn table(command: &mut Command, scenario: &str) -> Vec<u8> {
     let desk = Desk::with(scenario);
-    let output = command.args(["run", "--quiet", "--out"]).arg(desk.path("out")).arg(desk.path("s.toml")).output();
+    let output = command
+        .args(["run", "--quiet", "--pictures", "none", "--out"])
+        .arg(desk.path("out"))
+        .arg(desk.path("s.toml"))
+        .output();
     let output = output.unwrap();
     assert!(matches!(output.status.code(), Some(0 | 1)), "{scenario}\n{}", String::from_utf8_lossy(&output.stderr));
     std::fs::read(desk.path("out/table.csv")).unwrap()

@@ -21,7 +21,7 @@ fn numbers(scenario: &str, speed: &str) -> Vec<(&'static str, Option<f64>, Optio
     let speed_of_run = format!("impact.speed=\"{speed}\"");
     let axis = format!("sweep.\"impact.speed\"=[\"{speed}\"]");
     for (out, set) in [("one", &speed_of_run), ("table", &axis)] {
-        let output = desk.call(&["run", "s.toml", "--out", out, "--set", set]);
+        let output = desk.call(&["run", "s.toml", "--out", out, "--pictures", "none", "--set", set]);
         assert!(output.status.success(), "{scenario}: {}", text(&output.stderr));
     }
     let (summary, table) = (desk.read("one/summary.json"), desk.read("table/table.csv"));

@@ -11,7 +11,7 @@ use crate::common::command::{Desk, column};
 
 /// The table of a scenario that runs, and its summary.
 fn table(text: &str) -> (String, serde_json::Value) {
-    let desk = Desk::ran(text, &["--pictures", "none"]);
+    let desk = Desk::ran(text);
     (desk.read("out/table.csv"), desk.summary())
 }
 
@@ -174,7 +174,11 @@ law = ["plm", "thornton"]
         assert_eq!(e(case), contact.closed_form(3.0).unwrap().restitution, "{exponent}");
     }
     assert_eq!(e(19_999), contact(&[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
-    let table = |threads: &str| Desk::ran(&text, &["--pictures", "none", "--threads", threads]).read("out/table.csv");
+    let table = |threads: &str| {
+        let desk = Desk::with(&text);
+        desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none", "--threads", threads], 0);
+        desk.read("out/table.csv")
+    };
     let one = table("1");
     assert!(one == table("2") && one == table("3"));
 }
@@ -196,7 +200,7 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     // gravity is so large that the sphere leaves a dent
     let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
-    let desk = Desk::ran(&text, &[]);
+    let desk = Desk::ran(&text);
     let whole = desk.read("out/table.csv");
     assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
     for key in ["restitution", "recovered_fraction", "plastic_fraction"] {

@@ -32,7 +32,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
         "peak_force_N",
     ];
     let sweep = "[sweep]\n\"sphere.radius\" = [\"1 mm\", \"5 mm\", \"2 cm\"]\n\"impact.speed\" = [0.5, 1, 2, 5]\n";
-    let made = Desk::ran(bodies() + sweep, &["--pictures", "none"]).read("out/table.csv");
+    let made = Desk::ran(bodies() + sweep).read("out/table.csv");
     let table = columns.map(|name| numbers(&made, name));
     let mut data =
         "note,sphere_radius_mm,speed_cm_per_s,contact_time_us,dent_diameter_um,dent_depth_nm,peak_force_kN\n"
@@ -59,7 +59,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
 #[test]
 fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
     let steps = "[indentation]\nsteps = [{ load = \"500 N\" }, { load = \"0 N\" }]\n[output]\nsamples = 60\n";
-    let trace = Desk::ran(bodies() + steps, &["--pictures", "none"]).read("out/trace.csv");
+    let trace = Desk::ran(bodies() + steps).read("out/trace.csv");
     let data = pairs(&trace, ["indentation_m", "force_N"], "indentation_m,force_N");
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ force = \"5 N\" }}"));
     let (desk, summary) = calibrated(&text, &data, &[], 0);

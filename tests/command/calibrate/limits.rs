@@ -81,7 +81,7 @@ fn few_values_do_not_tell_whether_the_law_fits() {
         let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(n), &[], 0);
         assert!(summary["fits"].is_null() && summary["misfit"].as_f64().unwrap() > 0.5, "{n}: {summary}");
         assert!(summary["undecided"].as_str().unwrap().contains("cannot be judged"), "{summary}");
-        let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o"], 0);
+        let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
         assert!(said.contains("whether the law fits cannot be judged"), "{said}");
     }
     let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(8), &[], 3);

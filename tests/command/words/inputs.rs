@@ -6,7 +6,7 @@ use crate::common::STEEL;
 use crate::common::command::Desk;
 
 fn inputs(scene: &str) -> Value {
-    Desk::ran(scene, &["--pictures", "none"]).summary()["inputs"].clone()
+    Desk::ran(scene).summary()["inputs"].clone()
 }
 
 fn holds(inputs: &Value, wanted: &Value) {

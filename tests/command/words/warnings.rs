@@ -5,7 +5,7 @@ use serde_json::json;
 use crate::common::STEEL;
 use crate::common::command::Desk;
 
-const RUN: [&str; 5] = ["run", "s.toml", "--out", "out", "--strict"];
+const RUN: [&str; 7] = ["run", "s.toml", "--out", "out", "--pictures", "none", "--strict"];
 const NO_STRENGTH: &str = "yield_strength = \"345 MPa\"\n";
 
 /// The lines of standard error that begin with `warning: `, without this word.
@@ -74,7 +74,7 @@ fn terminal_summary_and_check_give_the_same_warnings_and_strict_makes_them_error
         let desk = Desk::with(scene);
         let strict = desk.ends(&RUN, 1);
         assert!(strict.0.is_empty() && strict.1.contains("--strict") && desk.files("") == ["s.toml"], "{strict:?}");
-        let said = warned(&desk.ends(&RUN[..4], 0).1);
+        let said = warned(&desk.ends(&RUN[..6], 0).1);
         assert!(said.iter().any(|line| line.contains(words)), "{words}: {said:?}");
         assert_eq!(desk.summary()["warnings"], json!(said), "{words}: summary.json");
         assert_eq!(warned(&desk.ends(&["check", "s.toml"], 0).1), said, "{words}: check");
