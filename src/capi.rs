@@ -19,7 +19,7 @@ use std::path::Path;
 use std::slice;
 
 use crate::error::Error;
-use crate::impact::{Contact, ContactEnergy, Memory};
+use crate::impact::{Contact, ContactEnergy, Memory, Rub};
 use crate::run::contact_alone;
 use crate::scenario::Scenario;
 
@@ -121,6 +121,45 @@ pub unsafe extern "C" fn plm_contact_forces(
             *force = self::force(&contact.0, *indentation, memory);
         }
     });
+}
+
+/// Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
+/// step after plm_contact_force gave `force` and `memory` at `indentation`; `before` is the indentation of the last step, 0
+/// in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m]. `history` (three
+/// doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
+/// force at the contact point. Does nothing if a pointer is NULL.
+///
+/// For a sphere of another radius multiply indentations and slip as for plm_contact_force, and divide the friction likewise.
+///
+/// # Safety
+/// As `plm_contact_stiffness`; `slip` and `history` are NULL or have three doubles each.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn plm_contact_friction(
+    contact: *const plm_contact,
+    coefficient: f64,
+    before: f64,
+    indentation: f64,
+    force: f64,
+    memory: *const f64,
+    slip: *const f64,
+    history: *mut f64,
+) {
+    // SAFETY: as the caller promises; any bits are a valid double
+    let (Some(slip), Some(history)) =
+        (unsafe { slip.cast::<[f64; 3]>().as_ref() }, unsafe { history.cast::<[f64; 3]>().as_mut() })
+    else {
+        return;
+    };
+    let rub = Rub { before, indentation, force, slip: *slip };
+    // SAFETY: as the caller promises
+    let friction = unsafe {
+        read(contact, memory, *history, |contact, memory| {
+            let mut after = *history;
+            contact.friction(coefficient, &rub, memory, &mut after);
+            after
+        })
+    };
+    *history = friction;
 }
 
 /// Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the

@@ -49,6 +49,6 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
         return Err(Error::input(message.to_owned()));
     }
-    let head = lines::Head { scenario, contact: &contact, impact: &impact, command };
+    let head = lines::Head { scenario, contact: &contact, impact: &impact, friction: scene.friction, command };
     head.lines(request, &table)
 }

@@ -5,8 +5,8 @@
 //!
 //! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`], `scaled_forces`); the dimensionless
 //! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is
-//! reported of it ([`contact`], `case`, `on_plate`, [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact
-//! (`impacts`, [`spot`]); the law as a force of its own (`response`); and this file, which only names them.
+//! reported of it ([`contact`], `case`, `on_plate`, [`oblique`], [`essentials`], `ledger`, [`result`], `validity`); the impacts of
+//! a contact (`impacts`, [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
 
 mod case;
 pub mod closed_form;
@@ -15,8 +15,10 @@ pub mod course;
 mod error;
 pub mod essentials;
 pub mod forces;
+pub mod friction;
 mod impacts;
 mod ledger;
+pub mod oblique;
 mod on_plate;
 pub mod outcome;
 pub mod plate;
@@ -36,7 +38,9 @@ pub use contact::Contact;
 pub use error::ImpactError;
 pub use essentials::Essentials;
 pub use forces::{Damping, Forces, drop_speed};
+pub use friction::Rub;
 pub use ledger::TraceRow;
+pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};
 pub use on_plate::OnPlate;
 pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use plate::{Plate, PlateError, PlateTheory};

@@ -1,8 +1,8 @@
 //! Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 //!
-//! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it and without friction. The contact
+//! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it or at an angle. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back; [`law::catalogue`] has the other published laws. Gravity, damping, plates, elastic waves, series of impacts
+//! (2024) on the way back; [`law::catalogue`] has the other published laws. Friction, gravity, damping, plates, elastic waves, series of impacts
 //! and slow indentation are there for scenes that name them:
 //!
 //! ```text
@@ -31,6 +31,7 @@
 //! | R_e, R_res | `unloading_radius`, `residual_radius` | m | effective radius of unloading; radius of curvature of the dent |
 //! | n | `unloading_exponent` | 1 | F ∝ (δ − δ_r)^n |
 //! | e | `restitution` | 1 | rebound speed over impact speed (COR) |
+//! | θ, μ, ω | [`Incidence`](impact::Incidence) | rad, 1, rad/s | angle from the normal, coefficient of friction, spin |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
 //! | h, Y, λ | [`Plate`](impact::Plate), [`OnPlate`](impact::OnPlate) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
 //! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |

@@ -196,12 +196,18 @@ impl Plan {
     pub fn microseconds(&self) -> f64 {
         let of = |input: &Input| {
             let scene = input.resolve();
-            match scene.solver.method {
-                Method::Verlet => 0.05 * f64::from(scene.solver.steps_per_contact),
-                Method::Dopri5 | Method::Dop853 => 32.0,
-                _ if scene.is_stepped() => 8.0,
-                _ => 0.25,
-            }
+            let friction = match scene.incidence {
+                None => 0.0,
+                Some(_) if scene.half_space.yield_strength.is_some() => 1500.0,
+                Some(_) => 1.0,
+            };
+            friction
+                + match scene.solver.method {
+                    Method::Verlet => 0.05 * f64::from(scene.solver.steps_per_contact),
+                    Method::Dopri5 | Method::Dop853 => 32.0,
+                    _ if scene.is_stepped() => 8.0,
+                    _ => 0.25,
+                }
         };
         self.worded().iter().map(of).fold(0.25, f64::max)
     }

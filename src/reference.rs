@@ -1,6 +1,6 @@
 //! Reference data that checks, comparisons and pictures show beside the laws: finite-element results of this project for the
 //! five material cases of Xie et al. (2024), for half-spaces that harden and for whole impacts; 30-digit impacts; measured
-//! rebound hardness. The head of each table in `src/reference` says where it comes from, how it was obtained and its error.
+//! rebound hardness and oblique rebounds. The head of each table in `src/reference` says where it comes from, how it was obtained and its error.
 
 /// Functions that read tables which are compiled in.
 macro_rules! tables {
@@ -15,6 +15,7 @@ macro_rules! tables {
 pub mod hardening;
 pub mod impacts;
 pub mod measured;
+pub mod oblique;
 pub mod quasi_static;
 pub mod unloading;
 

@@ -71,6 +71,9 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     (way(scenario.kind()?).check)(scenario)
 }
 
+/// What is of a sphere that moves, and not of its contact.
+const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spin of every sphere";
+
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
 /// # Errors
@@ -89,6 +92,8 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
         ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
+        ("impact.angle", scenario.document.has("impact.angle"), OF_THE_SPHERE),
+        ("sphere.spin", scenario.document.has("sphere.spin"), OF_THE_SPHERE),
     ];
     if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
         let message = format!("is not a part of the contact law: {way_out}");

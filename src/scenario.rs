@@ -32,6 +32,7 @@ mod extreme;
 mod file;
 mod flow;
 mod forces;
+mod friction;
 pub mod indentation;
 mod kind;
 mod law;
@@ -181,7 +182,7 @@ impl Scenario {
                 return Err(self.document.one_key(one, other));
             }
         }
-        for table in ["gravity", "damping"] {
+        for table in ["friction", "gravity", "damping"] {
             let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
             if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
                 return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
@@ -243,6 +244,7 @@ impl Scenario {
         let input = self.first_case();
         self.check_flow(&input)?;
         self.needs_gravity()?;
+        self.check_friction()?;
         let scene = input.resolve();
         self.refuse_waves(&scene)?;
         self.check_plate(&scene)?;

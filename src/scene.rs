@@ -15,7 +15,7 @@ pub(crate) mod taken;
 pub mod words;
 pub(crate) mod written;
 
-use crate::impact::{Contact, Forces, ImpactError, PlateTheory, Solver, Warning};
+use crate::impact::{Approach, Contact, Forces, ImpactError, Incidence, PlateTheory, Solver, Warning};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
 pub use effect::Use;
@@ -36,8 +36,14 @@ pub struct Scene {
     pub mass: Option<f64>,
     /// Hardness of the half-space as a mean pressure \[Pa\], if the scene names it in place of a yield strength.
     pub hardness: Option<f64>,
+    /// Moment of inertia \[kg m²\], if it is not that of a solid sphere.
+    pub moment_of_inertia: Option<f64>,
     /// Impact speed \[m/s\].
     pub speed: f64,
+    /// Angle and spin, if the scene names one of them.
+    pub incidence: Option<Incidence>,
+    /// Coefficient of friction, if the scene names one.
+    pub friction: Option<f64>,
     /// The law with its parameters.
     pub law: LawChoice,
     /// Height of the fall \[m\] that gives the speed, if the scene names one.
@@ -64,7 +70,16 @@ impl Scene {
     pub fn contact(&self) -> Result<Contact, ImpactError> {
         let contact = Contact::try_new(self.sphere, self.half_space, self.law.get())?;
         let contact = if self.mass.is_some() { contact.of_a_body() } else { contact };
+        let contact = match self.moment_of_inertia {
+            Some(moment) => contact.with_moment_of_inertia(moment),
+            None => contact,
+        };
         Ok(contact.with_forces(self.forces))
+    }
+
+    /// How the sphere comes in at a speed.
+    pub fn approach_at(&self, speed: f64) -> Approach {
+        Approach { speed, incidence: self.incidence }
     }
 
     /// Whether more than a yield strength describes the flow stress, or the law does not use it.

@@ -13,6 +13,7 @@ mod error;
 pub mod experiments;
 mod hardening;
 mod measured;
+mod oblique;
 mod pictures;
 mod quasi_static;
 pub mod report;
@@ -28,8 +29,14 @@ pub use pictures::pictures;
 type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, Error>;
 
 /// All of them, in the order of the table.
-const SOURCES: &[Source] =
-    &[quasi_static::loading, quasi_static::cycles, dynamic::checks, hardening::checks, measured::checks];
+const SOURCES: &[Source] = &[
+    quasi_static::loading,
+    quasi_static::cycles,
+    dynamic::checks,
+    hardening::checks,
+    measured::checks,
+    oblique::checks,
+];
 
 /// All checks of a law with these coefficients. `progress` counts the kinds of references.
 pub fn checks(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Check>, Error> {

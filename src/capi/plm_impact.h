@@ -83,6 +83,27 @@ void plm_contact_forces(const struct plm_contact *contact,
                         double *force);
 
 /**
+ * Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
+ * step after plm_contact_force gave `force` and `memory` at `indentation`; `before` is the indentation of the last step, 0
+ * in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m]. `history` (three
+ * doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
+ * force at the contact point. Does nothing if a pointer is NULL.
+ *
+ * For a sphere of another radius multiply indentations and slip as for plm_contact_force, and divide the friction likewise.
+ *
+ * # Safety
+ * As `plm_contact_stiffness`; `slip` and `history` are NULL or have three doubles each.
+ */
+void plm_contact_friction(const struct plm_contact *contact,
+                          double coefficient,
+                          double before,
+                          double indentation,
+                          double force,
+                          const double *memory,
+                          const double *slip,
+                          double *history);
+
+/**
  * Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the
  * loading curve beyond it.
  *

@@ -6,15 +6,20 @@ use super::request::{Request, Target};
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
 use crate::impact::{Contact, Essentials, Impact};
-use crate::math::functions::pow;
+use crate::math::functions::{atan, pow};
 use crate::provenance::PROGRAM;
 use crate::scenario::Scenario;
+
+/// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
+const TANGENTIAL: f64 = 2.0 / 7.0;
 
 /// The data that the lines of all codes are made from.
 pub(super) struct Head<'a> {
     pub scenario: &'a Scenario,
     pub contact: &'a Contact,
     pub impact: &'a Impact,
+    /// The coefficient of friction, if the scenario has one.
+    pub friction: Option<f64>,
     /// The command line.
     pub command: &'a str,
 }
@@ -73,6 +78,11 @@ impl Head<'_> {
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
         }
+        if self.friction.is_some() && request.target.takes_friction() {
+            about.push(
+                "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
+            );
+        }
         if let Some(with_waves) = self.impact.restitution_with_waves() {
             about.push(format!("elastic waves are left out: with them e is {with_waves:.6} (restitution_with_waves)"));
         }
@@ -93,9 +103,13 @@ impl Head<'_> {
     }
 
     fn lammps(&self) -> String {
+        let tangential = match self.friction {
+            None => "linear_nohistory 0.0 0.0".to_owned(),
+            Some(friction) => format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL * self.stiffness()),
+        };
         format!(
-            "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential linear_nohistory \
-             0.0 0.0 zplane 0.0 NULL\ntimestep {:.3e}\n",
+            "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential {tangential} \
+             zplane 0.0 NULL\ntimestep {:.3e}\n",
             self.stiffness(),
             self.impact.restitution,
             self.time_step()
@@ -109,15 +123,16 @@ impl Head<'_> {
         let (mass, speed) = (self.contact.mass(), self.impact.speed);
         let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
         let effective = 15.0 * scaled / (16.0 * self.contact.sphere().radius.sqrt());
+        let (friction, history) = self.friction.map_or((0.0, "no_history"), |friction| (friction, "history"));
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
         format!(
             "hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
              fix poisson all property/global poissonsRatio peratomtype {POISSONS_RATIO}\n\
              fix restitution all property/global coefficientRestitution peratomtypepair 1 {:.9}\n\
-             fix friction all property/global coefficientFriction peratomtypepair 1 0.0\n\
+             fix friction all property/global coefficientFriction peratomtypepair 1 {friction:?}\n\
              fix speed all property/global characteristicVelocity scalar {speed}\n\
-             pair_style gran model hooke tangential no_history\npair_coeff * *\n\
-             fix wall all wall/gran model hooke tangential no_history primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
+             pair_style gran model hooke tangential {history}\npair_coeff * *\n\
+             fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
             self.impact.restitution,
             self.time_step()
         )
@@ -132,8 +147,11 @@ impl Head<'_> {
                     "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
                 ))
             })?;
+        let friction = self.friction.unwrap_or(0.0);
+        let tangential = if friction > 0.0 { TANGENTIAL * 2.0 * stiffness } else { 0.0 };
+        let angle = atan(friction);
         Ok(format!(
-            "material = ViscElMat(density={:.9e}, kn={:.9e}, cn={:.9e}, ks=0.0, cs=0.0, frictionAngle=0.0)\n\
+            "material = ViscElMat(density={:.9e}, kn={:.9e}, cn={:.9e}, ks={tangential:?}, cs=0.0, frictionAngle={angle:?})\n\
              O.materials.append(material)\n\
              functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
             self.contact.sphere().density,
@@ -152,10 +170,20 @@ impl Head<'_> {
     }
 
     fn mercury(&self) -> String {
+        let (kind, friction) = match self.friction {
+            None => ("", String::new()),
+            Some(friction) => (
+                "SlidingFriction",
+                format!(
+                    "species.setSlidingStiffness({:.9e});\nspecies.setSlidingFrictionCoefficient({friction});\n",
+                    TANGENTIAL * self.stiffness()
+                ),
+            ),
+        };
         format!(
-            "LinearViscoelasticSpecies species;\nspecies.setDensity({:.9e});\n\
+            "LinearViscoelastic{kind}Species species;\nspecies.setDensity({:.9e});\n\
              species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // 2 m: a wall has no mass\n\
-             setTimeStep({:.3e});\n",
+             {friction}setTimeStep({:.3e});\n",
             self.contact.sphere().density,
             self.impact.contact_time,
             self.impact.restitution,

@@ -31,6 +31,11 @@ impl Target {
         ("csv", Self::Csv),
     ];
 
+    /// Whether its lines have a coefficient of friction.
+    pub(super) fn takes_friction(self) -> bool {
+        matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)
+    }
+
     /// Whether the code reads a table e(v).
     pub(super) fn takes_table(self) -> bool {
         matches!(self, Self::Acusolve | Self::Csv)

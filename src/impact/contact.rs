@@ -1,7 +1,10 @@
 //! Everything about an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
 
+use std::sync::OnceLock;
+
 use super::error::ImpactError;
 use super::forces::Forces;
+use super::oblique::curve::Curve;
 use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
@@ -27,6 +30,10 @@ pub struct Contact {
     forces: Forces,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
+    /// Of all that moves, about the sphere's centre \[kg m²\]; `None`: that of a solid sphere.
+    moment_of_inertia: Option<f64>,
+    /// Oblique impacts that stay elastic.
+    curve: OnceLock<Curve>,
 }
 
 impl Contact {
@@ -57,7 +64,25 @@ impl Contact {
             yield_speed,
             forces: Forces::default(),
             waves,
+            moment_of_inertia: None,
+            curve: OnceLock::new(),
         })
+    }
+
+    /// The same contact, where the body has this moment of inertia about the sphere's centre \[kg m²\].
+    #[must_use]
+    pub fn with_moment_of_inertia(self, moment: f64) -> Self {
+        Self { moment_of_inertia: Some(moment), curve: OnceLock::new(), ..self }
+    }
+
+    /// The moment of inertia \[kg m²\], if it is not that of a solid sphere.
+    pub fn moment_of_inertia(&self) -> Option<f64> {
+        self.moment_of_inertia
+    }
+
+    /// The curve of oblique impacts that stay elastic.
+    pub(super) fn curve(&self) -> &Curve {
+        self.curve.get_or_init(|| Curve::new(self.chi()))
     }
 
     /// The same contact with gravity and damping, or on a plate.

@@ -3,6 +3,7 @@
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::oblique::Rebound;
 use super::on_plate::OnPlate;
 use super::outcome::{Fate, Outcome};
 use super::waves;
@@ -35,6 +36,8 @@ pub struct Essentials {
     pub wave_loss_fraction: Option<f64>,
     /// What an impact on a plate has besides.
     pub on_plate: Option<OnPlate>,
+    /// What friction makes of an oblique impact. All else is then of the motion normal to the half-space.
+    pub rebound: Option<Rebound>,
 }
 
 impl Essentials {
@@ -79,6 +82,7 @@ impl Essentials {
             plastic_fraction: share,
             wave_loss_fraction: waves,
             on_plate: OnPlate::of(contact, case, outcome, contact_time),
+            rebound: None,
         })
     }
 

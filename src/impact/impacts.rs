@@ -6,6 +6,7 @@ use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
+use super::oblique::{Approach, Inclined};
 use super::outcome::{Computed, Outcome};
 use super::record::Recorder;
 use super::result::Impact;
@@ -34,11 +35,12 @@ impl Contact {
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, or the integrator gives up.
     #[inline]
-    pub fn essentials(&self, speed: f64) -> Result<Essentials, ImpactError> {
+    pub fn essentials(&self, approach: impl Into<Approach>) -> Result<Essentials, ImpactError> {
+        let approach = approach.into();
         if self.forces().is_none() {
-            return self.essentials_of_law(speed);
+            return self.essentials_of_law(approach);
         }
-        self.essentials_by(speed, &Solver { method: Method::Auto, ..Solver::default() })
+        self.essentials_by(approach, &Solver { method: Method::Auto, ..Solver::default() })
     }
 
     /// What a table holds of an impact by this solver.
@@ -46,11 +48,12 @@ impl Contact {
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
     /// method does not fit.
-    pub fn essentials_by(&self, speed: f64, solver: &Solver) -> Result<Essentials, ImpactError> {
+    pub fn essentials_by(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
+        let approach = approach.into();
         if self.forces().is_none() && matches!(solver.method, Method::Auto | Method::ClosedForm) {
-            return self.essentials_of_law(speed);
+            return self.essentials_of_law(approach);
         }
-        let case = self.case(None, speed)?;
+        let case = self.case(None, approach.components()[0])?;
         // the closed form is the result, or its duration is what the fixed step divides
         let needs_exact = match solver.method {
             Method::Auto => case.forces.is_conservative(),
@@ -61,7 +64,7 @@ impl Contact {
             return Err(ImpactError::NoClosedForm);
         }
         let Computed { outcome, .. } = run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?;
-        self.essentials_of(speed, &case, &outcome)
+        self.essentials_of(approach, &case, &outcome)
     }
 
     /// e alone, with the same bits as from [`Contact::essentials`]. Without gravity and damping no times are computed, which
@@ -69,7 +72,8 @@ impl Contact {
     ///
     /// # Errors
     /// As there.
-    pub fn restitution(&self, speed: f64) -> Result<f64, ImpactError> {
+    pub fn restitution(&self, approach: impl Into<Approach>) -> Result<f64, ImpactError> {
+        let [speed, _] = approach.into().components();
         if !self.forces().is_none() {
             return Ok(self.essentials(speed)?.restitution);
         }
@@ -79,21 +83,27 @@ impl Contact {
         Ok(restitution)
     }
 
-    fn essentials_of_law(&self, speed: f64) -> Result<Essentials, ImpactError> {
+    #[inline]
+    fn essentials_of_law(&self, approach: Approach) -> Result<Essentials, ImpactError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(&Law::hertz(), 1.0));
-        let case = self.case(None, speed)?;
+        let case = self.case(None, approach.components()[0])?;
         let outcome = match case.law.elastic {
             ElasticApproach::All if case.q == 1.0 => *ELASTIC,
             _ => closed_form::solve(case.law, case.q),
         };
-        self.essentials_of(speed, &case, &outcome)
+        self.essentials_of(approach, &case, &outcome)
     }
 
     /// What a table holds of this outcome.
-    fn essentials_of(&self, speed: f64, case: &Case, outcome: &Outcome) -> Result<Essentials, ImpactError> {
+    #[inline]
+    fn essentials_of(&self, approach: Approach, case: &Case, outcome: &Outcome) -> Result<Essentials, ImpactError> {
         case.law.accept(&outcome.unloading.peak)?;
-        Essentials::new(self, speed, case, outcome)
+        let mut essentials = Essentials::new(self, approach.components()[0], case, outcome)?;
+        if let Some(inclined) = Inclined::new(self, case, outcome, approach) {
+            essentials.rebound = Some(inclined.rebound(inclined.ratio()?)?);
+        }
+        Ok(essentials)
     }
 
     /// Whether [`Method::Auto`] integrates rows of tables: with damping, on a plate, and under gravity where the law is neither powers
@@ -103,17 +113,18 @@ impl Contact {
         self.forces().have_drag() || self.forces().gravity.is_some() && is_open()
     }
 
-    /// Checks that double precision holds the results of an impact at `speed` \[m/s\]. With damping or on a plate, the impact
+    /// Checks that double precision holds the results of an impact at a speed \[m/s\]. With damping or on a plate, the impact
     /// without is checked instead, which is deeper.
     ///
     /// # Errors
     /// [`ImpactError`], see [`Contact::scaled`].
-    pub fn holds(&self, speed: f64) -> Result<(), ImpactError> {
+    pub fn holds(&self, approach: impl Into<Approach>) -> Result<(), ImpactError> {
+        let speed = approach.into().components()[0];
         let case = self.case(None, speed)?;
         let is_damped = self.forces().have_drag();
         let forces = case.forces.without_drag();
         if let Some(outcome) = closed_form::solve_with(case.law, case.q, &forces) {
-            match self.essentials_of(speed, &case, &outcome) {
+            match self.essentials_of(speed.into(), &case, &outcome) {
                 // with damping the peak is shallower, and the law may have an answer there
                 Err(ImpactError::Law(_)) if is_damped => {}
                 row => drop(row?),
@@ -122,14 +133,27 @@ impl Contact {
         Ok(())
     }
 
-    /// Integrates one impact at `speed` \[m/s\]; with `samples`, records a trace of that many evenly spaced rows (first
-    /// touch and separation among them) and a row for every other event.
+    /// Integrates one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, records a trace of that many evenly
+    /// spaced rows (first touch and separation among them) and a row for every other event.
     ///
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
-    pub fn impact(&self, speed: f64, solver: &Solver, samples: Option<usize>) -> Result<Impact, ImpactError> {
+    pub fn impact(
+        &self,
+        approach: impl Into<Approach>,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<Impact, ImpactError> {
+        let approach = approach.into();
+        let speed = approach.components()[0];
         let case = self.case(None, speed)?;
-        self.impact_of(&case, speed, solver, samples).map(|(impact, _)| impact)
+        let (mut impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
+        if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
+            impact.add_friction(&inclined, approach)?;
+            let warnings = validity::of_oblique(self, &impact, approach);
+            impact.warnings.extend(warnings);
+        }
+        Ok(impact)
     }
 
     /// The same of a case at that speed, with its dimensionless outcome.

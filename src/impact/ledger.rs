@@ -2,6 +2,7 @@
 
 use super::case::Case;
 use super::essentials::Essentials;
+use super::oblique::Rubbing;
 use super::outcome::Outcome;
 use super::record::{Event, Point};
 use super::scales::Scales;
@@ -28,6 +29,8 @@ pub struct TraceRow {
     pub elastic_force: Option<f64>,
     /// Branch of the law.
     pub branch: Branch,
+    /// Friction, in an oblique impact.
+    pub rubbing: Option<Rubbing>,
     /// The event, if the row is one.
     pub event: Option<Event>,
     /// (kinetic + stored + lost)/(½ m v²) − 1.
@@ -114,6 +117,7 @@ impl<'a> Ledger<'a> {
             force: total_force * scales.force,
             elastic_force: self.case.forces.damping.map(|_| force * scales.force),
             branch,
+            rubbing: None,
             event,
             energy_drift: self.drift(speed, potential, loss, x),
         }

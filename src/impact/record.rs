@@ -114,6 +114,8 @@ pub struct Recorder {
     pub(super) inner: usize,
     /// What the samples are spread over; `None`: the contact time of this motion.
     pub(super) duration: Option<f64>,
+    /// Whether compression and restitution have as many samples each, and the peak is one between them.
+    is_by_leg: bool,
     legs: Vec<Recorded>,
     /// The points in order of time.
     pub points: Vec<Point>,
@@ -123,7 +125,12 @@ impl Recorder {
     /// A recorder of `samples` points evenly spaced over `duration`, or over the motion itself, both ends included (they are
     /// events).
     pub fn new(samples: usize, duration: Option<f64>) -> Self {
-        Self { inner: samples.saturating_sub(2), duration, legs: Vec::new(), points: Vec::new() }
+        Self { inner: samples.saturating_sub(2), duration, ..Self::default() }
+    }
+
+    /// A recorder with so many equal times from first touch to the peak, and as many from there to the end.
+    pub(super) fn of_legs(steps: usize) -> Self {
+        Self { inner: 2 * steps - 1, is_by_leg: true, ..Self::default() }
     }
 
     /// Time between two samples of a motion that lasts as long as this.
@@ -159,6 +166,14 @@ impl Recorder {
     /// Makes the points of a motion that has ended.
     pub(super) fn finish(&mut self, law: &Law, outcome: &Outcome, drag: Drag) {
         let interval = self.interval(outcome.contact_time);
+        let (inward, whole) = (outcome.loading_time, outcome.contact_time);
+        let half = self.inner.div_ceil(2);
+        #[allow(clippy::cast_precision_loss)] // counts below 2^53
+        let time_of = |next: usize| match self.is_by_leg {
+            false => interval * next as f64,
+            true if next < half => inward * (next as f64 / half as f64),
+            true => inward + (whole - inward) * ((next - half) as f64 / half as f64),
+        };
         let mut next = 1;
         for leg in self.legs.drain(..) {
             let along = match leg.piece {
@@ -167,8 +182,7 @@ impl Recorder {
             };
             let mut events = leg.events.into_iter().peekable();
             for segment in &leg.track {
-                #[allow(clippy::cast_precision_loss)] // counts below 2^53
-                let due = |next: usize| Some(interval * next as f64).filter(|time| *time < segment.end);
+                let due = |next: usize| Some(time_of(next)).filter(|time| *time < segment.end);
                 while let Some(time) = due(next).filter(|_| next <= self.inner) {
                     while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
                         self.points.push(along.point(&at, Some(event)));

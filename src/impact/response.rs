@@ -34,7 +34,7 @@ impl Memory {
             && elastic_approach <= largest * (1.0 + 1e-9)
     }
 
-    fn peak(&self, length: f64, force: f64) -> Option<Peak> {
+    pub(super) fn peak(&self, length: f64, force: f64) -> Option<Peak> {
         (self.indentation > 0.0).then(|| Peak {
             indentation: self.indentation / length,
             force: self.force / force,

@@ -7,6 +7,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
 use super::ledger::{Ledger, TraceRow};
+use super::oblique::{Approach, Inclined, Oblique};
 use super::outcome::{Computed, Fate, Outcome};
 use super::record::Point;
 use super::solve::Method;
@@ -89,13 +90,13 @@ pub struct InFixedSteps {
 /// [`Essentials`], as in `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
-    /// Impact speed v \[m/s\].
+    /// Impact speed v \[m/s\]; the whole speed of an oblique impact.
     pub speed: f64,
     /// How it was computed: never `Auto`, but what that chose.
     pub method: Method,
     /// What a table holds of it.
     pub essentials: Essentials,
-    /// e v \[m/s\].
+    /// e v \[m/s\], normal to the half-space.
     pub rebound_speed: f64,
     /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
     pub loading_time: f64,
@@ -126,6 +127,8 @@ pub struct Impact {
     pub under_forces: Option<UnderForces>,
     /// What a code with fixed steps sees, by [`Method::Verlet`].
     pub in_fixed_steps: Option<InFixedSteps>,
+    /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
+    pub oblique: Option<Oblique>,
     /// Where the model or the run is doubtful.
     pub warnings: Vec<Warning>,
     /// The trace, empty if none was asked for; rows rise in time.
@@ -229,9 +232,22 @@ impl Impact {
                 separation_time: (!is_captured).then(|| fixed.contact_time * scales.time()),
                 drift_at_end: ledger.at_end(),
             }),
+            oblique: None,
             warnings: Vec::new(),
             trace,
         })
+    }
+
+    /// Adds what friction makes of an oblique impact, of which all else is the normal motion.
+    pub(super) fn add_friction(&mut self, inclined: &Inclined, approach: Approach) -> Result<(), ImpactError> {
+        let (ratio, course) = inclined.run()?;
+        self.speed = approach.speed;
+        self.essentials.rebound = Some(inclined.rebound(ratio)?);
+        self.oblique = Some(inclined.oblique(ratio));
+        for row in &mut self.trace {
+            row.rubbing = Some(inclined.rubbing(&course, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
+        }
+        Ok(())
     }
 
     /// The results of a captured sphere; `None` for one that left.

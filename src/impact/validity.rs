@@ -1,7 +1,10 @@
 //! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
 
+use std::f64::consts::FRAC_PI_4;
+
 use super::case::hertz;
 use super::contact::Contact;
+use super::oblique::{Approach, Incidence};
 use super::on_plate::OnPlate;
 use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
@@ -148,6 +151,21 @@ fn of_plate(plate: &Plate, of: &OnPlate, contact_radius: f64) -> impl Iterator<I
     let deep = (deep > 0.3).then_some(Warning::DeepPlate { ratio: deep });
     [theory, wide, near, deep].into_iter().flatten()
 }
+
+/// The warnings of an oblique impact.
+pub(super) fn of_oblique(contact: &Contact, impact: &Impact, approach: Approach) -> Vec<Warning> {
+    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle);
+    let ratio = impact.peak_contact_radius / contact.sphere().radius;
+    let ploughs = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
+    let mismatch = contact.mismatch();
+    let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
+    let couples = mismatch.abs() > LARGEST_MISMATCH && slips_little;
+    let ploughing = ploughs.then_some(Warning::Ploughing { ratio, angle });
+    ploughing.into_iter().chain(couples.then_some(Warning::Mismatch { mismatch })).collect()
+}
+
+/// Dundurs' β from which on finite elements show that it is neglected.
+const LARGEST_MISMATCH: f64 = 0.25;
 
 /// A restitution above this one is printed as more than 1.
 const LARGEST_ROUGH: f64 = 1.0005;

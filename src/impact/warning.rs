@@ -191,6 +191,25 @@ pub enum Warning {
         /// Largest drift.
         drift: f64,
     },
+    /// An oblique impact whose dent is so deep that the sphere ploughs.
+    #[error(
+        "contact radius / sphere radius = {ratio:.3} at {:.0} deg from the normal: the sphere ploughs, a force of about {:.0} % of the contact force that friction leaves out; take tangential speed and spin as estimates",
+        angle.to_degrees(), 100.0 * 4.0 / (3.0 * std::f64::consts::PI) * ratio
+    )]
+    Ploughing {
+        /// a_m/R.
+        ratio: f64,
+        /// From the normal \[rad\].
+        angle: f64,
+    },
+    /// Bodies whose pressure and friction act on each other.
+    #[error(
+        "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
+    )]
+    Mismatch {
+        /// Dundurs' β.
+        mismatch: f64,
+    },
     /// A key of the scene that has no effect.
     #[error("{key} is not used: {reason}")]
     UnusedKey {

@@ -3,7 +3,8 @@
 
    The memory of a contact is three doubles in a slot of each sphere. They belong to the sphere of the scenario, with
    radius R. The law of a sphere of another radius r follows by scaling, so one scenario serves all radii: with s = R/r,
-   the indentation is multiplied by s and the force is divided by s^2. */
+   the indentation is multiplied by s and the force is divided by s^2. With friction a slot has three more doubles: the
+   friction on the sphere. */
 
 #include "fix_plm_wall.h"
 
@@ -26,9 +27,10 @@ using namespace FixConst;
 
 namespace {
 enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is the plastic work of ended contacts
-// doubles of a slot: number of the wall (0: no contact), memory (3), plastic work, indentation; the last two belong to
-// the sphere of the scenario
-enum { WALL, MEMORY, TAKEN = 4, NOW, SLOT };
+// doubles of a slot: number of the wall (0: no contact), memory (3), plastic work, indentation, and with friction the
+// friction (3); all but the first belong to the sphere of the scenario
+enum { WALL, MEMORY, TAKEN = 4, NOW, FRICTION };
+constexpr int PLAIN = FRICTION, RUBBING = FRICTION + 3;
 // steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
 constexpr double STEPS_FOR_E = 70.0;
 // with fewer steps than these e is off by several per cent
@@ -40,10 +42,10 @@ constexpr double CURVED = 50.0;
 }    // namespace
 
 FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), state(nullptr),
+    Fix(lmp, narg, arg), height(0.0), region_name(nullptr), region(nullptr), walls(1), friction(-1.0), slot_size(PLAIN), state(nullptr),
     is_advised(false), is_curved(false), is_deep(false), is_inside(false)
 {
-  const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ...";
+  const char *usage = "expected: fix ID group plm/wall (plane Z | region NAME) scenario FILE [type N FILE] ... [friction MU]";
   if (narg < 7) error->all(FLERR, "Fix plm/wall: {}", usage);
   if (!atom->radius_flag || !atom->rmass_flag)
     error->all(FLERR, "Fix plm/wall needs spheres with radius and mass: use atom_style sphere");
@@ -81,6 +83,14 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
         error->all(FLERR, "Fix plm/wall: type {} is not one of the {} atom types", type, atom->ntypes);
       file = arg[at + 2];
       at += 3;
+    } else if (strcmp(arg[at], "friction") == 0 && at + 1 < narg) {
+      friction = utils::numeric(FLERR, arg[at + 1], false, lmp);
+      if (friction < 0.0) error->all(FLERR, "Fix plm/wall: friction {} is below 0", arg[at + 1]);
+      if (!atom->omega_flag || !atom->torque_flag)
+        error->all(FLERR, "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere", atom->atom_style);
+      slot_size = RUBBING;
+      at += 2;
+      continue;
     } else
       error->all(FLERR, "Fix plm/wall: unknown or incomplete keyword {}; {}", arg[at], usage);
     if (contacts.count(type)) error->all(FLERR, "Fix plm/wall: two scenarios for the same spheres; the second is {}", file);
@@ -97,7 +107,7 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
                     contact ? plm_contact_deepest(contact) : 0.0});
   }
 
-  values = FIRST_SLOT + SLOT * walls;
+  values = FIRST_SLOT + slot_size * walls;
   scalar_flag = vector_flag = 1;
   size_vector = 2;
   extscalar = extvector = 1;
@@ -211,7 +221,7 @@ void FixPLMWall::post_force(int /*vflag*/)
     } else if (region->match(x[i][0], x[i][1], x[i][2])) {
       const int n = region->surface(x[i][0], x[i][1], x[i][2], radius[i]);
       for (int k = 0; k < walls; k++) {
-        double *slot = slots + SLOT * k;
+        double *slot = slots + slot_size * k;
         const bool is_open = slot[WALL] != 0.0;
         const auto is_this = [&](const Region::Contact &c) { return c.iwall + 1.0 == slot[WALL]; };
         if (is_open && std::none_of(region->contact, region->contact + n, is_this)) leave(i, slot);
@@ -220,9 +230,9 @@ void FixPLMWall::post_force(int /*vflag*/)
         const Region::Contact &at = region->contact[c];
         double *slot = nullptr;
         for (int k = walls - 1; k >= 0; k--)
-          if (slots[SLOT * k + WALL] == 0.0 && !slot) slot = slots + SLOT * k;
+          if (slots[slot_size * k + WALL] == 0.0 && !slot) slot = slots + slot_size * k;
         for (int k = 0; k < walls; k++)
-          if (slots[SLOT * k + WALL] == at.iwall + 1.0) slot = slots + SLOT * k;
+          if (slots[slot_size * k + WALL] == at.iwall + 1.0) slot = slots + slot_size * k;
         if (!slot) error->one(FLERR, "Fix plm/wall: a sphere touches more than {} walls of the region", walls);
         const bool is_new = slot[WALL] == 0.0;
         slot[WALL] = at.iwall + 1.0;
@@ -260,7 +270,7 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
                      atom->tag[i], overlap, way);
     }
   }
-  const double peak = slot[MEMORY];
+  const double peak = slot[MEMORY], before = slot[NOW];
   const double of_contact = plm_contact_force(contact, indentation, slot + MEMORY);
   const double force = of_contact / (scale * scale) / force_unit;
   if (!std::isfinite(force)) error->one(FLERR, "Fix plm/wall: the force on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
@@ -268,6 +278,10 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   f[0] += force * nx;
   f[1] += force * ny;
   f[2] += force * nz;
+  if (friction >= 0.0) {
+    const double normal[] = {nx, ny, nz};
+    rub(i, contact, normal, before, indentation, of_contact, slot);
+  }
 
   if (indentation > law.deepest && !is_deep) {
     is_deep = true;
@@ -283,6 +297,39 @@ void FixPLMWall::touch(int i, double nx, double ny, double nz, double distance, 
   state[i][PLASTIC] += slot[TAKEN] / of_energy(scale);
 }
 
+/* Adds friction and its torque: one tangential spring, whose force is its memory. The lever arm is the radius. */
+void FixPLMWall::rub(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot)
+{
+  const double scale = scale_of(i), radius = atom->radius[i], *v = atom->v[i], *w = atom->omega[i];
+  double *history = slot + FRICTION;
+  // velocity of the contact point, v - w x R n, along the wall
+  double slip[] = {v[0] - radius * (w[1] * n[2] - w[2] * n[1]), v[1] - radius * (w[2] * n[0] - w[0] * n[2]),
+                   v[2] - radius * (w[0] * n[1] - w[1] * n[0])};
+  const auto along = [&](double *a) {
+    const double off = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+    for (int k = 0; k < 3; k++) a[k] -= off * n[k];
+  };
+  const auto size = [](const double *a) { return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
+  along(slip);
+  for (double &part : slip) part *= update->dt * length_unit * scale;
+  // on a curved region the normal turns: the friction turns with it
+  const double old = size(history);
+  along(history);
+  const double left = size(history);
+  if (left > 0.0)
+    for (int k = 0; k < 3; k++) history[k] *= old / left;
+
+  plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history);
+  double *f = atom->f[i], *torque = atom->torque[i], t[3];
+  for (int k = 0; k < 3; k++) {
+    t[k] = history[k] / (scale * scale) / force_unit;
+    f[k] += t[k];
+  }
+  torque[0] -= radius * (n[1] * t[2] - n[2] * t[1]);
+  torque[1] -= radius * (n[2] * t[0] - n[0] * t[2]);
+  torque[2] -= radius * (n[0] * t[1] - n[1] * t[0]);
+}
+
 /* Radius of the sphere of the scenario over the radius of sphere i. */
 double FixPLMWall::scale_of(int i) const { return laws[atom->type[i]].radius / atom->radius[i]; }
 
@@ -295,7 +342,7 @@ void FixPLMWall::leave(int i, double *slot)
   const double taken = slot[TAKEN] / of_energy(scale_of(i));
   state[i][ENDED] += taken;
   state[i][PLASTIC] += taken;
-  std::fill_n(slot, (int) SLOT, 0.0);
+  std::fill_n(slot, slot_size, 0.0);
 }
 
 /* Energy stored in the contacts, and plastic work of the dents. */
@@ -308,7 +355,7 @@ double FixPLMWall::compute_vector(int k)
     if (!(atom->mask[i] & groupbit)) continue;
     if (k == 1) energy += state[i][PLASTIC];
     for (int w = 0; w < walls && k == 0; w++) {
-      const double *slot = state[i] + FIRST_SLOT + SLOT * w;
+      const double *slot = state[i] + FIRST_SLOT + slot_size * w;
       if (slot[WALL] == 0.0) continue;
       const plm_contact *contact = laws[atom->type[i]].contact;
       double memory[] = {slot[MEMORY], slot[MEMORY + 1], slot[MEMORY + 2]};

@@ -38,6 +38,7 @@ class FixPLMWall : public Fix {
 
  private:
   void touch(int i, double nx, double ny, double nz, double distance, double *slot, bool is_new);
+  void rub(int i, const plm_contact *contact, const double *n, double before, double indentation, double force, double *slot);
   void leave(int i, double *slot);
   void advise();
   double scale_of(int i) const;
@@ -47,6 +48,8 @@ class FixPLMWall : public Fix {
   char *region_name;                          // id of the region whose surface is the wall; null for a plane
   class Region *region;
   int walls;                                  // largest number of contacts of one sphere at the same time
+  double friction;                            // coefficient of friction; below 0: none
+  int slot_size;                              // doubles of a slot
   int values;                                 // doubles per sphere: the columns below, and a slot for each contact
   std::map<int, plm_contact *> contacts;      // by atom type; type 0 stands for all other types
   struct Law {

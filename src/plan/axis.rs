@@ -190,5 +190,5 @@ impl Axis {
 
 /// Whether bodies and law stay the same when this key changes.
 pub fn keeps_contact(path: &str) -> bool {
-    path == "impact.speed" || path == "impact.drop_height" || path.starts_with("solver.")
+    path.starts_with("impact.") || path.starts_with("friction.") || path.starts_with("solver.") || path == "sphere.spin"
 }

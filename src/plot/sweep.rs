@@ -3,15 +3,16 @@
 use super::axis::extremes;
 use super::of_key;
 use super::style::Style;
+use crate::impact::{Essentials, Rebound};
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
-use crate::plot::{self, Chart, Guide, Look, PlotError, Series, heatmap, histogram};
+use crate::plot::{self, Chart, Guide, Look, Panel, PlotError, Series, heatmap, histogram};
 use crate::reference::quasi_static;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Count, Tally};
-use crate::sweep::evaluator::{Evaluator, Rows};
-use crate::units::capital;
+use crate::sweep::evaluator::{Evaluator, Failure, Rows};
+use crate::units::{Dimension, capital};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -29,7 +30,7 @@ const LONG: u64 = 8;
 const BARS: usize = 60;
 
 /// Names of the pictures of a table, without their endings.
-pub const PICTURES: [&str; 3] = ["restitution", "restitution_map", "restitution_histogram"];
+pub const PICTURES: [&str; 4] = ["restitution", "restitution_map", "restitution_histogram", "rebound"];
 
 /// The pictures of a plan with their names.
 pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Chart)>, PlotError> {
@@ -38,7 +39,9 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Chart)>
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
-    if is_drawable(&axes[0]) {
+    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) {
+        pictures.push((PICTURES[3], rebounds(plan, axes)));
+    } else if is_drawable(&axes[0]) {
         pictures.push((PICTURES[0], curves(plan, axes)));
     }
     if axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG) {
@@ -56,16 +59,43 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
 
 /// e of the case at these places of the first axes, and at the first place of all other axes; NaN if the case has no e.
 fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
+    match row(evaluator, axes, places).as_ref().map(Count::of) {
+        Some(Count::Restitution(e)) => e,
+        _ => f64::NAN,
+    }
+}
+
+/// The row of that case.
+fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Essentials, Failure>> {
     let case = axes
         .iter()
         .zip(places.iter().copied().chain(std::iter::repeat(0)))
         .fold(0, |case, (axis, place)| case * axis.len() + place);
     let mut rows = Rows::default();
     evaluator.rows(case..case + 1, &mut rows);
-    match rows.results.first().map(Count::of) {
-        Some(Count::Restitution(e)) => e,
-        _ => f64::NAN,
+    rows.results.pop()
+}
+
+/// Rebound angle and spin against the angle of impact, curves by the second axis.
+fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
+    let evaluator = Evaluator::new(plan);
+    let at = some_places(&axes[0], MOST_POINTS);
+    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let (mut angles, mut spins) = (Vec::new(), Vec::new());
+    for (number, curve) in of.iter().enumerate() {
+        let rows =
+            at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
+        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
+        let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
+        let name = axes.get(1).map_or_else(String::new, |second| format!("{} {}", words(second), second.label(*curve)));
+        angles.push(Series::line(name, points(|after| after.angle.to_degrees())).styled(number));
+        spins.push(Series::line("", points(|after| after.spin)).styled(number));
     }
+    let panels = [
+        Panel::new(plot::Axis::linear("Rebound angle", "deg"), angles),
+        Panel::new(plot::Axis::linear("Spin afterwards", "rad/s"), spins),
+    ];
+    Chart::stacked("Oblique rebound", plot_axis(&axes[0]), panels.into()).with_notes(notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
@@ -77,6 +107,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
     let title = capital(&words(axis));
     let unit = match &axis.setting {
         Setting::Number { key, .. } if key.quantity.is_hardness => "HV",
+        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => "deg",
         Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
         Setting::Words { .. } => "",
     };
@@ -87,6 +118,7 @@ fn plot_axis(axis: &Axis) -> plot::Axis {
 fn shown(axis: &Axis, place: u64) -> f64 {
     match &axis.setting {
         Setting::Number { key, values } if key.quantity.is_hardness => vickers(values.at(place)),
+        Setting::Number { key, values } if key.quantity.dimension == Dimension::Angle => values.at(place).to_degrees(),
         _ => axis.number(place),
     }
 }

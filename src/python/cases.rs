@@ -252,7 +252,7 @@ pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<
         let mut restitutions = vec![0.0; speeds.len()];
         let fill = |restitutions: &mut [f64], speeds: &[f64]| {
             for (restitution, speed) in restitutions.iter_mut().zip(speeds) {
-                *restitution = contact.contact.restitution(*speed).unwrap_or(f64::NAN);
+                *restitution = contact.contact.restitution(contact.scene.approach_at(*speed)).unwrap_or(f64::NAN);
             }
         };
         if speeds.len() <= FEW {
@@ -265,7 +265,8 @@ pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<
             })?;
         }
         let failed = restitutions.iter().zip(speeds).filter(|(restitution, _)| restitution.is_nan());
-        let status = |speed: &f64| contact.contact.restitution(*speed).err().map_or(0, |error| code(error.into()));
+        let of = |speed: &f64| contact.contact.restitution(contact.scene.approach_at(*speed));
+        let status = |speed: &f64| of(speed).err().map_or(0, |error| code(error.into()));
         say_failures(py, speeds.len(), failed.map(|(_, speed)| status(speed)))?;
         restitutions
     } else {

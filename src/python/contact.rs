@@ -94,8 +94,9 @@ impl Contact {
 
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
-        self.contact.holds(speed).map_err(refuse)?;
-        self.contact.impact(speed, &self.scene.solver, samples).map_err(refuse)
+        let approach = self.scene.approach_at(speed);
+        self.contact.holds(approach).map_err(refuse)?;
+        self.contact.impact(approach, &self.scene.solver, samples).map_err(refuse)
     }
 }
 

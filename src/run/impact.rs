@@ -16,7 +16,7 @@ use crate::scene::Scene;
 /// to be one.
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
     let (scene, contact) = prepare(scenario)?;
-    let impact = contact.impact(scene.speed, &scene.solver, samples);
+    let impact = contact.impact(scene.approach_at(scene.speed), &scene.solver, samples);
     let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
     impact.warnings.extend(&scene.warnings);
     Ok((scene, contact, impact))
@@ -44,7 +44,7 @@ pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let scene = scenario.resolve()?;
     let contact = scene.contact().map_err(|error| no_result(scenario, &error))?;
     // where the closed form leaves double precision, an integration does too
-    contact.holds(scene.speed).map_err(|reason| no_result(scenario, &reason))?;
+    contact.holds(scene.approach_at(scene.speed)).map_err(|reason| no_result(scenario, &reason))?;
     Ok((scene, contact))
 }
 

@@ -7,7 +7,8 @@ use crate::plan::free::Free;
 use crate::repeat::Place;
 use crate::scene::field::{Field, Given};
 use crate::scene::input::{
-    DampingInput, GravityInput, HalfSpaceInput, ImpactInput, Input, OutputInput, SolverInput, SphereInput,
+    DampingInput, FrictionInput, GravityInput, HalfSpaceInput, ImpactInput, Input, OutputInput, SolverInput,
+    SphereInput,
 };
 use crate::scene::key::Form::{self, Axes, Count, Items, List, Number, Table, Text, Variables, Word, WordOrTable};
 use crate::scene::key::{self, AnyKey};
@@ -30,6 +31,8 @@ tables! {
         half_space: HalfSpaceInput as Table(HalfSpaceInput::keys),
         /// The impact.
         impact: ImpactInput as Table(ImpactInput::keys),
+        /// Friction.
+        friction: FrictionInput as Table(FrictionInput::keys),
         /// Gravity.
         gravity: GravityInput as Table(GravityInput::keys),
         /// Damping.
@@ -225,8 +228,18 @@ tables! {
 impl File {
     /// The tables of one impact.
     pub(super) fn input(&self) -> Input {
-        let Self { sphere, half_space, impact, gravity, damping, law, solver, output, .. } = self.clone();
-        Input { sphere, half_space, impact, gravity, damping, law: law.choice, solver, samples: output.samples }
+        let Self { sphere, half_space, impact, friction, gravity, damping, law, solver, output, .. } = self.clone();
+        Input {
+            sphere,
+            half_space,
+            impact,
+            friction,
+            gravity,
+            damping,
+            law: law.choice,
+            solver,
+            samples: output.samples,
+        }
     }
 }
 

@@ -24,6 +24,8 @@ pub enum Kind {
 
 /// Why forces have no effect.
 const NO_MOTION: &str = "there is no motion that it could act on";
+/// Why friction has no effect.
+const NOTHING_SLIDES: &str = "nothing slides there";
 
 impl Kind {
     /// All kinds with their names; every one but the first has a table of that name.
@@ -42,6 +44,7 @@ impl Kind {
         match self {
             Self::Indentation => &[
                 ("impact", "an indentation is slow"),
+                ("friction", NOTHING_SLIDES),
                 ("gravity", NO_MOTION),
                 ("damping", NO_MOTION),
                 ("solver", "an indentation is computed in closed form"),
@@ -49,6 +52,7 @@ impl Kind {
             Self::Compare => &[
                 ("solver", "unloading is computed in closed form"),
                 ("output", "a comparison has no trace"),
+                ("friction", NOTHING_SLIDES),
                 ("gravity", NO_MOTION),
                 ("damping", NO_MOTION),
             ],

@@ -48,6 +48,9 @@ impl Key {
             }
             "sphere.yield_strength" => "it only warns of single impacts and of indentations; leave the key out",
             "sphere.poissons_ratio" => "the sphere is rigid",
+            "friction.coefficient" | "sphere.moment_of_inertia" => {
+                "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out"
+            }
             "half_space.thickness" => "a large plate gives way only to what moves; leave the key out",
             "half_space.edge_distance" => "it only warns of single impacts; leave the key out",
             "sphere.density" | "sphere.mass" => "nothing moves here; leave the key out",
@@ -70,7 +73,8 @@ impl Scene {
         if let Some(plate) = forces.plate.as_mut().filter(|_| of == Use::Rows) {
             plate.edge_distance = None;
         }
-        let motion = is_moving.then_some((self.sphere.density, self.mass, self.speed, forces));
+        let sliding = self.incidence.map(|incidence| (incidence, self.moment_of_inertia));
+        let motion = is_moving.then_some((self.sphere.density, self.mass, self.speed, forces, sliding));
         let waves = self.half_space.density.filter(|_| is_moving && (forces.is_none() || forces.plate.is_some()));
         let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
         let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));

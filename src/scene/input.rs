@@ -4,9 +4,9 @@ use super::field::{Field, Given, Held, show_word};
 use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
 use super::laws;
 use super::quantity::{
-    ACCELERATION, DENSITY, DROP_HEIGHT, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY,
-    LENGTH, MASS, MODULUS, POISSONS_RATIO, SAMPLES, SATURATION, SPEED, SPHERE_MODULUS, STEPS, STRAIN, STRENGTH,
-    TOLERANCE, VISCOUS,
+    ACCELERATION, ANGLE, DENSITY, DROP_HEIGHT, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS,
+    HUNT_CROSSLEY, LENGTH, MASS, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, SAMPLES, SATURATION, SPEED,
+    SPHERE_MODULUS, SPIN, STEPS, STRAIN, STRENGTH, TOLERANCE, VISCOUS,
 };
 use super::read::{Fault, Reader, list, pair};
 use super::table::{Table as _, tables};
@@ -26,6 +26,7 @@ pub struct Input {
     pub sphere: SphereInput,
     pub half_space: HalfSpaceInput,
     pub impact: ImpactInput,
+    pub friction: FrictionInput,
     pub gravity: GravityInput,
     pub damping: DampingInput,
     /// The law with its parameters; [`Input::resolve`] gives it the flow curve of the half-space.
@@ -50,6 +51,11 @@ tables! {
         density: Option<f64> as Number(&DENSITY),
         /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
         mass: Option<f64> as Number(&MASS),
+        /// Moment of inertia of all that moves with the sphere, about the sphere's centre. Needed with mass where the sphere
+        /// comes in at an angle or spins.
+        moment_of_inertia: Option<f64> as Number(&MOMENT_OF_INERTIA) => "of a solid sphere",
+        /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
+        spin: Option<f64> as Number(&SPIN) => "0",
         /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
         yield_strength: Option<f64> as Number(&STRENGTH),
         /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
@@ -123,6 +129,15 @@ tables! {
         speed: Option<f64> as Number(&SPEED),
         /// Height that the sphere falls from, in place of the speed; with 0 it is released at first touch. Needs gravity.
         drop_height: Option<f64> as Number(&DROP_HEIGHT),
+        /// Angle of the path from the normal of the half-space (in erosion it is often counted from the surface). The speed
+        /// is then the whole speed. Needs friction.
+        angle: Option<f64> as Number(&ANGLE) => "0 deg",
+    }
+
+    /// `[friction]`
+    pub struct FrictionInput {
+        /// Coefficient of Coulomb friction between sphere and half-space; 0 for none.
+        coefficient: Option<f64> as Number(&FRICTION),
     }
 
     /// `[gravity]`

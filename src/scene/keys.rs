@@ -39,6 +39,7 @@ pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
             |input| Some(input.half_space.flow_stress.linear.get_or_insert_default()),
         ),
         numeric("impact", |input: &Input| Some(&input.impact), |input| Some(&mut input.impact)),
+        numeric("friction", |input: &Input| Some(&input.friction), |input| Some(&mut input.friction)),
         numeric("gravity", |input: &Input| Some(&input.gravity), |input| Some(&mut input.gravity)),
         numeric("damping", |input: &Input| Some(&input.damping), |input| Some(&mut input.damping)),
         of_laws.collect(),

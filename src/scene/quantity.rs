@@ -167,9 +167,18 @@ pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), 
 pub const RESTITUTION: Quantity = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
 /// A measured rebound hardness: 1000 times the restitution.
 pub const LEEB: Quantity = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
-/// An angle.
-pub const ANGLE: Quantity =
-    number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Closed(FRAC_PI_2), "\"30 deg\"");
+/// An angle of impact, from the normal.
+pub const ANGLE: Quantity = Quantity {
+    hint: "it is taken from the normal, and at 90 deg the sphere only passes by",
+    ..number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Open(FRAC_PI_2), "\"30 deg\"")
+};
+/// A spin, forward or backward.
+pub const SPIN: Quantity =
+    number_in("a spin", Dimension::AngularSpeed, Bound::Closed(-1e12), Bound::Closed(1e12), "\"100 rad/s\"");
+/// A moment of inertia.
+pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
+/// A coefficient of friction.
+pub const FRICTION: Quantity = not_negative("a coefficient of friction", Dimension::Ratio, "0.1");
 /// A measured time.
 pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
 /// The standard deviation of a plain number.
@@ -246,10 +255,12 @@ impl Quantity {
         self.check_written(value, || format!("\"{text}\" = {}", units::si(value, self.dimension)))
     }
 
-    /// A value as text: a hardness in HV, any other in a suitable unit.
+    /// A value as text: a hardness in HV, an angle in degrees, any other in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         if self.is_hardness {
             format!("{} HV", four_digits(hardness::vickers(value)))
+        } else if self.dimension == Dimension::Angle {
+            format!("{} deg", four_digits(value.to_degrees()))
         } else {
             units::human(value, self.dimension)
         }

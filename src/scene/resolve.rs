@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 
 use super::field::Given;
 use super::input::{
-    DampingInput, FlowInput, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput, SolverInput,
-    SphereInput, VoceInput,
+    DampingInput, FlowInput, FrictionInput, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput,
+    SolverInput, SphereInput, VoceInput,
 };
 use super::keys::Key;
 use super::taken::Taken;
 use super::{DEFAULT_SAMPLES, Scene};
-use crate::impact::{Damping, Forces, Plate, Solver, drop_speed};
+use crate::impact::{Approach, Damping, Forces, Incidence, Plate, Solver, drop_speed};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::strength::flow::FlowCurve;
@@ -67,8 +67,11 @@ impl Input {
                 density: half_space.density,
             },
             mass,
+            moment_of_inertia: sphere.moment_of_inertia,
             hardness,
             speed: self.speed(),
+            incidence: self.incidence(),
+            friction: self.friction.coefficient,
             law,
             drop_height: self.impact.drop_height,
             forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous), plate },
@@ -86,6 +89,23 @@ impl Input {
             (Some(height), Some(gravity)) => drop_speed(gravity, height),
             _ => self.impact.speed.unwrap_or(f64::NAN),
         }
+    }
+
+    /// How the sphere comes in, if an angle or a spin is given.
+    #[inline]
+    fn incidence(&self) -> Option<Incidence> {
+        let (angle, spin) = (self.impact.angle, self.sphere.spin);
+        (angle.is_some() || spin.is_some()).then(|| Incidence {
+            angle: angle.unwrap_or(0.0),
+            spin: spin.unwrap_or(0.0),
+            friction: self.friction.coefficient.unwrap_or(0.0),
+        })
+    }
+
+    /// Speed, angle and spin at first touch.
+    #[inline]
+    pub fn approach(&self) -> Approach {
+        Approach { speed: self.speed(), incidence: self.incidence() }
     }
 
     /// Method and tolerance.
@@ -135,6 +155,8 @@ impl Input {
                 poissons_ratio: Some(of_sphere.poissons_ratio),
                 density: Some(sphere.density).filter(|_| scene.mass.is_none()),
                 mass: scene.mass,
+                moment_of_inertia: scene.moment_of_inertia,
+                spin: scene.incidence.map(|incidence| incidence.spin),
                 yield_strength: sphere.yield_strength,
                 ..SphereInput::default()
             },
@@ -150,7 +172,12 @@ impl Input {
                 flow_stress: scene.law.flow().map(FlowInput::of).unwrap_or_default(),
                 material: None,
             },
-            impact: ImpactInput { speed: Some(scene.speed), drop_height: scene.drop_height },
+            impact: ImpactInput {
+                speed: Some(scene.speed),
+                drop_height: scene.drop_height,
+                angle: scene.incidence.map(|incidence| incidence.angle),
+            },
+            friction: FrictionInput { coefficient: scene.friction },
             gravity: GravityInput { acceleration: forces.gravity },
             damping: DampingInput { hunt_crossley, viscous },
             law: scene.law.clone(),

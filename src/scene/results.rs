@@ -44,8 +44,11 @@ mod tests {
 
     #[test]
     fn a_name_ends_in_the_unit_of_its_number_and_no_other_name_does() {
-        use Dimension::{Acceleration, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time};
-        let units = [Acceleration, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time];
+        use Dimension::{
+            Acceleration, AngularSpeed, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time,
+        };
+        let units =
+            [Acceleration, AngularSpeed, Density, Energy, Force, Length, Mass, Pressure, Speed, Stiffness, Time];
         let all = [
             names(&impact::results()),
             names(&impact::trace()),

@@ -4,7 +4,7 @@
 
 use std::mem::discriminant;
 
-use crate::impact::{Contact, Impact, Method, Solver, Warning};
+use crate::impact::{Approach, Contact, Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, put};
@@ -41,9 +41,9 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
         let Some((impact, radius)) = shared.map_or_else(
             || {
                 let scene = input.resolve();
-                impact(&scene.contact().ok()?, scene.speed)
+                impact(&scene.contact().ok()?, scene.approach_at(scene.speed))
             },
-            |contact| impact(contact, input.speed()),
+            |contact| impact(contact, input.approach()),
         ) else {
             continue;
         };
@@ -136,9 +136,9 @@ fn tails(variable: &Variable) -> Axis {
 }
 
 /// The impact of one corner, and the radius of its sphere; `None` if it has no result, which the status in the table says.
-fn impact(contact: &Contact, speed: f64) -> Option<(Impact, f64)> {
+fn impact(contact: &Contact, approach: Approach) -> Option<(Impact, f64)> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
-    Some((contact.impact(speed, &solver, None).ok()?, contact.sphere().radius))
+    Some((contact.impact(approach, &solver, None).ok()?, contact.sphere().radius))
 }
 
 /// Whether the new warning is worse than the known one; NaN counts as the worst.
@@ -160,6 +160,8 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::UntestedExponent { exponent } => (exponent - 0.2).abs(),
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,
+        Warning::Ploughing { ratio, .. } => ratio,
+        Warning::Mismatch { mismatch } => mismatch.abs(),
         Warning::StrongWaves { loss, recovered } => loss / recovered,
         Warning::ThickPlate { thinness } | Warning::BetweenTheories { thinness, .. } => -thinness,
         Warning::NearEdge { distance, reach } => reach / distance,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::impact::{Contact, Essentials, ImpactError, Solver};
+use crate::impact::{Approach, Contact, Essentials, ImpactError, Solver};
 use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
@@ -174,6 +174,8 @@ impl<'a> Evaluator<'a> {
         let known = &self.contacts[self.index(places)].0;
         input.impact.clone_from(&known.impact);
         input.gravity.clone_from(&known.gravity);
+        input.friction.clone_from(&known.friction);
+        input.sphere.spin = known.sphere.spin;
         for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
             axis.put(*place, input);
         }
@@ -208,7 +210,7 @@ impl<'a> Evaluator<'a> {
                 let (_, strength, contact) = &self.contacts[self.index(&places)];
                 (*strength, contact)
             };
-            rows.results.push(evaluate(contact, input.speed(), &input.solver()));
+            rows.results.push(evaluate(contact, input.approach(), &input.solver()));
             rows.swept.extend(places.iter().map(|place| *place as f64));
             rows.swept.extend(strength.filter(|_| self.derives_strength));
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -249,8 +251,8 @@ impl<'a> Evaluator<'a> {
             }
             rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
             let result = match self.contacts.first() {
-                Some((.., contact)) => evaluate(contact, input.speed(), &input.solver()),
-                None => evaluate(&contact(&scene), scene.speed, &scene.solver),
+                Some((.., contact)) => evaluate(contact, input.approach(), &input.solver()),
+                None => evaluate(&contact(&scene), scene.approach_at(scene.speed), &scene.solver),
             };
             rows.results.push(result);
         }
@@ -279,7 +281,7 @@ impl<'a> Evaluator<'a> {
                 (*strength, &*contact)
             };
             rows.swept.extend(strength.filter(|_| self.derives_strength));
-            rows.results.push(evaluate(contact, input.speed(), &input.solver()));
+            rows.results.push(evaluate(contact, input.approach(), &input.solver()));
         }
     }
 }
@@ -298,6 +300,6 @@ fn contact(scene: &Scene) -> Result<Contact, Failure> {
     scene.contact().map_err(Failure::from)
 }
 
-fn evaluate(contact: &Result<Contact, Failure>, speed: f64, solver: &Solver) -> Result<Essentials, Failure> {
-    Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(speed, solver)?)
+fn evaluate(contact: &Result<Contact, Failure>, approach: Approach, solver: &Solver) -> Result<Essentials, Failure> {
+    Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(approach, solver)?)
 }

@@ -27,6 +27,10 @@ pub enum Dimension {
     Stiffness,
     /// Radians; an angle always carries its unit.
     Angle,
+    /// Radians per second.
+    AngularSpeed,
+    /// Kilograms times square metres.
+    MomentOfInertia,
     /// A plain number.
     Ratio,
 }
@@ -47,6 +51,8 @@ impl Dimension {
             Self::Energy => ["an energy", "J", "_J", "\"1 mJ\""],
             Self::Stiffness => ["a stiffness", "N/m", "_N_per_m", "\"1 kN/m\""],
             Self::Angle => ["an angle", "rad", "_rad", "\"30 deg\""],
+            Self::AngularSpeed => ["an angular speed", "rad/s", "_rad_per_s", "\"100 rad/s\""],
+            Self::MomentOfInertia => ["a moment of inertia", "kg m^2", "_kg_m2", "\"1e-6 kg m^2\""],
             Self::Ratio => ["a plain number", "", "", "0.3"],
         }
     }

@@ -32,7 +32,8 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
 }
 
 use Dimension::{
-    Acceleration, Angle, Density, Energy, Force, InverseSpeed, Length, Mass, Pressure, Ratio, Speed, Stiffness, Time,
+    Acceleration, Angle, AngularSpeed, Density, Energy, Force, InverseSpeed, Length, Mass, MomentOfInertia, Pressure,
+    Ratio, Speed, Stiffness, Time,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -104,6 +105,13 @@ pub(super) const UNITS: &[Unit] = &[
     read("deg", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
     read("°", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
     shown("rad", Angle, 0),
+    read("deg/s", AngularSpeed, Scale::Times(std::f64::consts::PI / 180.0)),
+    read("rpm", AngularSpeed, Scale::Times(std::f64::consts::PI / 30.0)),
+    shown("rad/s", AngularSpeed, 0),
+    read("g mm^2", MomentOfInertia, Scale::Ten(-9)),
+    read("g cm^2", MomentOfInertia, Scale::Ten(-7)),
+    read("kg mm^2", MomentOfInertia, Scale::Ten(-6)),
+    shown("kg m^2", MomentOfInertia, 0),
     read("%", Ratio, Scale::Ten(-2)),
 ];
 

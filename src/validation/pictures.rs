@@ -5,6 +5,7 @@ mod experiments;
 mod hardening;
 mod impacts;
 mod measured;
+mod oblique;
 mod plate;
 
 use rayon::prelude::*;
@@ -52,6 +53,7 @@ pub fn pictures(
     pictures.push(hardening::picture(coefficients)?);
     pictures.push(measured::picture(coefficients)?);
     pictures.extend(plate::pictures()?);
+    pictures.push(oblique::picture()?);
     pictures.extend(measured.iter().flat_map(experiments::pictures));
     progress.expect(pictures.len() as u64);
     let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());

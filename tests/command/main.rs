@@ -19,6 +19,7 @@ mod init;
 mod keys;
 mod material_keys;
 mod materials;
+mod oblique;
 mod oracle;
 mod pictures;
 mod plots;

@@ -43,8 +43,9 @@ fn a_clean_checkout_passes_and_shows_it() {
     let read = |name: &str| fs::read_to_string(directory.path().join("v").join(name)).unwrap();
     let checks = rows(&read("validation.csv"));
     // 4 quantities over 5 curves and 2 largest deviations each; 63 unloadings, of which 52 have a resolved dent and 59 a
-    // known spent work; 3 impacts; 43 unloadings of metals that harden; 6 rebounds of Leeb devices; means and rms
-    let expected = 30 + 4 * 63 + 52 + 2 * (59 + 2) + 3 * 8 + 5 * (43 + 1) + 6 + 1;
+    // known spent work; 3 impacts; 43 unloadings of metals that harden; 6 rebounds of Leeb devices; 8 tangential
+    // restitutions, 7 spins, 9 angles and 14 slip speeds of oblique impacts; means and rms
+    let expected = 30 + 4 * 63 + 52 + 2 * (59 + 2) + 3 * 8 + 5 * (43 + 1) + 6 + 1 + 8 + 7 + 9 + 14 + 4;
     assert_eq!(checks.len(), expected, "no group has vanished");
     for row in &checks {
         let (deviation, tolerance) = (number(row, "deviation"), number(row, "tolerance"));

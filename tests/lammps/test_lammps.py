@@ -335,3 +335,40 @@ def test_exported_lines_in_yade(tmp_path: Path) -> None:
     script.write_text(YADE.format(lines=exported("yade")))
     done = subprocess.run([program, "-n", "-x", script], cwd=tmp_path, capture_output=True, text=True, timeout=300)
     assert rebound_of(done.stdout) == pytest.approx(float(closed_form().restitution(3.0)), rel=1e-2), done.stdout + done.stderr
+
+
+GLASS = """[sphere]
+radius = "2.5 mm"
+youngs_modulus = "380 GPa"
+poissons_ratio = 0.23
+density = 4000
+[half_space]
+youngs_modulus = "70 GPa"
+poissons_ratio = 0.25
+"""
+
+
+def oblique(plugin: Path, tmp_path: Path, style: str, name: str, **changes: object) -> "np.ndarray":
+    """Five spheres at 2, 10, 18, 26 and 34 degrees: tangential restitution and spin after the impact."""
+    out = tmp_path / name
+    run = dict(angles=5, speed=0.05, style=style, dt="1e-8", n=15_000, out=out) | changes
+    lammps(plugin, "oblique.in", **run)
+    rows = table(out)
+    angle = np.radians(2 + 8 * (rows[:, 0] - 1))
+    assert (rows[:, 3] > 0).all(), "all have left"
+    return np.column_stack([rows[:, 1] / (run["speed"] * np.sin(angle)), rows[:, 5]])
+
+
+def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
+    scenario = tmp_path / "glass.toml"
+    scenario.write_text(GLASS)
+    ours = oblique(plugin, tmp_path, f"plm/wall plane 0 scenario {scenario} friction 0.092", "ours")
+    # E* and 8 G* of the pair, which LAMMPS would take for a wall of the material of the sphere: G* = 1/((2 - nu)/G + ...)
+    e_star = 1 / ((1 - 0.23**2) / 380e9 + (1 - 0.25**2) / 70e9)
+    g_star = 1 / (2 * (1.23 * 1.77 / 380e9 + 1.25 * 1.75 / 70e9))
+    normal = f"hertz {4 / 3 * e_star!r} 0"
+    tangential = f"tangential mindlin_rescale/force {8 * g_star!r} 0 0.092"
+    theirs = oblique(plugin, tmp_path, f"wall/gran granular {normal} {tangential} damping velocity zplane 0 NULL", "theirs")
+    assert np.abs(ours / theirs - 1).max() < 1e-9, (ours, theirs)
+    # and so is the oracle's spring at 2 degrees and friction 0.092: the angle alone decides (tests/reference/oblique.csv)
+    assert ours[0, 0] == pytest.approx(1 - (1 - 0.5678199098) / 3.5, abs=1e-3)

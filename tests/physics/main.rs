@@ -19,6 +19,7 @@ mod invariants;
 mod landing;
 mod law;
 mod laws;
+mod oblique;
 mod oracle;
 mod plate;
 mod reloading;

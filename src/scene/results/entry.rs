@@ -66,6 +66,8 @@ pub enum Needs {
     Density,
     /// The thickness of a plate.
     Thickness,
+    /// An angle or a spin: without them nothing slides.
+    Incidence,
 }
 
 /// A column of a table.
@@ -86,6 +88,7 @@ impl Column {
             Needs::Strength if scene.half_space.yield_strength.is_none() => {
                 Some("without half_space.yield_strength there is no dent")
             }
+            Needs::Incidence if scene.incidence.is_none() => Some("without impact.angle or sphere.spin nothing slides"),
             Needs::Density if scene.half_space.density.is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
@@ -131,6 +134,7 @@ pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
 pub(super) const WAVES: &str =
     "the half-space has a density; not under gravity or damping, on a plate, nor where the force of the law jumps";
+pub(super) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
 pub(super) const FORCES: &str = "there is gravity, damping or a plate";
 pub(super) const PLATE: &str = "a plate is hit";
 pub(super) const GRAVITY: &str = "there is gravity";

@@ -1,7 +1,9 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
 use super::entry::{Reported, file, results};
-use crate::impact::{Contact, Essentials, Event, Impact, InFixedSteps, OnPlate, TraceRow, UnderForces};
+use crate::impact::{
+    Contact, Essentials, Event, Impact, InFixedSteps, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
+};
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
@@ -26,10 +28,25 @@ impl Single<'_> {
         self.impact.on_plate.as_ref().map(value)
     }
 
+    /// The value, if the sphere came in at an angle, or spinning.
+    fn rebound(&self, value: fn(&Rebound) -> f64) -> Option<f64> {
+        self.impact.rebound.as_ref().map(value)
+    }
+
+    /// The same of one impact alone.
+    fn oblique(&self, value: fn(&Oblique) -> f64) -> Option<f64> {
+        self.impact.oblique.as_ref().map(value)
+    }
+
     /// The value, if the steps are fixed.
     fn verlet<V>(&self, value: fn(&InFixedSteps) -> V) -> Option<V> {
         self.impact.in_fixed_steps.as_ref().map(value)
     }
+}
+
+/// A value of an oblique impact for a table; none where it is no number.
+fn of(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
+    row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
 /// The results of one impact, in the order of `summary.json`.
@@ -59,8 +76,41 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" if WAVES [Density: Essentials::restitution_with_waves]:
             of.impact.restitution_with_waves();
-        /// Speed of the sphere when it separates.
+        /// Speed of the sphere when it separates, normal to the half-space.
         "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
+        /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
+        "rebound_angle_deg" as "rebound angle (deg)" if OBLIQUE [Incidence: |row| of(row, |after| after.angle.to_degrees())]:
+            of.rebound(|after| after.angle.to_degrees());
+        /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
+        "tangential_restitution" as "tangential restitution" if OBLIQUE [Incidence: |row| of(row, |after| after.tangential_restitution)]:
+            of.rebound(|after| after.tangential_restitution);
+        /// Slip speed of the contact point after the impact over that before, negative where it slips on: -s_1/s_0; `null`
+        /// where it did not slip.
+        "contact_point_restitution" as "of the contact point {}" if OBLIQUE
+            [Incidence: |row| of(row, |after| after.contact_point_restitution)]: of.rebound(|after| after.contact_point_restitution);
+        /// Speed of the sphere along the half-space after the impact.
+        "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface" if OBLIQUE
+            [Incidence: |row| of(row, |after| after.tangential_speed)]: of.rebound(|after| after.tangential_speed);
+        /// Spin of the sphere after the impact; positive for rolling forward.
+        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" if OBLIQUE [Incidence: |row| of(row, |after| after.spin)]:
+            of.rebound(|after| after.spin);
+        /// Tangential impulse against the slip over normal impulse; at most the coefficient of friction.
+        "impulse_ratio" as "impulse ratio" if OBLIQUE [Incidence: |row| of(row, |after| after.impulse_ratio)]:
+            of.rebound(|after| after.impulse_ratio);
+        /// Energy taken by friction over the kinetic energy of the whole speed.
+        "friction_loss_fraction" in Percent as "friction takes {} of the energy" if OBLIQUE
+            [Incidence: |row| of(row, |after| after.loss_fraction)]: of.rebound(|after| after.loss_fraction);
+        /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
+        "sliding_regime" as "regime" if OBLIQUE:
+            of.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
+        /// 1 where the contact point slips all the time, else 0.
+        "is_sliding" if TABLES [Incidence: |row| of(row, |after| f64::from(u8::from(after.is_sliding)))]: None::<f64>;
+        /// Slip speed before the impact over friction, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
+        "psi_1" if OBLIQUE [Incidence: |row| of(row, |after| after.psi)]: of.rebound(|after| after.psi);
+        /// The same of the slip speed after the impact.
+        "psi_2" if OBLIQUE [Incidence: |row| of(row, Rebound::psi_after)]: of.rebound(Rebound::psi_after);
+        /// Error of -s_1/s_0: a third of the change from half as many springs; 0 for a closed form.
+        "friction_error" in Error if OBLIQUE: of.oblique(|friction| friction.error);
         /// Time from first touch to separation; `null` for a captured sphere.
         "contact_time_s" in Time as "contact time" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
             of.impact.contact_time;
@@ -115,7 +165,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "verlet.separation_time_s" in Time as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
-        /// Kinetic energy of the sphere at first touch.
+        /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below.
         "energy.kinetic_in_J" in Energy as "energy": of.impact.energy.kinetic_in;
         /// Kinetic energy of the sphere at separation.
         "energy.recovered_J" in Energy as "{%} recovered": of.impact.energy.recovered;
@@ -130,6 +180,14 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
             of.forced(|under| under.stored_at_separation).flatten();
         /// Work of gravity since first touch.
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
+        /// Kinetic energy along the half-space and of the spin at first touch.
+        "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: of.oblique(|friction| friction.kinetic_in);
+        /// The same at separation.
+        "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: of.oblique(|friction| friction.recovered);
+        /// Energy taken by friction.
+        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: of.oblique(|friction| friction.loss);
+        /// Change of the angular momentum about the contact point, relative: it stays but for rounding.
+        "energy.angular_momentum_drift" in Error if OBLIQUE: of.oblique(|friction| friction.momentum_drift);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
         "energy.drift" in Error as "drift {}": of.impact.energy.drift;
@@ -177,12 +235,25 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "force_N" in Force: row.force;
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
+        /// Slip speed of the contact point: speed of the centre along the half-space less radius times spin.
+        "slip_speed_m_per_s" in Speed if OBLIQUE: rubbing(row, |friction| friction.slip_speed);
+        /// Friction on the sphere; negative against its path.
+        "friction_force_N" in Force if OBLIQUE: rubbing(row, |friction| friction.friction_force);
+        /// Speed of the centre along the half-space.
+        "tangential_speed_m_per_s" in Speed if OBLIQUE: rubbing(row, |friction| friction.tangential_speed);
+        /// Spin; positive for rolling forward.
+        "spin_rad_per_s" in AngularSpeed if OBLIQUE: rubbing(row, |friction| friction.spin);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
         /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `separation`
         /// or `captured`.
         "event": event_name(row.event);
     }
+}
+
+/// A value of friction, if the sphere came in at an angle, or spinning.
+fn rubbing(row: &TraceRow, value: fn(&Rubbing) -> f64) -> Option<f64> {
+    row.rubbing.as_ref().map(value)
 }
 
 /// The word for an event; empty for an ordinary row.

@@ -1,0 +1,60 @@
+//! Friction as a force of its own, for codes that move the sphere themselves (DEM): one spring for the whole contact.
+//!
+//! This is what a contact of a DEM code can carry, and what LAMMPS has as `mindlin_rescale/force` (Thornton, Cummins and
+//! Cleary 2013, Powder Technology 233, 30-46, Eq. 18). [`super::oblique`] has the better contact, which needs an impact as a whole.
+
+use super::contact::Contact;
+use super::response::Memory;
+
+/// What happened at a contact since the last step. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rub {
+    /// δ at the last step \[m\]; 0 in the first one.
+    pub before: f64,
+    /// δ now \[m\].
+    pub indentation: f64,
+    /// The force that [`Contact::force`] gives there \[N\].
+    pub force: f64,
+    /// How far the contact point slipped along the surface since then \[m\].
+    pub slip: [f64; 3],
+}
+
+impl Contact {
+    /// Radius of the contact \[m\] as far as friction goes, after [`Contact::force`] gave this memory: that of Hertz with the
+    /// law's force and elastic approach on the way in, and in proportion to the stiffness on the way out.
+    fn grip(&self, indentation: f64, memory: &Memory) -> f64 {
+        let Some((scales, law)) = &self.yielding else {
+            return (self.sphere().radius * indentation.max(0.0)).sqrt();
+        };
+        let Some(peak) = memory.peak(scales.length, scales.force) else { return 0.0 };
+        let widest = scales.contact_radius * peak.force / peak.elastic_approach;
+        let recovered = indentation / scales.length - peak.residual();
+        if recovered >= peak.elastic_approach {
+            return widest;
+        }
+        let unloading = law.unloading(peak);
+        widest * unloading.slope_of(recovered.max(0.0)) / unloading.slope_of(peak.elastic_approach)
+    }
+
+    /// Friction on the sphere \[N\], which is also the history of the contact; zero for a fresh one.
+    ///
+    /// ```text
+    /// T_new = T min(1, a/a_old) − 8 G* a Δs,   |T_new| ≤ μ F
+    /// ```
+    ///
+    /// Its torque about the centre is that of T at the contact point, and a step should be short against the contact time.
+    pub fn friction(&self, coefficient: f64, rub: &Rub, memory: &Memory, history: &mut [f64; 3]) {
+        let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.grip(indentation, memory));
+        let kept = if radius < old { radius / old } else { 1.0 };
+        let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
+        let mut sum = 0.0;
+        for (force, slip) in history.iter_mut().zip(rub.slip) {
+            *force = *force * kept - stiffness * slip;
+            sum += *force * *force;
+        }
+        let (size, most) = (sum.sqrt(), coefficient * rub.force.max(0.0));
+        if size > most {
+            history.iter_mut().for_each(|force| *force *= most / size);
+        }
+    }
+}

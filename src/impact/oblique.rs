@@ -1,0 +1,356 @@
+//! Oblique impact with Coulomb friction, in the plane of incidence.
+//!
+//! The normal motion is as without friction (exact for equal bodies, and for a rigid one on an incompressible one). With the
+//! tangential speed v_t, the spin ω > 0 of rolling forward, the slip speed s of the contact point and the friction T:
+//!
+//! ```text
+//! s = v_t − R ω,   m v_t' = T,   I ω' = −R T,   s' = (j/m) T,   j = 1 + m R²/I     (7/2 for a solid sphere)
+//! J = m (s_1 − s_0)/j,   v_t1 = v_t + J/m,   ω_1 = ω − R J/I
+//! ```
+//!
+//! So s_1/s_0 is all there is to find. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
+//!
+//! ```text
+//! ψ_1 = 4γ s_0/(μ v_n),   ψ_2 = 4γ s_1/(μ v_n),   χ = 2γ j
+//! ```
+//!
+//! Gross sliding has a closed form; everything else is [`mindlin`]'s contact.
+
+pub mod curve;
+pub mod mindlin;
+
+use super::case::Case;
+use super::contact::Contact;
+use super::outcome::Outcome;
+use crate::integrate::IntegrationError;
+use crate::law::ElasticApproach;
+use crate::material::{Material, OutOfFloatRange};
+use crate::math::functions::{atan2, sin_cos};
+use mindlin::{Motion, SPRINGS};
+
+/// How a sphere comes in, beside its speed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Incidence {
+    /// θ \[rad\] from the normal, 0 ≤ θ < π/2.
+    pub angle: f64,
+    /// ω \[rad/s\] before the impact; positive for rolling forward.
+    pub spin: f64,
+    /// Coefficient of friction μ \[1\].
+    pub friction: f64,
+}
+
+/// The speed of a sphere, and how it comes in if it does not come straight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Approach {
+    /// The whole speed \[m/s\].
+    pub speed: f64,
+    /// `None` without angle and spin: friction is then not computed.
+    pub incidence: Option<Incidence>,
+}
+
+impl From<f64> for Approach {
+    /// Straight towards the half-space.
+    fn from(speed: f64) -> Self {
+        Self { speed, incidence: None }
+    }
+}
+
+impl Approach {
+    /// v_n and v_t.
+    #[inline]
+    pub fn components(&self) -> [f64; 2] {
+        let Some(Incidence { angle, .. }) = self.incidence else { return [self.speed, 0.0] };
+        let (sin, cos) = sin_cos(angle);
+        [self.speed * cos, self.speed * sin]
+    }
+}
+
+/// What friction makes of an oblique impact: what a table holds of it. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rebound {
+    /// v_t1 \[m/s\].
+    pub tangential_speed: f64,
+    /// ω_1 \[rad/s\].
+    pub spin: f64,
+    /// From the normal \[rad\]; negative where the sphere is thrown back.
+    pub angle: f64,
+    /// v_t1/v_t; no number without v_t.
+    pub tangential_restitution: f64,
+    /// −s_1/s_0; no number without s_0.
+    pub contact_point_restitution: f64,
+    /// Tangential impulse over normal impulse, against the slip speed; at most μ.
+    pub impulse_ratio: f64,
+    /// Energy taken by friction, over ½ m v².
+    pub loss_fraction: f64,
+    /// Whether the contact point slides all the time.
+    pub is_sliding: bool,
+    /// ψ_1; infinite without friction.
+    pub psi: f64,
+}
+
+impl Rebound {
+    /// ψ_2.
+    pub fn psi_after(&self) -> f64 {
+        -self.contact_point_restitution * self.psi
+    }
+}
+
+/// The rest of what friction makes of one impact. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oblique {
+    /// |r(N) − r(N/2)|/3 with r = s_1/s_0 and N springs: the error of the run; 0 for gross sliding.
+    pub error: f64,
+    /// ½ m v_t² + ½ I ω² before the impact \[J\].
+    pub kinetic_in: f64,
+    /// The same after it \[J\].
+    pub recovered: f64,
+    /// Taken by friction \[J\], ½ (m/j)(s_0² − s_1²).
+    pub loss: f64,
+    /// Change of m v_t R + I ω, over the larger of its two parts.
+    pub momentum_drift: f64,
+}
+
+/// Friction on one row of a trace. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rubbing {
+    /// s \[m/s\].
+    pub slip_speed: f64,
+    /// T \[N\] on the sphere; negative against forward motion.
+    pub friction_force: f64,
+    /// v_t \[m/s\].
+    pub tangential_speed: f64,
+    /// ω \[rad/s\].
+    pub spin: f64,
+}
+
+impl Contact {
+    /// γ = G*/E*: tangential over normal stiffness of the pair, but for a factor 4.
+    pub fn shear_ratio(&self) -> f64 {
+        // 1/G* of one body
+        let share =
+            |body: &Material| 2.0 * (1.0 + body.poissons_ratio) * (2.0 - body.poissons_ratio) / body.youngs_modulus;
+        let compliance = share(&self.sphere().material) + share(&self.half_space().material);
+        1.0 / (compliance * self.pair().effective_modulus)
+    }
+
+    /// j = 1 + m R²/I: how much faster the contact point is slowed than the sphere.
+    pub fn slip_factor(&self) -> f64 {
+        let radius = self.sphere().radius;
+        self.moment_of_inertia().map_or(3.5, |moment| 1.0 + self.mass() * radius / moment * radius)
+    }
+
+    /// χ = 2γ j.
+    pub fn chi(&self) -> f64 {
+        2.0 * self.shear_ratio() * self.slip_factor()
+    }
+
+    /// Dundurs' β of the pair: how far pressure and shear act on each other. 0 for equal materials; friction neglects it.
+    pub fn mismatch(&self) -> f64 {
+        let [sphere, half_space] = [self.sphere().material, self.half_space().material];
+        let share = |body: &Material, part: f64| {
+            (1.0 - part * body.poissons_ratio) * (1.0 + body.poissons_ratio) / body.youngs_modulus
+        };
+        let [a, b] = [&sphere, &half_space].map(|body| [share(body, 2.0), share(body, 1.0)]);
+        0.5 * (a[0] - b[0]) / (a[1] + b[1])
+    }
+}
+
+/// An oblique impact whose normal motion is known.
+pub(super) struct Inclined<'a> {
+    contact: &'a Contact,
+    case: &'a Case<'a>,
+    outcome: &'a Outcome,
+    incidence: Incidence,
+    /// v_n, v_t.
+    speeds: [f64; 2],
+    /// s_0.
+    slip: f64,
+    /// ψ_1.
+    psi: f64,
+    chi: f64,
+}
+
+/// s_1/s_0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ratio {
+    value: f64,
+    is_sliding: bool,
+    error: f64,
+}
+
+impl<'a> Inclined<'a> {
+    /// `None` for an impact without angle and spin.
+    pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome, approach: Approach) -> Option<Self> {
+        let incidence = approach.incidence?;
+        let speeds = approach.components();
+        let slip = speeds[1] - contact.sphere().radius * incidence.spin;
+        let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
+        Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() })
+    }
+
+    /// Whether the contact point surely slides all the time.
+    ///
+    /// ```text
+    /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)
+    /// ```
+    ///
+    /// First: at separation it still slides faster than the stops at the rim close in. Second: at the peak it still slides
+    /// faster than the stops rise, where r bounds their rate: 1 for Hertz, and 2 for the PLM, whose stops rise by at most 1.3.
+    /// The stops of other laws may jump: they are run.
+    fn slides(&self) -> bool {
+        let Outcome { unloading, restitution: e, .. } = self.outcome;
+        let rate = match self.case.law.elastic {
+            _ if self.psi.is_infinite() => 0.0,
+            // a plate gives way: its contact does not end at the speed of the rebound
+            _ if !self.case.forces.is_none() => return false,
+            ElasticApproach::All => 1.0,
+            ElasticApproach::Line(_) | ElasticApproach::Hardening(_) => 2.0,
+            _ => return false,
+        };
+        let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
+        self.psi.abs() >= end.max(2.0 * self.chi + rate)
+    }
+
+    /// s_1/s_0 of gross sliding.
+    fn sliding(&self) -> Ratio {
+        let value = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
+        Ratio { value, is_sliding: true, error: 0.0 }
+    }
+
+    fn motion(&self) -> Result<Motion, IntegrationError> {
+        if self.is_elastic() {
+            return Motion::elastic().cloned();
+        }
+        Motion::new(self.case.law, self.case.q, &self.case.forces)
+    }
+
+    /// Whether the normal motion is that of all elastic impacts.
+    fn is_elastic(&self) -> bool {
+        matches!(self.case.law.elastic, ElasticApproach::All) && self.case.forces.is_none()
+    }
+
+    /// s_1/s_0 for a row of a table.
+    pub(super) fn ratio(&self) -> Result<Ratio, IntegrationError> {
+        if self.slides() {
+            return Ok(self.sliding());
+        }
+        let value = if self.slip == 0.0 {
+            0.0
+        } else if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
+            self.contact.curve().ratio(self.psi.abs())?
+        } else {
+            self.motion()?.run(self.psi * self.case.q, self.chi, 1, |_, _| ())
+        };
+        Ok(Ratio { value, is_sliding: false, error: 0.0 })
+    }
+
+    /// s_1/s_0 with its error, and friction on the way.
+    pub(super) fn run(&self) -> Result<(Ratio, Course), IntegrationError> {
+        if self.slides() || self.slip == 0.0 {
+            let ratio =
+                if self.slip == 0.0 { Ratio { value: 0.0, is_sliding: false, error: 0.0 } } else { self.sliding() };
+            return Ok((ratio, Course { motion: None, points: Vec::new() }));
+        }
+        let motion = self.motion()?;
+        let mut points = Vec::with_capacity(2 * SPRINGS + 1);
+        let sigma = self.psi * self.case.q;
+        let value = motion.run(sigma, self.chi, 1, |slip, force| points.push([slip, force]));
+        let error = (value - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
+        Ok((Ratio { value, is_sliding: false, error }, Course { motion: Some(motion), points }))
+    }
+
+    /// The results of a table.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where they leave double precision.
+    pub(super) fn rebound(&self, ratio: Ratio) -> Result<Rebound, OutOfFloatRange> {
+        let (e, [normal, tangential]) = (self.outcome.restitution, self.speeds);
+        let [_, tangential_speed, spin] = self.at(self.slip * ratio.value);
+        let lost = self.slip * self.slip * (1.0 - ratio.value * ratio.value) / self.contact.slip_factor();
+        let whole = normal * normal + tangential * tangential;
+        if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
+            return Err(OutOfFloatRange {
+                quantity: "tangential speed after the impact (m/s)",
+                value: tangential_speed,
+            });
+        }
+        let is_slipping = self.slip != 0.0;
+        Ok(Rebound {
+            tangential_speed,
+            spin,
+            angle: atan2(tangential_speed, e * normal),
+            tangential_restitution: tangential_speed / tangential,
+            contact_point_restitution: if is_slipping { -ratio.value } else { f64::NAN },
+            impulse_ratio: self.slip * (1.0 - ratio.value) / (self.contact.slip_factor() * (1.0 + e) * normal),
+            loss_fraction: lost / whole,
+            is_sliding: ratio.is_sliding,
+            psi: self.psi,
+        })
+    }
+
+    /// The rest of the results of one impact.
+    pub(super) fn oblique(&self, ratio: Ratio) -> Oblique {
+        let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
+        let j = self.contact.slip_factor();
+        let moment = mass * radius / (j - 1.0) * radius;
+        let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
+        let [_, speed, spin] = self.at(self.slip * ratio.value);
+        let (before, spin_before) = (self.speeds[1], self.incidence.spin);
+        let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
+        let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
+        Oblique {
+            error: ratio.error,
+            kinetic_in: energy(before, spin_before),
+            recovered: energy(speed, spin),
+            loss: 0.5 * mass / j * self.slip * self.slip * (1.0 - ratio.value * ratio.value),
+            momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
+        }
+    }
+
+    /// Slip speed, tangential speed and spin where the slip speed is this.
+    fn at(&self, slip: f64) -> [f64; 3] {
+        let j = self.contact.slip_factor();
+        let change = (slip - self.slip) / j;
+        let spin = self.incidence.spin - (j - 1.0) * change / self.contact.sphere().radius;
+        [slip, self.speeds[1] + change, spin]
+    }
+
+    /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
+    pub(super) fn rubbing(&self, course: &Course, time: f64, speed: f64, force: f64) -> Rubbing {
+        let (mu, scales) = (self.incidence.friction, &self.case.scales);
+        let direction = self.slip.signum();
+        let (slip, friction_force) = match &course.motion {
+            // s_0 = 0: nothing moves
+            None if self.slip == 0.0 => (0.0, 0.0),
+            None => {
+                let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
+                (self.slip - direction * slowed, -direction * mu * force)
+            }
+            Some(motion) => {
+                let [sigma, of_force] = course.at(motion, time / scales.time(), 2.5 * self.chi);
+                (sigma / course.points[0][0] * self.slip, mu * scales.force * of_force)
+            }
+        };
+        let [slip_speed, tangential_speed, spin] = self.at(slip);
+        Rubbing { slip_speed, friction_force, tangential_speed, spin }
+    }
+}
+
+/// Friction on the way of one impact: σ and T/μ at the points of the motion; none for gross sliding.
+pub(super) struct Course {
+    motion: Option<Motion>,
+    points: Vec<[f64; 2]>,
+}
+
+impl Course {
+    /// σ and T/μ at a time: T straight between two points, σ a cubic with its rates at both.
+    fn at(&self, motion: &Motion, time: f64, rate: f64) -> [f64; 2] {
+        let k = motion.place(time).min(self.points.len().saturating_sub(2));
+        let [[a, from], [b, to]] = [self.points[k], self.points[k + 1]];
+        let [start, end] = [motion.time(k), motion.time(k + 1)];
+        let (step, z) = (end - start, ((time - start) / (end - start)).clamp(0.0, 1.0));
+        let (turn, rest) = (z * z * (3.0 - 2.0 * z), 1.0 - z);
+        let bend = z * rest * step * rate * (from * rest - to * z);
+        [a + (b - a) * turn + bend, from + (to - from) * z]
+    }
+}
