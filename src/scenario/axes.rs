@@ -283,6 +283,7 @@ fn spread(quantity: &Quantity) -> Quantity {
     Quantity {
         name: "a standard deviation (sd)",
         example: quantity.dimension.example(),
+        is_hardness: quantity.is_hardness,
         ..positive_of(quantity.dimension)
     }
 }
