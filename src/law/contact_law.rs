@@ -122,7 +122,7 @@ pub trait ContactLaw: Debug {
     /// # Errors
     /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
     fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
-        let incomplete = OutsideLaw::Incomplete { name: self.about().name };
-        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies).ok_or(incomplete)).transpose()
+        let incomplete = || OutsideLaw::Incomplete { name: self.about().name };
+        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies).ok_or_else(incomplete)).transpose()
     }
 }

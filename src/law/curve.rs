@@ -121,7 +121,11 @@ impl Curve {
     }
 
     fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
-        let work = if self.pieces.is_empty() { 0.0 } else { self.work(start) };
+        let work = match self.pieces.last() {
+            None => 0.0,
+            Some(last) if self.panels.is_empty() => last.work_at(start),
+            Some(_) => self.work(start),
+        };
         self.falls |= self.pieces.last().is_some_and(|last| falls_to(last, start, force));
         self.pieces.push(Piece { start, force, work, shape });
         self

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use crate::math::functions::{exp, exp_m1, ln, ln_1p, pow};
+use crate::math::functions::{exp, exp_m1, ln, ln_1p};
 use crate::units::{Dimension, describe, number};
 
 /// A point of a measured curve.
@@ -209,7 +209,7 @@ impl Rise {
     /// σ/σ_Y at a plastic strain ≥ 0.
     pub fn at(&self, strain: f64) -> f64 {
         match &self.curve {
-            FlowCurve::Power { exponent } => pow(1.0 + self.modulus_ratio * strain, *exponent),
+            FlowCurve::Power { exponent } => exp(exponent * ln_1p(self.modulus_ratio * strain)),
             FlowCurve::Voce { saturation, rate } => 1.0 - saturation * exp_m1(-rate * strain),
             FlowCurve::Linear { slope } => 1.0 + slope / self.yield_strength * strain,
             FlowCurve::Points(points) => {
