@@ -53,7 +53,10 @@ impl Field for Option<Vec<Axis>> {
         }
         let axes = self.insert(Vec::new());
         for item in keys {
-            reader.within(&item.name, |_| Ok(axes.push(axis(item)?)));
+            reader.within(&item.name, |_| {
+                axes.push(axis(item)?);
+                Ok(())
+            });
         }
         Ok(())
     }
@@ -157,7 +160,10 @@ impl Field for Option<Vec<Free>> {
         }
         let all = self.insert(Vec::new());
         for item in keys {
-            reader.within(&item.name, |_| Ok(all.push(free(item)?)));
+            reader.within(&item.name, |_| {
+                all.push(free(item)?);
+                Ok(())
+            });
         }
         Ok(())
     }

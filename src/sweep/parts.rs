@@ -1,6 +1,6 @@
 //! How a table is divided into parts, and the file that says which table the parts of a folder are of.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
 use std::ops::Range;
@@ -75,8 +75,8 @@ fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
     names.map_err(file("cannot be read", folder))
 }
 
-fn is_part(name: &OsString) -> bool {
-    name.as_encoded_bytes().starts_with(b"part-")
+fn is_part(name: impl AsRef<OsStr>) -> bool {
+    name.as_ref().as_encoded_bytes().starts_with(b"part-")
 }
 
 /// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
