@@ -1,12 +1,12 @@
 //! The texts that a plan is read from: hashed, and kept beside tables so that another machine reads the same plan again.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::provenance::hex;
 
 /// All that a result depends on, as text.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Source {
     /// Of the scenario file.
     pub text: String,
