@@ -319,7 +319,8 @@ void FixPLMWall::rub(int i, const plm_contact *contact, const double *n, double 
   if (left > 0.0)
     for (int k = 0; k < 3; k++) history[k] *= old / left;
 
-  plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history);
+  // the setup of a run has no step before it
+  if (!update->setupflag) plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history);
   double *f = atom->f[i], *torque = atom->torque[i], t[3];
   for (int k = 0; k < 3; k++) {
     t[k] = history[k] / (scale * scale) / force_unit;

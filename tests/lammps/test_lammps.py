@@ -370,5 +370,18 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
     tangential = f"tangential mindlin_rescale/force {8 * g_star!r} 0 0.092"
     theirs = oblique(plugin, tmp_path, f"wall/gran granular {normal} {tangential} damping velocity zplane 0 NULL", "theirs")
     assert np.abs(ours / theirs - 1).max() < 1e-9, (ours, theirs)
+    # in two runs, on two ranks, and across a restart in mid-contact it is the same
+    script = (INPUTS / "oblique.in").read_text()
+    halves = tmp_path / "halves.in"
+    halves.write_text(script.replace("run ${n}", "run 1500\nwrite_restart ${out}.restart\nrun 13500"))
+    run = dict(angles=5, speed=0.05, style=f"plm/wall plane 0 scenario {scenario} friction 0.092", dt="1e-8", n=15_000)
+    for ranks in (1, 2):
+        lammps(plugin, str(halves), ranks=ranks, out=tmp_path / "halves", **run)
+        assert (tmp_path / "halves").read_text() == (tmp_path / "ours").read_text(), f"{ranks} ranks"
+    again = tmp_path / "again.in"
+    last = script[script.index("fix nve") :].replace("run ${n}", "run 13500")
+    again.write_text(f"atom_modify map array\nread_restart {tmp_path}/halves.restart\npair_style none\ncomm_modify cutoff 0.011\n{last}")
+    lammps(plugin, str(again), out=tmp_path / "again", **run)
+    assert (tmp_path / "again").read_text() == (tmp_path / "ours").read_text(), "restart"
     # and so is the oracle's spring at 2 degrees and friction 0.092: the angle alone decides (tests/reference/oblique.csv)
     assert ours[0, 0] == pytest.approx(1 - (1 - 0.5678199098) / 3.5, abs=1e-3)
