@@ -205,7 +205,7 @@ impl Unloading {
     #[cold]
     fn quarter_period_of(&self, curve: &Smooth) -> f64 {
         /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
-        const UNIFORM: f64 = 1.493_167_350_244_138_4;
+        const UNIFORM: f64 = 1.493_167_350_244_138_5;
         let approach = self.peak.elastic_approach;
         if curve.is(&SHIFTED_HERTZ) {
             return shifted_quarter_period(&self.peak);

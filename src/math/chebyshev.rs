@@ -40,13 +40,10 @@ pub(crate) fn polynomial(function: impl Fn(f64) -> f64) -> Polynomial {
     let values = COSINES[1].map(function);
     let mut of_powers = [0.0; TERMS];
     for (k, (cosines, powers)) in COSINES.iter().zip(POWERS.iter()).enumerate() {
-        let mut sum = 0.0;
-        for j in 0..TERMS {
-            sum += cosines[j] * values[j];
-        }
+        let sum: f64 = cosines.iter().zip(&values).map(|(cosine, value)| cosine * value).sum();
         let coefficient = if k == 0 { sum } else { 2.0 * sum } / TERMS as f64;
-        for j in 0..TERMS {
-            of_powers[j] += coefficient * powers[j];
+        for (total, power) in of_powers.iter_mut().zip(powers) {
+            *total += coefficient * power;
         }
     }
     of_powers
