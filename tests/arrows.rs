@@ -1,4 +1,5 @@
-//! Checks which files of `src` use each other: the folders have one order, and no files use each other in a circle.
+//! Checks which files of `src` use each other: the folders stand on the floors that src/README.md
+//! draws, and no files use each other in a circle.
 //!
 //! A use is a path that begins with `crate::`, `super::` or `self::`, or with the name of a file in the same folder, in
 //! a `use` line or in the code. The used file is the one that defines the name: a re-export (`pub use`) in the front
@@ -11,25 +12,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders (and single files) of `src`, the lowest first. Each may use itself and those on lines before it. Names
-/// on one line do not use each other. Every folder has to be listed here.
-const ORDER: &[&[&str]] = &[
-    &["error", "math", "progress", "provenance"],
-    &["units", "output"],
-    &["material", "strength"],
-    &["law", "integrate", "materials"],
-    &["impact", "reference"],
-    &["indentation", "compare", "repeat"],
-    &["scene"],
-    &["plan"],
-    &["scenario", "sweep"],
-    &["calibrate"],
-    &["plot", "fit"],
-    &["report", "validation"],
-    &["run", "bench"],
-    &["capi", "export", "python", "web"],
-    &["cli", "main"],
-];
+/// The floors of the drawing in src/README.md, the lowest first: the folders (and single files) of `src`. Each may use
+/// itself and those on floors below it; those on one floor do not use each other.
+fn floors() -> Vec<Vec<String>> {
+    let page = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/README.md")).unwrap();
+    let drawing = page.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
+    let names = |line: &str| line.split("  ").next().unwrap().split(' ').map(str::to_owned).collect();
+    drawing.lines().rev().map(names).collect()
+}
 
 /// A module path such as `["impact", "course"]`; empty for the root of the crate.
 type Module = Vec<String>;
@@ -173,13 +163,13 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
 
 #[test]
 fn folders_use_only_what_stands_below_them() {
-    let place = |module: &Module| {
-        ORDER.iter().position(|side_by_side| side_by_side.contains(&module.first().map_or("", String::as_str)))
-    };
+    let floors = floors();
+    let place =
+        |module: &Module| module.first().and_then(|folder| floors.iter().position(|floor| floor.contains(folder)));
     let mut wrong = Vec::new();
     for (module, used) in graph() {
         if place(&module).is_none() && !module.is_empty() {
-            wrong.push(format!("{} has no place in the order", module.join("/")));
+            wrong.push(format!("{} stands on no floor of src/README.md", module.join("/")));
         }
         for other in used {
             if module.first() == other.first() {
