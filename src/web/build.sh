@@ -3,7 +3,7 @@
 # Needs Rust and a network the first time: the target, and wasm-bindgen in the version of Cargo.lock.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-out=${1:-target/web}
+out=${1:-target/page}
 profile=${2:-web}
 target=wasm32-unknown-unknown
 rustup target list --installed | grep -qx $target || rustup target add $target
