@@ -54,7 +54,9 @@ impl Contact {
         }
         let (size, most) = (sum.sqrt(), coefficient * rub.force.max(0.0));
         if size > most {
-            history.iter_mut().for_each(|force| *force *= most / size);
+            for force in history {
+                *force *= most / size;
+            }
         }
     }
 }

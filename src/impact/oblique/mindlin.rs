@@ -53,9 +53,12 @@ impl Motion {
         let peak = unloading.peak;
         let widest = peak.force / peak.elastic_approach;
         let stiffest = unloading.slope_of(peak.elastic_approach);
-        let radius = |point: &Point| match point.is_unloading {
-            true => widest * unloading.slope_of(point.elastic_approach.max(0.0)) / stiffest,
-            false => point.force / point.elastic_approach,
+        let radius = |point: &Point| {
+            if point.is_unloading {
+                widest * unloading.slope_of(point.elastic_approach.max(0.0)) / stiffest
+            } else {
+                point.force / point.elastic_approach
+            }
         };
         #[allow(clippy::cast_precision_loss)]
         let step =
@@ -102,11 +105,10 @@ impl Motion {
     }
 
     /// σ_1/σ_0 with every `stride`-th point and spring. `record` gets σ and T at each point.
+    #[allow(clippy::cast_precision_loss)] // counts up to 2 N
     pub fn run(&self, sigma: f64, chi: f64, stride: usize, mut record: impl FnMut(f64, f64)) -> f64 {
         let springs = SPRINGS / stride;
-        #[allow(clippy::cast_precision_loss)]
         let width = self.radius.iter().copied().fold(0.0, f64::max) / springs as f64;
-        #[allow(clippy::cast_precision_loss)]
         let squares: Vec<f64> = (0..springs).map(|i| (i as f64 + 0.5) * width).map(|at| at * at).collect();
         // springs within a radius: those whose place i + ½ is below it
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -169,9 +171,9 @@ fn stretched(stretches: &mut [f64], squares: &[f64], moved: f64, stop: f64, fall
     let (stretches, last) = stretches.as_chunks_mut::<LANES>();
     let (squares, last_squares) = squares.as_chunks::<LANES>();
     for (stretches, squares) in stretches.iter_mut().zip(squares) {
-        for lane in 0..LANES {
-            stretches[lane] = clipped(stretches[lane] + moved, stop - fall * squares[lane]);
-            sums[lane] += stretches[lane];
+        for ((stretch, square), sum) in stretches.iter_mut().zip(squares).zip(&mut sums) {
+            *stretch = clipped(*stretch + moved, stop - fall * square);
+            *sum += *stretch;
         }
     }
     let mut sum: f64 = sums.iter().sum();
