@@ -64,6 +64,7 @@ pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> boo
 /// after every third guess. A guess on an end moves away from it by the resolution: if the zero is there, the search ends.
 pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) -> f64) -> f64 {
     let (mut above, mut below) = (at(low), at(high));
+    let mut low_moved = None;
     for guess in 1..MOST {
         // below it, rounding decides on the sign of the function
         let resolution = 64.0 * f64::EPSILON * high.abs();
@@ -80,11 +81,13 @@ pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(
         if value == 0.0 {
             return x;
         }
-        // the end that stays counts half
+        // an end that stays twice counts half
+        let weight = if low_moved == Some(value > 0.0) { 0.5 } else { 1.0 };
+        low_moved = Some(value > 0.0);
         if value > 0.0 {
-            (low, above, below) = (x, value, 0.5 * below);
+            (low, above, below) = (x, value, weight * below);
         } else {
-            (high, below, above) = (x, value, 0.5 * above);
+            (high, below, above) = (x, value, weight * above);
         }
     }
     high
