@@ -61,10 +61,12 @@ pub fn written(form: &Form) -> String {
         Form::List(Form::Pair(first, second)) => {
             format!("a list of pairs such as `{}`: {} and {}", form.example(), number(first), number(second))
         }
-        Form::List(inner) => format!("a list of {}", written(inner)),
+        Form::List(inner) => format!("a list of {}", written(inner).trim_start_matches("one of ")),
         Form::Pair(first, second) => format!("{} and {}", number(first), number(second)),
         Form::Word(words) if (words.known)().len() > MOST_WORDS => {
-            format!("one of the [{0}](#{0}) below", words.several)
+            // the list of materials ends the page of keys; results have a page of their own
+            let place = if words.several == "results" { "results.md" } else { "#materials" };
+            format!("one of the [{}]({place})", words.several)
         }
         Form::Word(words) => quoted(&(words.known)()),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),

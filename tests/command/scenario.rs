@@ -114,6 +114,9 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let beside = match key.path {
             "sphere.mass" => vec!["sphere.mass=7"],
             "half_space.hardness" => vec!["half_space.hardness=7e9"],
+            // without an angle nothing slides
+            "sphere.moment_of_inertia" | "friction.coefficient" => vec!["impact.angle=30 deg", "friction.coefficient=0.1"],
+            "sphere.spin" | "impact.angle" => vec!["friction.coefficient=0.1"],
             // a plate needs a density, and an edge needs a plate
             "half_space.thickness" | "half_space.edge_distance" => {
                 vec!["half_space.density=7", "half_space.thickness=7"]
@@ -121,7 +124,9 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
             _ => Vec::new(),
         };
         let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
-        let by_file = given(&[&format!("{}={value}", key.path)]);
+        // an angle always carries its unit
+        let unit = if key.path == "impact.angle" { " rad" } else { "" };
+        let by_file = given(&[&format!("{}={value}{unit}", key.path)]);
         // a key of a law needs this law
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
         let any = if is_height { "impact.drop_height=7" } else { "sphere.diameter=1" };

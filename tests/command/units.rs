@@ -109,7 +109,7 @@ fn an_angle_carries_its_unit() {
             "{message}"
         );
     }
-    assert!(ANGLE.parse("91 deg").unwrap_err().contains("an angle must be >= 0 rad and <= 1.5707963267948966 rad"));
+    assert!(ANGLE.parse("91 deg").unwrap_err().contains("an angle must be >= 0 rad and < 1.5707963267948966 rad"));
     assert!(ANGLE.parse("3 m").unwrap_err().contains("is a length, but an angle is needed"));
 }
 
