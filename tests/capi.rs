@@ -51,8 +51,9 @@ fn linked(target: &Path) -> String {
         .unwrap();
     assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
     let text = String::from_utf8(cargo.stdout).unwrap();
-    let words = text.split('"').filter(|word| word.contains("libplm_impact-") && word.ends_with(".rlib"));
-    words.last().unwrap_or_else(|| panic!("no library in\n{text}")).to_owned()
+    let is_rlib = |word: &&str| Path::new(word).extension().is_some_and(|extension| extension == "rlib");
+    let mut words = text.split('"').filter(|word| word.contains("libplm_impact-") && is_rlib(word));
+    words.next_back().unwrap_or_else(|| panic!("no library in\n{text}")).to_owned()
 }
 
 /// Makes a static library of it and returns its path. The tests of the plug-in for LAMMPS take it too.
