@@ -12,6 +12,8 @@
 
 // Raw pointers are used only in this file. Every unsafe block says why it is sound.
 #![allow(unsafe_code)]
+// the comments are those of the header, where brackets hold units and indices
+#![allow(rustdoc::broken_intra_doc_links)]
 
 use std::ffi::{CStr, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};

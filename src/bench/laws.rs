@@ -46,7 +46,7 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
             let contact = contact?;
             rate.ns_per_contact = rate.ns_per_contact.min(ns);
             // a law may refuse some of the speeds
-            let (_, ns) = timed(|| {
+            let ((), ns) = timed(|| {
                 for speed in &speeds {
                     black_box(contact.essentials(black_box(*speed)).ok());
                 }

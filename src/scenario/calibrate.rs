@@ -107,13 +107,13 @@ impl Scenario {
     fn measurements(&self, given: &CalibrateInput) -> Result<Source, Error> {
         let measured = numbers(given.measured.as_ref());
         match (&given.data, measured.is_empty()) {
-            (Some(name), true) => match self.files.get(DATA) {
-                Some((path, text)) => Ok(Source::Text(path.display().to_string(), text.clone())),
-                None => {
-                    let path = self.directory.join(name);
-                    read_text(&path, LARGEST_DATA).map(|text| Source::Text(path.display().to_string(), text))
+            (Some(name), true) => {
+                if let Some((path, text)) = self.files.get(DATA) {
+                    return Ok(Source::Text(path.display().to_string(), text.clone()));
                 }
-            },
+                let path = self.directory.join(name);
+                read_text(&path, LARGEST_DATA).map(|text| Source::Text(path.display().to_string(), text))
+            }
             (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {

@@ -27,7 +27,7 @@ impl Scenario {
     /// Refuses an angle or a spin without friction, and beside what they are not computed with.
     pub(super) fn check_friction(&self) -> Result<(), Error> {
         let Some(key) = OBLIQUE.into_iter().find(|path| self.gives(path)) else { return Ok(()) };
-        let refuse = |message: &str| Err(self.document.refuse(key, message.to_owned()));
+        let refuse = |message: &str| Err(self.document.refuse(key, message));
         if !self.gives(COEFFICIENT) {
             return refuse("needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none");
         }

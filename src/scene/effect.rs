@@ -31,9 +31,8 @@ impl Key {
     /// Another value than that of the input.
     fn other_value(&self, input: &Input) -> Option<f64> {
         let example = parse(self.quantity.example.trim_matches('"'), self.quantity.dimension).ok();
-        let own = match (self.get)(input) {
-            Some(super::Given::Number(own)) => own,
-            _ => return example.or(Some(self.quantity.range().0.max(1.0))),
+        let Some(super::Given::Number(own)) = (self.get)(input) else {
+            return example.or(Some(self.quantity.range().0.max(1.0)));
         };
         let mut near = [Some(1.01 * own), Some(0.99 * own), example].into_iter().flatten();
         near.find(|value| *value != own && self.quantity.check(*value).is_ok())

@@ -152,7 +152,8 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::DeepDent { ratio, .. }
         | Warning::FlowStep { ratio, .. }
         | Warning::WideContactOnPlate { ratio }
-        | Warning::DeepPlate { ratio } => ratio,
+        | Warning::DeepPlate { ratio }
+        | Warning::Ploughing { ratio, .. } => ratio,
         Warning::HighStrength { strength, modulus, .. } => strength / modulus,
         Warning::LightBody { density, .. } => -density,
         Warning::LargeSphere { radius } => radius,
@@ -160,7 +161,6 @@ fn doubt(warning: &Warning) -> f64 {
         Warning::UntestedExponent { exponent } => (exponent - 0.2).abs(),
         Warning::SphereYields { pressure, strength } => pressure / strength,
         Warning::ShortContact { transits } => -transits,
-        Warning::Ploughing { ratio, .. } => ratio,
         Warning::Mismatch { mismatch } => mismatch.abs(),
         Warning::StrongWaves { loss, recovered } => loss / recovered,
         Warning::ThickPlate { thinness } | Warning::BetweenTheories { thinness, .. } => -thinness,

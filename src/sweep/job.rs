@@ -256,13 +256,8 @@ impl<F: Form> Table<'_, F> {
             let part = cases.start / layout.rows_per_part;
             let (of_part, path) = (layout.cases(part), path(part));
             let unwritable = unwritable(&path);
-            let mut writer = match open.take() {
-                Some(writer) => writer,
-                None => {
-                    let file = NewFile::create(&path);
-                    file.and_then(|file| self.form.begin(file, of_part.start)).map_err(&unwritable)?
-                }
-            };
+            let begin = || NewFile::create(&path).and_then(|file| self.form.begin(file, of_part.start));
+            let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
             self.form.append(&mut writer, piece).map_err(&unwritable)?;
             if cases.end < of_part.end {
                 *open = Some(writer);
@@ -281,7 +276,9 @@ impl<F: Form> Table<'_, F> {
                     Some(piece) => append(&cases, &piece, &mut open)?,
                     None => found += cases.end - cases.start,
                 }
-                counts.into_iter().for_each(|count| tally.push(count));
+                for count in counts {
+                    tally.push(count);
+                }
                 (job.progress)(tally.rows, total);
             }
             Ok(())

@@ -14,6 +14,9 @@ pub struct Shard {
 /// The largest number of shards, that of an indexed job of Kubernetes.
 pub const MOST_SHARDS: u64 = 100_000;
 
+/// The value of a variable of the environment.
+pub type Lookup = dyn Fn(&str) -> Option<String>;
+
 impl Shard {
     /// Shard `index` of `count`.
     ///
@@ -36,7 +39,7 @@ impl Shard {
     ///
     /// # Errors
     /// As for [`Shard::new`]; and for a text of another form, and a variable that is not set.
-    pub fn parse(text: &str, environment: Option<&dyn Fn(&str) -> Option<String>>) -> Result<Self, Error> {
+    pub fn parse(text: &str, environment: Option<&Lookup>) -> Result<Self, Error> {
         let form =
             |text: &str| Error::input(format!("--shard: shard \"{text}\": write i/n, two whole numbers, such as 0/16"));
         let (index, count) = text.split_once('/').ok_or_else(|| form(text))?;

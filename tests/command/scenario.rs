@@ -115,7 +115,9 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
             "sphere.mass" => vec!["sphere.mass=7"],
             "half_space.hardness" => vec!["half_space.hardness=7e9"],
             // without an angle nothing slides
-            "sphere.moment_of_inertia" | "friction.coefficient" => vec!["impact.angle=30 deg", "friction.coefficient=0.1"],
+            "sphere.moment_of_inertia" | "friction.coefficient" => {
+                vec!["impact.angle=30 deg", "friction.coefficient=0.1"]
+            }
             "sphere.spin" | "impact.angle" => vec!["friction.coefficient=0.1"],
             // a plate needs a density, and an edge needs a plate
             "half_space.thickness" | "half_space.edge_distance" => {

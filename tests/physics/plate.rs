@@ -373,12 +373,12 @@ fn a_thick_plate_gives_way_like_a_thin_one_that_is_thinner() {
 
 #[test]
 fn doubtful_plates_are_warned_of() {
+    use PlateTheory::{Thick, Zener};
     let warned = |bodies: OnPlate, edge_distance: Option<f64>, theory: PlateTheory| {
         let plate = Plate { edge_distance, theory, ..bodies.plate() };
         let contact = bodies.under(&Plm::default(), Forces { plate: Some(plate), ..Forces::default() });
         contact.impact(1.0, &Solver::default(), None).unwrap().warnings
     };
-    use PlateTheory::{Thick, Zener};
     // X goes with 1/h: about 28 at 2.5 mm
     let plain = OnPlate::glass(2.5e-3);
     assert!(warned(plain, None, Zener).is_empty());
