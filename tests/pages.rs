@@ -15,13 +15,14 @@ use common::command::text;
 use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-const PAGES: [&str; 10] = [
+const PAGES: [&str; 11] = [
     "README.md",
     "src/README.md",
     "scenarios/README.md",
     "scenarios/gallery.md",
     "scenarios/keys.md",
     "scenarios/results.md",
+    "scenarios/tables.md",
     "plots/bench/README.md",
     "plots/bench/python.md",
     "plots/lammps/README.md",

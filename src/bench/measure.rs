@@ -13,7 +13,7 @@ use crate::math::power::max_or_nan;
 /// What is measured, in the order of the report.
 pub const METHODS: [Method; 5] = [Method::Rk8, Method::Dop853, Method::Dopri5, Method::Verlet, Method::ClosedForm];
 
-/// Whether a method solves a problem: there is no closed form under viscous damping.
+/// Whether a method solves a problem: there is no closed form under viscous damping, or on a plate.
 pub fn serves(method: Method, problem: &Problem) -> bool {
     method != Method::ClosedForm || problem.forces.is_none()
 }

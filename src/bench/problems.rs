@@ -2,8 +2,8 @@
 //!
 //! P1, P2 and P3 are a sphere of steel (E 210 GPa, ν 0.3, ρ 7850 kg/m³, R 5 mm, σ_Y 345 MPa) on the same steel, with
 //! laws simple enough for pencil and paper: Hertz up to δ_Y = R (π 1.6 σ_Y/2E*)², then straight pieces, and Hertz-type
-//! unloading √2 times as stiff as the loading. Three more are the PLM at three of its limits. The last two are what users
-//! compute beside it: the PLM on a half-space that hardens, and with viscous damping.
+//! unloading √2 times as stiff as the loading. Three more are the PLM at three of its limits. The last three are what
+//! users compute beside it: the PLM on a half-space that hardens, with viscous damping, and on a plate.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -29,7 +29,8 @@ pub struct Problem {
     /// What acts beside the law.
     pub forces: ScaledForces,
     /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy. The hardened
-    /// problem has that of the closed form, the damped one that of rk8 at a tolerance of 1e-14.
+    /// problem has that of the closed form, the damped one that of rk8 at a tolerance of 1e-14, the plate that of 30-digit
+    /// arithmetic.
     pub exact: Outcome,
 }
 
@@ -72,28 +73,40 @@ pub fn kinked_law() -> Law {
     }
 }
 
-/// The steel ball of 5 mm at 3 m/s on a half-space of 345 MPa that hardens by this power of the strain.
-fn steel_ball(exponent: Option<f64>) -> Result<(Law, f64), ImpactError> {
+/// The steel ball of 5 mm at this speed on a half-space of 345 MPa that hardens by this power of the strain.
+fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactError> {
     let sphere = Sphere::elastic(5e-3, STEEL, STEEL_DENSITY);
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
     let plm = Plm { flow: exponent.map(|exponent| FlowCurve::Power { exponent }), ..Plm::default() };
     let contact = Contact::try_new(sphere, half_space, &plm)?;
-    let (_, law, q) = contact.scaled(3.0)?;
+    let (_, law, q) = contact.scaled(speed)?;
     Ok((law.clone(), q))
 }
 
-/// The hardened impact and the damped one.
-fn of_users() -> Result<[Problem; 2], ImpactError> {
-    let (law, speed) = steel_ball(Some(0.2))?;
+/// The hardened impact, the damped one, and the one on a plate.
+fn of_users() -> Result<[Problem; 3], ImpactError> {
+    let (law, speed) = steel_ball(Some(0.2), 3.0)?;
     let exact = closed_form::solve(&law, speed);
     let about = "PLM, 5 mm steel sphere at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
     let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
-    let (law, speed) = steel_ball(None)?;
+    let (law, speed) = steel_ball(None, 3.0)?;
     let forces = ScaledForces { damping: Some(Damping::Viscous(0.1)), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = run(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, 5 mm steel sphere on steel at 3 m/s, with a tenth of critical viscous damping";
-    Ok([hardened, Problem { name: "damped", about, law, speed, forces, exact }])
+    let damped = Problem { name: "damped", about, law, speed, forces, exact };
+    let (law, speed) = steel_ball(None, 1.0)?;
+    let forces = ScaledForces { plate: 0.090_413_272_576_400_49, ..ScaledForces::NONE };
+    let by_rk8 = run(&law, speed, &forces, None, &solver, None)?.outcome;
+    // 30-digit arithmetic of Zener's equation with this law: restitution, and the times in units of L/V
+    let exact = Outcome {
+        restitution: 0.431_392_272_699_752_4,
+        contact_time: 1.202_383_650_234_776_7,
+        loading_time: 0.672_972_001_211_762_6,
+        ..by_rk8
+    };
+    let about = "PLM, 5 mm steel sphere on steel at 1 m/s, on a plate with Zener's number 0.2";
+    Ok([hardened, damped, Problem { name: "plate", about, law, speed, forces, exact }])
 }
 
 /// All problems.
@@ -114,7 +127,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         let (scales, law, q) = contact.scaled(speed)?;
         Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
-    let [hardened, damped] = of_users()?;
+    let [hardened, damped, plate] = of_users()?;
     Ok(vec![
         Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
         Problem::new(
@@ -163,5 +176,6 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         )?,
         hardened,
         damped,
+        plate,
     ])
 }

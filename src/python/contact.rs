@@ -111,7 +111,7 @@ impl Contact {
 /// `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `recovered_fraction`; if the half-space yields,
 /// `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
 /// `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has no numbers (they are NaN then, and a
-/// UserWarning says how many). scenarios/README.md says what each column is.
+/// UserWarning says how many). scenarios/results.md says what each column is.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
 pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {

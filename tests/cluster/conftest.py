@@ -1,4 +1,4 @@
-"""A large table, and a folder in which the recipes of scenarios/README.md find the command."""
+"""A large table, and a folder in which the recipes of scenarios/tables.md find the command."""
 
 import os
 import re
@@ -18,7 +18,7 @@ steps_per_contact = 20_000
 [sweep]
 "impact.speed" = { logspace = ["1 mm/s", "10 m/s"], points = POINTS }
 """
-RECIPES = (ROOT / "scenarios" / "README.md").read_text().split("### Beyond one machine")[1].split("\n## ")[0]
+RECIPES = (ROOT / "scenarios" / "tables.md").read_text().split("### Beyond one machine")[1].split("\n## ")[0]
 
 
 def recipe(containing: str) -> str:

@@ -4,7 +4,9 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use plm_impact::impact::oblique::curve::Curve;
 use plm_impact::impact::oblique::mindlin::Motion;
-use plm_impact::impact::{Approach, Contact, Impact, Incidence, Memory, Rebound, Rub, ScaledForces, Solver};
+use plm_impact::impact::{
+    Approach, Contact, Forces, Impact, Incidence, Memory, Plate, PlateTheory, Rebound, Rub, ScaledForces, Solver,
+};
 use plm_impact::law::{LawChoice, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::strength::flow::FlowCurve;
@@ -245,6 +247,40 @@ fn every_law_has_its_friction() {
             }
         }
     }
+}
+
+/// On a plate the normal motion is that of the plate, and friction goes on it as on any other: gross sliding has its formula
+/// with the e of the plate, and a plate that hardly gives way is a half-space.
+#[test]
+fn friction_goes_with_a_plate() {
+    let on_plate = |thickness: f64| {
+        let half_space = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: Some(7850.0) };
+        let plate = Plate { thickness, edge_distance: None, theory: PlateTheory::Zener };
+        let contact = Contact::try_new(Sphere::elastic(5e-3, STEEL, 7850.0), half_space, &Plm::default()).unwrap();
+        contact.with_forces(Forces { plate: Some(plate), ..Forces::default() })
+    };
+    let plate = on_plate(5e-3);
+    for degrees in [3.0, 15.0, 30.0, 80.0] {
+        let approach = approach(1.0, degrees, 0.15, 0.0);
+        let (impact, rebound) = impact(&plate, approach, Some(40));
+        let friction = impact.oblique.unwrap();
+        assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
+        assert!(friction.momentum_drift < 1e-13 && friction.error < 1e-4, "{friction:?}");
+        let [normal, tangential] = approach.components();
+        let alone = plate.impact(normal, &Solver::default(), None).unwrap();
+        assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
+        if degrees == 80.0 {
+            let want = tangential - 0.15 * (1.0 + alone.restitution) * normal;
+            assert_relative_eq!(rebound.tangential_speed, want, max_relative = 1e-9);
+        }
+    }
+    let approach = approach(1.0, 15.0, 0.15, 0.0);
+    let (_, on_block) = impact(&steel(&LawChoice::default()), approach, None);
+    let (_, on_thick) = impact(&on_plate(5.0), approach, None);
+    assert_abs_diff_eq!(on_thick.contact_point_restitution, on_block.contact_point_restitution, epsilon = 2e-5);
+    assert!(
+        (impact(&plate, approach, None).1.contact_point_restitution - on_block.contact_point_restitution).abs() > 1e-3
+    );
 }
 
 /// A random elastic, elastic-plastic or hardened pair, its speed, angle, friction and spin.

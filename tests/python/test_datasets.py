@@ -1,4 +1,4 @@
-"""A table in parts, read as scenarios/README.md shows it."""
+"""A table in parts, read as scenarios/tables.md shows it."""
 
 import csv
 import os
@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-SECTION = (ROOT / "scenarios" / "README.md").read_text().split("### As a data set")[1].split("\n### ")[0]
+SECTION = (ROOT / "scenarios" / "tables.md").read_text().split("### As a data set")[1].split("\n### ")[0]
 
 
 def blocks(language: str) -> list[str]:
