@@ -16,9 +16,15 @@ const DECADES: f64 = 2.0;
 
 /// The picture as SVG; `None` for a sphere that is released at first touch.
 pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
-    let key = if scenario.document.has("impact.drop_height") { "impact.drop_height" } else { "impact.speed" };
-    let Some(at) = scenario.number_of(key).filter(|at| *at > 0.0) else { return Ok(None) };
-    let (_, _, impact) = impact::compute(scenario, None)?;
+    let (scene, _, impact) = impact::compute(scenario, None)?;
+    let gravity = scene.forces.gravity.filter(|_| scenario.document.has("impact.drop_height"));
+    let (key, at) = match gravity {
+        Some(gravity) => ("impact.drop_height", 0.5 * scene.speed * scene.speed / gravity),
+        None => ("impact.speed", scene.speed),
+    };
+    if at <= 0.0 {
+        return Ok(None);
+    }
     let decade = log10(at).floor();
     let axis =
         format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
