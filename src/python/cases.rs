@@ -20,6 +20,7 @@ use crate::plan::{Cases, Plan};
 use crate::run::table::warnings_of;
 use crate::scenario::Scenario;
 use crate::scene::{KEYS, Key, Scene};
+use crate::units::Dimension;
 
 /// The key of the argument `speed`.
 pub const SPEED: &str = "impact.speed";
@@ -115,7 +116,12 @@ fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
         plans.swap_remove(place).1
     } else {
         let axes = given.iter().map(|Given { key, ends, .. }| {
-            let value = ends.map_or_else(|| key.quantity.example.to_owned(), |[low, _]| format!("{low:?}"));
+            // an array is in SI; in the text of a scenario an angle carries its unit
+            let written = |low: f64| match key.quantity.dimension {
+                Dimension::Angle => format!("\"{low:?} rad\""),
+                _ => format!("{low:?}"),
+            };
+            let value = ends.map_or_else(|| key.quantity.example.to_owned(), |[low, _]| written(low));
             format!("sweep.\"{}\"=[{value}]", key.path)
         });
         let scenario = with(&contact.scenario, axes).map_err(exception)?;
