@@ -100,8 +100,8 @@ impl Contact {
     }
 }
 
-/// A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in rad), arrays of
-/// numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part of its path
+/// A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in
+/// rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part of its path
 /// (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
 ///
 ///     table = impacts(contact, speed=np.linspace(0.5, 5, 100), yield_strength=[[2e8], [3e8]])

@@ -97,6 +97,13 @@ impl Rows {
             results: Vec::with_capacity(count),
         }
     }
+
+    /// Takes all rows away; the memory stays.
+    pub fn clear(&mut self) {
+        self.cases.clear();
+        self.swept.clear();
+        self.results.clear();
+    }
 }
 
 /// A plan, and what its rows have in common, computed once.

@@ -5,6 +5,7 @@ use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -227,14 +228,21 @@ impl<F: Form> Table<'_, F> {
             };
             Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
         };
+        // rows of pieces that are done: their memory serves the next ones
+        let spare = Mutex::new(Vec::new());
         let compute = |cases: Range<u64>| {
             if job.is_cancelled.load(Ordering::Relaxed) {
                 return Err(interrupted(0));
             }
-            let mut rows = Rows::with_capacity(cases.end - cases.start, self.evaluator.n_swept());
+            let known: Option<Rows> = spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut rows =
+                known.unwrap_or_else(|| Rows::with_capacity(cases.end - cases.start, self.evaluator.n_swept()));
+            rows.clear();
             self.evaluator.rows(cases.clone(), &mut rows);
             let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
-            Ok(Made { cases, piece: Some(piece), counts: rows.results.iter().map(Count::of).collect() })
+            let counts = rows.results.iter().map(Count::of).collect();
+            spare.lock().unwrap_or_else(PoisonError::into_inner).push(rows);
+            Ok(Made { cases, piece: Some(piece), counts })
         };
         let make = |task| -> Result<Vec<Made<F::Piece>>, Error> {
             let part = match task {
