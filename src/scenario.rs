@@ -175,6 +175,11 @@ impl Scenario {
         self.tables.varied().contains(&path)
     }
 
+    /// Whether a key is given or varies.
+    fn gives(&self, path: &str) -> bool {
+        self.has(path) || self.varies(path)
+    }
+
     /// Checks what every kind of scene needs: a sphere, and no two keys in place of each other.
     fn check_tables(&self) -> Result<(), Error> {
         for [one, other] in EITHER {
@@ -197,8 +202,7 @@ impl Scenario {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
-        let is_there = |path: &&str| self.has(path) || self.varies(path);
-        let Some(group) = keys.iter().map(group).find(|group| !group.iter().any(is_there)) else {
+        let Some(group) = keys.iter().map(group).find(|group| !group.iter().any(|path| self.gives(path))) else {
             return Ok(());
         };
         let (table, _) = group[0].split_once('.').unwrap_or_default();

@@ -3,9 +3,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::impact::{Contact, ImpactError};
-use crate::law::{ContactLaw, LawChoice, Plm, UnloadingExponent};
-use crate::material::{HalfSpace, Material, Sphere};
+use super::problems::steel_on_steel;
+use crate::impact::ImpactError;
+use crate::law::{LawChoice, Plm, UnloadingExponent};
 use crate::math::functions::pow;
 use crate::strength::flow::FlowCurve;
 
@@ -42,7 +42,7 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
     let speeds: Vec<f64> = (0..ROWS).map(|row| 0.05 * pow(200.0, f64::from(row) / f64::from(ROWS))).collect();
     for _ in 0..rounds {
         for (rate, (_, law)) in rates.iter_mut().zip(&laws) {
-            let (contact, ns) = timed(|| contact(law.get()));
+            let (contact, ns) = timed(|| steel_on_steel(law.get()));
             let contact = contact?;
             rate.ns_per_contact = rate.ns_per_contact.min(ns);
             // a law may refuse some of the speeds
@@ -55,12 +55,6 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
         }
     }
     Ok(rates)
-}
-
-fn contact(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
-    let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
-    Contact::try_new(Sphere::elastic(5e-3, steel, 7850.0), half_space, law)
 }
 
 /// What `work` returns, and its time \[ns\].

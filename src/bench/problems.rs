@@ -10,7 +10,7 @@ use std::f64::consts::{PI, SQRT_2};
 use crate::impact::closed_form::{self, energy_balance};
 use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
 use crate::law::curve::Curve;
-use crate::law::{ElasticApproach, Law, Plm};
+use crate::law::{ContactLaw, ElasticApproach, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::pow;
 use crate::math::power::quarter_period;
@@ -73,12 +73,16 @@ pub fn kinked_law() -> Law {
     }
 }
 
-/// The steel ball of 5 mm at this speed on a half-space of 345 MPa that hardens by this power of the strain.
-fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactError> {
-    let sphere = Sphere::elastic(5e-3, STEEL, STEEL_DENSITY);
+/// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.
+pub fn steel_on_steel(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
+    Contact::try_new(Sphere::elastic(5e-3, STEEL, STEEL_DENSITY), half_space, law)
+}
+
+/// That ball at this speed on a half-space of 345 MPa that hardens by this power of the strain.
+fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactError> {
     let plm = Plm { flow: exponent.map(|exponent| FlowCurve::Power { exponent }), ..Plm::default() };
-    let contact = Contact::try_new(sphere, half_space, &plm)?;
+    let contact = steel_on_steel(&plm)?;
     let (_, law, q) = contact.scaled(speed)?;
     Ok((law.clone(), q))
 }

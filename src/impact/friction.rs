@@ -27,13 +27,13 @@ impl Contact {
             return (self.sphere().radius * indentation.max(0.0)).sqrt();
         };
         let Some(peak) = memory.peak(scales.length, scales.force) else { return 0.0 };
-        let widest = scales.contact_radius * peak.force / peak.elastic_approach;
         let recovered = indentation / scales.length - peak.residual();
-        if recovered >= peak.elastic_approach {
-            return widest;
-        }
-        let unloading = law.unloading(peak);
-        widest * unloading.slope_of(recovered.max(0.0)) / unloading.slope_of(peak.elastic_approach)
+        let grip = if recovered >= peak.elastic_approach {
+            peak.force / peak.elastic_approach
+        } else {
+            law.unloading(peak).grip_of(recovered)
+        };
+        scales.contact_radius * grip
     }
 
     /// Friction on the sphere \[N\], which is also the history of the contact; zero for a fresh one.

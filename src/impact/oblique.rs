@@ -19,6 +19,8 @@
 pub mod curve;
 pub mod mindlin;
 
+use std::borrow::Cow;
+
 use super::case::Case;
 use super::contact::Contact;
 use super::outcome::Outcome;
@@ -211,17 +213,20 @@ impl<'a> Inclined<'a> {
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
     }
 
-    /// s_1/s_0 of gross sliding.
-    fn sliding(&self) -> Ratio {
+    /// s_1/s_0 where it is known without a run: the contact point does not move, or it slides all the time.
+    fn without_run(&self) -> Option<Ratio> {
+        if self.slip == 0.0 {
+            return Some(Ratio { value: 0.0, is_sliding: false, error: 0.0 });
+        }
         let value = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
-        Ratio { value, is_sliding: true, error: 0.0 }
+        self.slides().then_some(Ratio { value, is_sliding: true, error: 0.0 })
     }
 
-    fn motion(&self) -> Result<Motion, IntegrationError> {
+    fn motion(&self) -> Result<Cow<'static, Motion>, IntegrationError> {
         if self.is_elastic() {
-            return Motion::elastic().cloned();
+            return Motion::elastic().map(Cow::Borrowed);
         }
-        Motion::new(self.case.law, self.case.q, &self.case.forces)
+        Motion::new(self.case.law, self.case.q, &self.case.forces).map(Cow::Owned)
     }
 
     /// Whether the normal motion is that of all elastic impacts.
@@ -231,12 +236,10 @@ impl<'a> Inclined<'a> {
 
     /// s_1/s_0 for a row of a table.
     pub(super) fn ratio(&self) -> Result<Ratio, IntegrationError> {
-        if self.slides() {
-            return Ok(self.sliding());
+        if let Some(ratio) = self.without_run() {
+            return Ok(ratio);
         }
-        let value = if self.slip == 0.0 {
-            0.0
-        } else if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
+        let value = if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
             self.contact.curve().ratio(self.psi.abs())?
         } else {
             self.motion()?.run(self.psi * self.case.q, self.chi, 1, |_, _| ())
@@ -246,9 +249,7 @@ impl<'a> Inclined<'a> {
 
     /// s_1/s_0 with its error, and friction on the way.
     pub(super) fn run(&self) -> Result<(Ratio, Course), IntegrationError> {
-        if self.slides() || self.slip == 0.0 {
-            let ratio =
-                if self.slip == 0.0 { Ratio { value: 0.0, is_sliding: false, error: 0.0 } } else { self.sliding() };
+        if let Some(ratio) = self.without_run() {
             return Ok((ratio, Course { motion: None, points: Vec::new() }));
         }
         let motion = self.motion()?;
@@ -266,7 +267,7 @@ impl<'a> Inclined<'a> {
     pub(super) fn rebound(&self, ratio: Ratio) -> Result<Rebound, OutOfFloatRange> {
         let (e, [normal, tangential]) = (self.outcome.restitution, self.speeds);
         let [_, tangential_speed, spin] = self.at(self.slip * ratio.value);
-        let lost = self.slip * self.slip * (1.0 - ratio.value * ratio.value) / self.contact.slip_factor();
+        let lost = self.lost(ratio);
         let whole = normal * normal + tangential * tangential;
         if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
             return Err(OutOfFloatRange {
@@ -288,6 +289,11 @@ impl<'a> Inclined<'a> {
         })
     }
 
+    /// (s_0² − s_1²)/j: what friction takes, over half the mass.
+    fn lost(&self, ratio: Ratio) -> f64 {
+        self.slip * self.slip * (1.0 - ratio.value * ratio.value) / self.contact.slip_factor()
+    }
+
     /// The rest of the results of one impact.
     pub(super) fn oblique(&self, ratio: Ratio) -> Oblique {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
@@ -302,7 +308,7 @@ impl<'a> Inclined<'a> {
             error: ratio.error,
             kinetic_in: energy(before, spin_before),
             recovered: energy(speed, spin),
-            loss: 0.5 * mass / j * self.slip * self.slip * (1.0 - ratio.value * ratio.value),
+            loss: 0.5 * mass * self.lost(ratio),
             momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
         }
     }
@@ -338,7 +344,7 @@ impl<'a> Inclined<'a> {
 
 /// Friction on the way of one impact: σ and T/μ at the points of the motion; none for gross sliding.
 pub(super) struct Course {
-    motion: Option<Motion>,
+    motion: Option<Cow<'static, Motion>>,
     points: Vec<[f64; 2]>,
 }
 

@@ -276,6 +276,13 @@ impl Unloading {
         }
     }
 
+    /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
+    /// proportion to the stiffness.
+    pub(crate) fn grip_of(&self, recovered: f64) -> f64 {
+        let Peak { force, elastic_approach, .. } = self.peak;
+        force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
+    }
+
     /// What is still to be recovered where the force is `force`; all of it from f_m on.
     pub(crate) fn recovered_at(&self, force: f64) -> f64 {
         match self.curve {

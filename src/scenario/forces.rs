@@ -42,7 +42,7 @@ impl Scenario {
     /// Refuses a drop height without gravity.
     pub(super) fn needs_gravity(&self) -> Result<(), Error> {
         let (height, gravity) = ("impact.drop_height", "gravity.acceleration");
-        if !self.has(height) || self.has(gravity) || self.varies(gravity) {
+        if !self.has(height) || self.gives(gravity) {
             return Ok(());
         }
         let message =

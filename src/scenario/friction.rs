@@ -20,10 +20,6 @@ const APART: [(&str, &str); 4] = [
 ];
 
 impl Scenario {
-    fn gives(&self, path: &str) -> bool {
-        self.has(path) || self.varies(path)
-    }
-
     /// Refuses an angle or a spin without friction, and beside what they are not computed with.
     pub(super) fn check_friction(&self) -> Result<(), Error> {
         let Some(key) = OBLIQUE.into_iter().find(|path| self.gives(path)) else { return Ok(()) };

@@ -65,10 +65,10 @@ fn rows_of(plan: &Plan) -> (Vec<u8>, Tally) {
     let (evaluator, form) = (Evaluator::new(plan), Csv::new(plan));
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
     let mut tally = Tally::of(plan);
-    let mut begin = 0;
+    let (mut begin, mut rows) = (0, Rows::default());
     while begin < plan.count() {
         let end = plan.count().min(begin + BATCH);
-        let mut rows = Rows::default();
+        rows.clear();
         evaluator.rows(begin..end, &mut rows);
         form.write(&rows, &mut text);
         rows.results.iter().map(Count::of).for_each(|count| tally.push(count));

@@ -49,13 +49,9 @@ impl Motion {
     pub fn new(law: &Law, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
         let mut recorder = Recorder::of_legs(SPRINGS);
         let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), Some(&mut recorder))?;
-        let unloading = &outcome.unloading;
-        let peak = unloading.peak;
-        let widest = peak.force / peak.elastic_approach;
-        let stiffest = unloading.slope_of(peak.elastic_approach);
         let radius = |point: &Point| {
             if point.is_unloading {
-                widest * unloading.slope_of(point.elastic_approach.max(0.0)) / stiffest
+                outcome.unloading.grip_of(point.elastic_approach)
             } else {
                 point.force / point.elastic_approach
             }
