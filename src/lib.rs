@@ -2,8 +2,8 @@
 //!
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it or at an angle. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back; [`law::catalogue`] has the other published laws. Friction, gravity, damping, plates, elastic waves, series of impacts
-//! and slow indentation are there for scenes that name them:
+//! (2024) on the way back; [`law::catalogue`] has the other published laws. Friction, gravity, damping, plates,
+//! elastic waves, series of impacts and slow indentation are there for scenes that name them:
 //!
 //! ```text
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v

@@ -1,6 +1,7 @@
 //! Reference data that checks, comparisons and pictures show beside the laws: finite-element results of this project for the
 //! five material cases of Xie et al. (2024), for half-spaces that harden and for whole impacts; 30-digit impacts; measured
-//! rebound hardness and oblique rebounds. The head of each table in `src/reference` says where it comes from, how it was obtained and its error.
+//! rebound hardness and oblique rebounds. The head of each table in `src/reference` says
+//! where it comes from, how it was obtained and its error.
 
 /// Functions that read tables which are compiled in.
 macro_rules! tables {

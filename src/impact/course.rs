@@ -2,7 +2,8 @@
 //! unloading branch.
 //!
 //! ```text
-//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u  or  y df/dx u       (w = m g/Φ, χ in units of 1/V)
+//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u  or  y df/dx u
+//! w = m g/Φ,  χ in units of 1/V
 //! ```
 //!
 //! The contact ends where its total force vanishes on the way out: at the residual indentation, or before it under viscous

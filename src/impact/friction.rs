@@ -1,7 +1,8 @@
 //! Friction as a force of its own, for codes that move the sphere themselves (DEM): one spring for the whole contact.
 //!
 //! This is what a contact of a DEM code can carry, and what LAMMPS has as `mindlin_rescale/force` (Thornton, Cummins and
-//! Cleary 2013, Powder Technology 233, 30-46, Eq. 18). [`super::oblique`] has the better contact, which needs an impact as a whole.
+//! Cleary 2013, Powder Technology 233, 30-46, Eq. 18). [`super::oblique`] has the better contact, which
+//! needs an impact as a whole.
 
 use super::contact::Contact;
 use super::response::Memory;

@@ -106,8 +106,8 @@ impl Contact {
         Ok(essentials)
     }
 
-    /// Whether [`Method::Auto`] integrates rows of tables: with damping, on a plate, and under gravity where the law is neither powers
-    /// nor straight lines. Elsewhere it takes the closed form.
+    /// Whether [`Method::Auto`] integrates rows of tables: with damping, on a plate, and under gravity where the law is
+    /// neither powers nor straight lines. Elsewhere it takes the closed form.
     pub(crate) fn auto_integrates(&self) -> bool {
         let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !closed_form::closes(law));
         self.forces().have_drag() || self.forces().gravity.is_some() && is_open()

@@ -6,7 +6,7 @@ use ab_glyph::{Font as _, FontRef, ScaleFont as _};
 
 use super::PlotError;
 
-/// The font of the pictures without its shapes; `build.rs` makes it.
+/// The font of the pictures without its shapes; `text/build.rs` makes it.
 static FONT: LazyLock<Option<FontRef>> =
     LazyLock::new(|| FontRef::try_from_slice(include_bytes!(concat!(env!("OUT_DIR"), "/widths.ttf"))).ok());
 

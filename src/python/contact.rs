@@ -101,8 +101,8 @@ impl Contact {
 }
 
 /// A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in
-/// rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part of its path
-/// (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
+/// rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part
+/// of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
 ///
 ///     table = impacts(contact, speed=np.linspace(0.5, 5, 100), yield_strength=[[2e8], [3e8]])
 ///     table["restitution"].shape                                                  # (2, 100)
@@ -110,8 +110,8 @@ impl Contact {
 /// The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
 /// `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `recovered_fraction`; if the half-space yields,
 /// `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
-/// `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has no numbers (they are NaN then, and a
-/// UserWarning says how many). scenarios/results.md says what each column is.
+/// `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has
+/// no numbers (they are NaN then, and a UserWarning says how many). scenarios/results.md says what each column is.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
 pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {

@@ -96,8 +96,8 @@ impl Form for Csv {
     type Piece = Vec<u8>;
     type Writer = NewFile;
 
-    /// Few enough for the cache, and for memory that is given back to be taken again: from about 128 KiB on it goes back to the
-    /// system, and every page of it is made anew, which took a quarter of the time of a row.
+    /// Few enough for the cache. Their text is also shorter than 128 KiB: memory of a longer one goes back to the system when it is
+    /// freed, and to get it again costs a quarter of the time of a row.
     const BATCH: u64 = 256;
 
     fn header(&self) -> &[u8] {

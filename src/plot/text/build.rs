@@ -8,7 +8,7 @@ use std::path::Path;
 const KEPT: [&[u8]; 6] = [b"cmap", b"head", b"hhea", b"hmtx", b"kern", b"maxp"];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=src/plot/text/build.rs");
     let font = widths_of(dejavu::sans::regular()).ok_or("the font has another form")?;
     Ok(std::fs::write(Path::new(&std::env::var("OUT_DIR")?).join("widths.ttf"), font)?)
 }
