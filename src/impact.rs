@@ -52,4 +52,4 @@ pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
 pub(crate) use validity::{of_dent, of_half_space, of_peak, of_sphere};
-pub use warning::Warning;
+pub use warning::{Warning, WarningKind};

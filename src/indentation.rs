@@ -12,11 +12,9 @@
 mod machine;
 mod specimen;
 
-use std::mem::discriminant;
-
 use thiserror::Error;
 
-use crate::impact::{Warning, of_dent, of_peak};
+use crate::impact::{Warning, WarningKind, of_dent, of_peak};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
@@ -70,7 +68,7 @@ pub enum IndentationError {
 }
 
 /// A warning about a step.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[error("step {step}: {warning}")]
 pub struct Doubt {
     /// From 1.
@@ -300,9 +298,15 @@ impl StaticContact {
             let Memory { contact_radius, mean_pressure, .. } = step.memory;
             of_dent(&self.law, contact_radius / radius, mean_pressure, strength)
         };
-        let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| discriminant(&warning)).collect();
-        let gain = (step.plastic_work < 0.0).then_some(Warning::PlasticGain { work: step.plastic_work });
-        let new = of_step(step).filter(|warning| !known.contains(&discriminant(warning))).chain(gain);
+        let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
+        let gain = (step.plastic_work < 0.0).then(|| {
+            let text = format!(
+                "plastic work {:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0",
+                step.plastic_work
+            );
+            Warning::new(WarningKind::PlasticGain, 0.0, text)
+        });
+        let new = of_step(step).filter(|warning| !known.contains(&warning.kind)).chain(gain);
         doubts.extend(new.map(|warning| Doubt { step: number, warning }));
     }
 }

@@ -310,6 +310,6 @@ impl Scenario {
             None | Some("plm" | "hertz") => None,
             Some(_) => Some("law"),
         };
-        keys.chain(law.map(|key| (key, ELASTIC))).map(|(key, reason)| Warning::UnusedKey { key, reason }).collect()
+        keys.chain(law.map(|key| (key, ELASTIC))).map(|(key, reason)| Warning::unused(key, reason)).collect()
     }
 }

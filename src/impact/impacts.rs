@@ -150,8 +150,7 @@ impl Contact {
         let (mut impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
         if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
             impact.add_friction(&inclined, approach)?;
-            let warnings = validity::of_oblique(self, &impact, approach);
-            impact.warnings.extend(warnings);
+            impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }
         Ok(impact)
     }

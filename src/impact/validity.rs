@@ -1,6 +1,6 @@
 //! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::case::hertz;
 use super::contact::Contact;
@@ -9,32 +9,74 @@ use super::on_plate::OnPlate;
 use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
-use super::warning::{HIGH, LARGE, LIGHT, Warning};
+use super::warning::{Warning, WarningKind};
 use crate::law::{Law, Peak};
 use crate::material::{HalfSpace, Material};
 use crate::math::power::max_or_nan;
 use crate::math::root::halved;
+use crate::units::{Dimension, four_digits, human};
+
+/// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
+const LIGHT: f64 = 100.0;
+/// Larger spheres are doubted: their radius \[m\].
+const LARGE: f64 = 1.0;
+/// Higher strengths are doubted, over Young's modulus; whiskers without a flaw reach a tenth.
+const HIGH: f64 = 0.1;
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
-pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> {
-    let stated = law.outside_stated(peak);
-    let stated = stated.map(|(from, to)| Warning::OutsideStated { indentation: peak.indentation, from, to });
+pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
+    let x = peak.indentation;
+    let stated = law.outside_stated(peak).map(|(from, to)| {
+        let end = if to.is_finite() { format!("to {}", four_digits(to)) } else { "and more".to_owned() };
+        let text = format!(
+            "peak indentation = {} x the yield indentation is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
+            four_digits(x), four_digits(from)
+        );
+        Warning::new(WarningKind::OutsideStated, (x / to).max(from / x), text)
+    });
     let hardening = law.hardening();
-    let curve = hardening.and_then(|hardening| hardening.beyond_flow_curve(peak.indentation));
-    let curve = curve.map(|(strain, last)| Warning::BeyondFlowCurve { strain, last });
-    let step = hardening.and_then(|hardening| hardening.step(peak.indentation));
-    let step = step.map(|(strain, ratio)| Warning::FlowStep { strain, ratio });
-    let exponent = hardening.and_then(|hardening| hardening.untested_exponent(peak.indentation));
-    let exponent = exponent.map(|exponent| Warning::UntestedExponent { exponent });
-    stated.into_iter().chain(curve).chain(step).chain(exponent)
+    let curve = hardening.and_then(|hardening| hardening.beyond_flow_curve(x)).map(|(strain, last)| {
+        let text = format!(
+            "the flow curve ends at a plastic strain of {last}, and the contact asks for it up to {strain:.4}: beyond its last point it is taken to stay level; give points at larger strains, or let the dent be shallower"
+        );
+        Warning::new(WarningKind::BeyondFlowCurve, strain, text)
+    });
+    let step = hardening.and_then(|hardening| hardening.step(x)).map(|(strain, ratio)| {
+        let text = format!(
+            "the flow stress rises by {:.0} % within 0.1 % of strain, from a plastic strain of {} on: such a step is outside of the law, and beyond it e may rise with the speed; give points of a smooth curve",
+            100.0 * (ratio - 1.0), four_digits(strain)
+        );
+        Warning::new(WarningKind::FlowStep, ratio, text)
+    });
+    let exponent = hardening.and_then(|hardening| hardening.untested_exponent(x)).map(|exponent| {
+        let text = format!(
+            "the exponent of hardening {exponent} is outside of 0.1 to 0.3, the range of the finite elements behind the law: e may be off by more than 3 %; points of a measured flow curve are safer, as a power law this steep starts far below the proof stress of the metal"
+        );
+        Warning::new(WarningKind::UntestedExponent, (exponent - 0.2).abs(), text)
+    });
+    [stated, curve, step, exponent].into_iter().flatten()
 }
 
 /// The warnings for a dent of this radius, over that of the sphere, which this mean pressure has made.
-pub(crate) fn of_dent(law: &Law, ratio: f64, pressure: f64, strength: Option<f64>) -> impl Iterator<Item = Warning> {
+pub(crate) fn of_dent(
+    law: &Law,
+    ratio: f64,
+    pressure: f64,
+    strength: Option<f64>,
+) -> impl Iterator<Item = Warning> + use<> {
     let limit = law.widest_contact();
-    let deep = (ratio > limit).then_some(Warning::DeepDent { ratio, limit });
-    let yields = strength.filter(|strength| pressure > 1.1 * strength);
-    deep.into_iter().chain(yields.map(|strength| Warning::SphereYields { pressure, strength }))
+    let deep = Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
+        format!(
+            "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and dent as estimates, or let the dent be shallower"
+        )
+    });
+    let yields = strength.filter(|strength| pressure > 1.1 * strength).map(|strength| {
+        let text = format!(
+            "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and less would come back"
+        );
+        Warning::new(WarningKind::SphereYields, pressure / strength, text)
+    });
+    [deep, yields].into_iter().flatten()
 }
 
 /// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.
@@ -44,27 +86,39 @@ pub(crate) fn of_sphere(
     strength: Option<f64>,
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let large = (radius > LARGE).then_some(Warning::LargeSphere { radius });
-    large.into_iter().chain(of_body(["sphere.yield_strength", "sphere.density"], material, strength, density))
+    let large = Warning::when(radius > LARGE, WarningKind::LargeSphere, radius, || {
+        format!("sphere.radius = {radius} m is above {LARGE} m: check the unit, such as \"5 mm\"")
+    });
+    large.into_iter().chain(of_body("sphere", material, strength, density))
 }
 
 /// The warnings for a half-space whose numbers hardly any body has.
 pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
     let HalfSpace { material, yield_strength, density } = half_space;
-    of_body(["half_space.yield_strength", "half_space.density"], material, *yield_strength, *density)
+    of_body("half_space", material, *yield_strength, *density)
 }
 
 fn of_body(
-    [strength_key, density_key]: [&'static str; 2],
+    table: &str,
     material: &Material,
     strength: Option<f64>,
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
     let modulus = material.youngs_modulus;
-    let high = strength.filter(|strength| *strength > HIGH * modulus);
-    let high = high.map(|strength| Warning::HighStrength { key: strength_key, strength, modulus });
-    let light = density.filter(|density| *density < LIGHT);
-    high.into_iter().chain(light.map(|density| Warning::LightBody { key: density_key, density }))
+    let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
+        let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
+        let text = format!(
+            "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
+        );
+        Warning::new(WarningKind::HighStrength, strength / modulus, text)
+    });
+    let light = density.filter(|density| *density < LIGHT).map(|density| {
+        let text = format!(
+            "{table}.density = {density} kg/m^3 is below {LIGHT} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
+        );
+        Warning::new(WarningKind::LightBody, -density, text)
+    });
+    [high, light].into_iter().flatten()
 }
 
 impl Contact {
@@ -81,8 +135,9 @@ impl Contact {
         let reaches = |x: f64| {
             let Some(peak) = law.respond(x, None).1 else { return true };
             let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.widest_contact() * radius;
-            let is_beyond = |warning| !matches!(warning, Warning::OutsideStated { from, .. } if x < from);
-            !is_wide && !of_peak(law, &peak).any(is_beyond)
+            let is_before = law.outside_stated(&peak).is_some_and(|(from, _)| x < from);
+            let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
+            !is_wide && of_peak(law, &peak).all(is_harmless)
         };
         let far = radius / scales.length;
         if reaches(far) { f64::INFINITY } else { halved(0.0, far, reaches).0 * scales.length }
@@ -100,68 +155,108 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     warnings.extend(of_dent(law, ratio, impact.peak_mean_pressure, sphere.yield_strength));
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
     let transits = impact.duration() / transit;
-    if transits < 5.0 && !contact.is_of_a_body() {
-        warnings.push(Warning::ShortContact { transits });
-    }
-    let recovered = impact.restitution * impact.restitution;
-    if let Some(loss) = impact.wave_loss_fraction
-        && loss > 0.2 * recovered
-    {
-        warnings.push(Warning::StrongWaves { loss, recovered });
-    }
-    if contact.waves().is_some()
-        && contact.forces().is_none()
-        && let Some(indentation) = law.loading.jump_before(peak.indentation)
-    {
-        warnings.push(Warning::WavesAtJump { indentation });
-    }
+    let is_short = transits < 5.0 && !contact.is_of_a_body();
+    warnings.extend(Warning::when(is_short, WarningKind::ShortContact, -transits, || {
+        format!(
+            "contact lasts {transits:.2} wave transits of the sphere (2 R / c); below 5 it is no longer quasi-static and part of the energy goes into waves"
+        )
+    }));
+    warnings.extend(of_waves(contact, impact, law, peak));
     if let (Some(plate), Some(of)) = (&contact.forces().plate, &impact.on_plate) {
         warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
     }
-    // beyond the rounding and the error of the run
-    let (restitution, known) = (impact.restitution, impact.accuracy.restitution_error);
-    let error = if known.is_nan() { rebound_error(contact, impact) } else { known };
-    let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
-    if is_real && !is_by_weight(contact, impact) {
-        warnings.push(Warning::EnergyGain { restitution });
-    } else if !is_real && known.is_nan() && restitution > LARGEST_ROUGH {
-        warnings.push(Warning::RoughRebound { restitution, drift: impact.energy.drift });
-    }
+    warnings.extend(of_rebound(contact, impact));
     warnings.extend(of_run(impact, solver));
     warnings
+}
+
+/// The warning for radiated waves that the first order does not hold for.
+fn of_waves(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Option<Warning> {
+    if let Some(loss) = impact.wave_loss_fraction {
+        let recovered = impact.recovered_fraction();
+        return Warning::when(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
+            format!(
+                "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
+            )
+        });
+    }
+    contact.waves().filter(|_| contact.forces().is_none())?;
+    let jump = four_digits(law.loading.jump_before(peak.indentation)?);
+    let text = format!(
+        "the wave loss is left out: the force of the law jumps at {jump} x the yield indentation, where the first-order theory makes it infinite; give the law `jumps = \"crossed\"`, or the half-space no density"
+    );
+    Some(Warning::new(WarningKind::WavesAtJump, 0.0, text))
 }
 
 /// The warnings for a plate, hit with this contact radius \[m\].
 fn of_plate(plate: &Plate, of: &OnPlate, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
     let OnPlate { thinness, displacement, reach, .. } = *of;
     let thickness = plate.thickness;
-    let least = match plate.theory {
-        PlateTheory::Zener => 10.0,
-        PlateTheory::Thick => 5.0,
+    let (least, beyond) = match plate.theory {
+        PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3"),
+        PlateTheory::Zener if thinness < 5.0 => (10.0, "by half or more; half_space.plate = \"thick\" comes nearer"),
+        PlateTheory::Zener => {
+            (10.0, "by a fifth at 10 thicknesses and by half at 5; half_space.plate = \"thick\" is good to 8 % of it")
+        }
     };
-    let theory = match thinness {
-        ..2.0 => Some(Warning::ThickPlate { thinness }),
-        _ => (thinness < least).then_some(Warning::BetweenTheories { thinness, least }),
-    };
-    let wide = contact_radius / thickness;
-    let wide = (wide > 0.15).then_some(Warning::WideContactOnPlate { ratio: wide });
-    let near = plate.edge_distance.filter(|distance| *distance < reach);
-    let near = near.map(|distance| Warning::NearEdge { distance, reach });
-    let deep = displacement / thickness;
-    let deep = (deep > 0.3).then_some(Warning::DeepPlate { ratio: deep });
-    [theory, wide, near, deep].into_iter().flatten()
+    let is_thick = thinness < 2.0;
+    let thick = Warning::when(is_thick, WarningKind::ThickPlate, -thinness, || {
+        format!(
+            "during the contact a wave travels only {thinness:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
+        )
+    });
+    let between = Warning::when(!is_thick && thinness < least, WarningKind::BetweenTheories, -thinness, || {
+        format!(
+            "during the contact a wave travels {thinness:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {beyond}"
+        )
+    });
+    let ratio = contact_radius / thickness;
+    let wide = Warning::when(ratio > 0.15, WarningKind::WideContactOnPlate, ratio, || {
+        format!(
+            "contact radius / plate thickness = {ratio:.3} is above 0.15: there the plate is stiffer under the sphere than a half-space by more than a tenth, and yields through; take the result for an estimate"
+        )
+    });
+    let near = plate.edge_distance.filter(|distance| *distance < reach).map(|distance| {
+        let [edge, far] = [distance, reach].map(|length| human(length, Dimension::Length));
+        let text = format!(
+            "half_space.edge_distance = {edge} is less than {far}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed"
+        );
+        Warning::new(WarningKind::NearEdge, reach / distance, text)
+    });
+    let ratio = displacement / thickness;
+    let deep = Warning::when(ratio > 0.3, WarningKind::DeepPlate, ratio, || {
+        format!(
+            "the plate moves by {ratio:.2} of its thickness, and above 0.3 it also stretches, which makes it stiffer than computed"
+        )
+    });
+    [thick, between, wide, near, deep].into_iter().flatten()
 }
 
 /// The warnings of an oblique impact.
-pub(super) fn of_oblique(contact: &Contact, impact: &Impact, approach: Approach) -> Vec<Warning> {
+pub(super) fn of_oblique(
+    contact: &Contact,
+    impact: &Impact,
+    approach: Approach,
+) -> impl Iterator<Item = Warning> + use<> {
     let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle);
     let ratio = impact.peak_contact_radius / contact.sphere().radius;
-    let ploughs = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
+    let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
+    let ploughing = Warning::when(is_ploughing, WarningKind::Ploughing, ratio, || {
+        format!(
+            "contact radius / sphere radius = {ratio:.3} at {:.0} deg from the normal: the sphere ploughs, a force of about {:.0} % of the contact force that friction leaves out; take tangential speed and spin as estimates",
+            angle.to_degrees(),
+            100.0 * 4.0 / (3.0 * PI) * ratio
+        )
+    });
     let mismatch = contact.mismatch();
     let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
-    let couples = mismatch.abs() > LARGEST_MISMATCH && slips_little;
-    let ploughing = ploughs.then_some(Warning::Ploughing { ratio, angle });
-    ploughing.into_iter().chain(couples.then_some(Warning::Mismatch { mismatch })).collect()
+    let is_coupled = mismatch.abs() > LARGEST_MISMATCH && slips_little;
+    let coupled = Warning::when(is_coupled, WarningKind::Mismatch, mismatch.abs(), || {
+        format!(
+            "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
+        )
+    });
+    [ploughing, coupled].into_iter().flatten()
 }
 
 /// Dundurs' β from which on finite elements show that it is neglected.
@@ -170,16 +265,30 @@ const LARGEST_MISMATCH: f64 = 0.25;
 /// A restitution above this one is printed as more than 1.
 const LARGEST_ROUGH: f64 = 1.0005;
 
-/// A sphere that sinks into its dent may leave faster than it came by the work of gravity alone.
-fn is_by_weight(contact: &Contact, impact: &Impact) -> bool {
-    contact.forces().gravity.unwrap_or(0.0) > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0)
-}
-
-/// The error of e from the drift of the ledger, for a run without a closed form. The drift is relative to all the energy put
-/// in, e to the kinetic energy of the impact.
-fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
-    let weight = contact.mass() * contact.forces().gravity.unwrap_or(0.0);
-    impact.energy.drift * (1.0 + weight * impact.peak_indentation / impact.energy.kinetic_in)
+/// The warning of a restitution above 1 by more than rounding and the error of the run. By the work of gravity alone a sphere
+/// that sinks into its dent may leave faster than it came.
+fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> {
+    let (restitution, drift) = (impact.restitution, impact.energy.drift);
+    let known = impact.accuracy.restitution_error;
+    let gravity = contact.forces().gravity.unwrap_or(0.0);
+    // the drift is relative to all the energy put in, e to the kinetic energy of the impact
+    let sunk = contact.mass() * gravity * impact.peak_indentation;
+    let error = if known.is_nan() { drift * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
+    let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
+    let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);
+    let is_rough = !is_real && known.is_nan() && restitution > LARGEST_ROUGH;
+    let gain = Warning::when(is_real && !is_by_weight, WarningKind::EnergyGain, restitution, || {
+        format!(
+            "restitution {restitution:.6} is above 1: just behind a knot of the loading curve the plastic work falls where it should rise, and a second hit gains that; take it for 1"
+        )
+    });
+    gain.or_else(|| {
+        Warning::when(is_rough, WarningKind::RoughRebound, restitution, || {
+            format!(
+                "restitution {restitution:.6} is above 1, but the energy ledger is off by {drift:.1e}, so this may be an error of the run: tighten the tolerance or use another method"
+            )
+        })
+    })
 }
 
 /// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
@@ -187,11 +296,22 @@ fn rebound_error(contact: &Contact, impact: &Impact) -> f64 {
 fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let drift = impact.energy.drift;
     let error = max_or_nan(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
+    let way_out = "tighten the tolerance or use another method";
     if method == Method::Verlet {
         None
     } else if impact.accuracy.closed_form_restitution.is_nan() {
-        (drift > 1000.0 * tolerance || drift.is_nan()).then_some(Warning::OpenLedger { drift, tolerance })
+        let is_open = drift > 1000.0 * tolerance || drift.is_nan();
+        Warning::when(is_open, WarningKind::OpenLedger, drift, || {
+            format!(
+                "the energy ledger is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
+            )
+        })
     } else {
-        (error > 100.0 * tolerance || error.is_nan()).then_some(Warning::Inaccurate { error, tolerance })
+        let is_inaccurate = error > 100.0 * tolerance || error.is_nan();
+        Warning::when(is_inaccurate, WarningKind::Inaccurate, error, || {
+            format!(
+                "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: {way_out}"
+            )
+        })
     }
 }

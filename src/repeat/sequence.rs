@@ -1,6 +1,5 @@
 //! The results of a series: its impacts, why it ended, and an estimate of what would follow.
 
-use std::mem::discriminant;
 use std::ops::Deref;
 
 use super::flight::Flight;
@@ -127,9 +126,8 @@ impl Sequence {
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {
         for warning in warnings {
-            let same = |(_, known): &(usize, Warning)| discriminant(known) == discriminant(warning);
-            if !self.warnings.iter().any(same) {
-                self.warnings.push((number, *warning));
+            if self.warnings.iter().all(|(_, known)| known.kind != warning.kind) {
+                self.warnings.push((number, warning.clone()));
             }
         }
     }

@@ -18,7 +18,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Co
     let (scene, contact) = prepare(scenario)?;
     let impact = contact.impact(scene.approach_at(scene.speed), &scene.solver, samples);
     let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
-    impact.warnings.extend(&scene.warnings);
+    impact.warnings.extend_from_slice(&scene.warnings);
     Ok((scene, contact, impact))
 }
 

@@ -80,7 +80,8 @@ impl Scenario {
         self.law_name()?;
         let laws = axes.iter().find(|axis| axis.path() == LAW)?.words();
         let is_used = laws.iter().any(|law| law.name() == own.name());
-        (!is_used).then_some(Warning::UnusedLaw { law: own.about().name })
+        let reason = "no case is under that law; name it in \"law\" of [sweep], or leave its table out";
+        (!is_used).then(|| Warning::unused(&format!("law.{}", own.about().name), reason))
     }
 }
 

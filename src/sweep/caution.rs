@@ -2,8 +2,6 @@
 //! the grid, or in the tails of the distributions. Of very many corners, those that differ from the first in one axis are
 //! computed, and a sample of the others. The rows of a table carry no warnings.
 
-use std::mem::discriminant;
-
 use crate::impact::{Approach, Contact, Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
@@ -51,9 +49,9 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
         for warning in impact.warnings {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
             let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
-            match worst.iter_mut().find(|(known, _)| discriminant(known) == discriminant(&warning)) {
+            match worst.iter_mut().find(|(known, _)| known.kind == warning.kind) {
                 None => worst.push((warning, place())),
-                Some(known) if is_worse(doubt(&warning), doubt(&known.0)) => *known = (warning, place()),
+                Some(known) if warning.size.is_nan() || warning.size > known.0.size => *known = (warning, place()),
                 Some(_) => {}
             }
         }
@@ -139,38 +137,4 @@ fn tails(variable: &Variable) -> Axis {
 fn impact(contact: &Contact, approach: Approach) -> Option<(Impact, f64)> {
     let solver = Solver { method: Method::Auto, ..Solver::default() };
     Some((contact.impact(approach, &solver, None).ok()?, contact.sphere().radius))
-}
-
-/// Whether the new warning is worse than the known one; NaN counts as the worst.
-fn is_worse(new: f64, known: f64) -> bool {
-    new.is_nan() || new > known
-}
-
-/// How far beyond its limit a warning is, comparable within its kind.
-fn doubt(warning: &Warning) -> f64 {
-    match *warning {
-        Warning::DeepDent { ratio, .. }
-        | Warning::FlowStep { ratio, .. }
-        | Warning::WideContactOnPlate { ratio }
-        | Warning::DeepPlate { ratio }
-        | Warning::Ploughing { ratio, .. } => ratio,
-        Warning::HighStrength { strength, modulus, .. } => strength / modulus,
-        Warning::LightBody { density, .. } => -density,
-        Warning::LargeSphere { radius } => radius,
-        Warning::BeyondFlowCurve { strain, .. } => strain,
-        Warning::UntestedExponent { exponent } => (exponent - 0.2).abs(),
-        Warning::SphereYields { pressure, strength } => pressure / strength,
-        Warning::ShortContact { transits } => -transits,
-        Warning::Mismatch { mismatch } => mismatch.abs(),
-        Warning::StrongWaves { loss, recovered } => loss / recovered,
-        Warning::ThickPlate { thinness } | Warning::BetweenTheories { thinness, .. } => -thinness,
-        Warning::NearEdge { distance, reach } => reach / distance,
-        Warning::EnergyGain { restitution, .. } | Warning::RoughRebound { restitution, .. } => restitution,
-        Warning::OutsideStated { indentation, from, to } => (indentation / to).max(from / indentation),
-        Warning::Inaccurate { error: off, .. } | Warning::OpenLedger { drift: off, .. } => off,
-        Warning::PlasticGain { .. }
-        | Warning::UnusedKey { .. }
-        | Warning::UnusedLaw { .. }
-        | Warning::WavesAtJump { .. } => 0.0,
-    }
 }

@@ -6,7 +6,7 @@
 //! asked for.
 
 use plm_impact::compare::Comparison;
-use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, Warning, closed_form};
+use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, WarningKind, closed_form};
 use plm_impact::indentation::{Indenter, StaticContact, Target};
 use plm_impact::law::{Bodies, Law, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material};
@@ -36,7 +36,7 @@ fn steel_on_steel_just_past_yield_gives_back_what_it_took_and_no_more() {
     let impact = contact.closed_form(0.012).unwrap();
     assert_eq!((impact.restitution, impact.energy.plastic), (1.0, Some(0.0)));
     assert!(impact.unloading_exponent > 1.2 && impact.unloading_exponent < 1.5, "{}", impact.unloading_exponent);
-    assert!(impact.warnings.iter().all(|warning| !matches!(warning, Warning::EnergyGain { .. })));
+    assert!(impact.warnings.iter().all(|warning| warning.kind != WarningKind::EnergyGain));
 }
 
 #[test]

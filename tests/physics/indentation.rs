@@ -1,7 +1,7 @@
 //! Slow indentation: closed forms of the loops, memory, and random steps.
 
 use Target::{Indentation as To, Load};
-use plm_impact::impact::Warning;
+use plm_impact::impact::{Warning, WarningKind};
 use plm_impact::indentation::{
     Doubt, Indentation, IndentationError, Indenter, Specimen, StaticContact, Step, Target, Tested,
 };
@@ -155,8 +155,8 @@ fn doubts_are_raised_once_by_the_step_that_gives_them() {
         matches!(
             found[..],
             [
-                Doubt { step: 2, warning: Warning::DeepDent { .. } },
-                Doubt { step: 2, warning: Warning::SphereYields { .. } }
+                Doubt { step: 2, warning: Warning { kind: WarningKind::DeepDent, .. } },
+                Doubt { step: 2, warning: Warning { kind: WarningKind::SphereYields, .. } }
             ]
         ),
         "{found:?}"

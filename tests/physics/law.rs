@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use crate::common::{Scene, any_scene, off};
-use plm_impact::impact::{Contact, Warning};
+use plm_impact::impact::{Contact, WarningKind};
 use plm_impact::law::curve::Curve;
 use plm_impact::law::{
     ContactLaw, ElasticApproach, Law, LawChoice, Peak, Plm, PlmCoefficients, UnloadingExponent, pressure_shape_exponent,
@@ -389,9 +389,12 @@ fn yield_factor_is_the_papers_at_nu_0_3() {
 fn a_contact_that_is_too_wide_for_its_law_is_told_the_limit_of_that_law() {
     let limits = |contact: &Contact, speed: f64| {
         let impact = contact.closed_form(speed).unwrap_or_else(|error| panic!("{speed}: {error}"));
-        let limits = impact.warnings.iter().filter_map(|warning| match warning {
-            Warning::DeepDent { limit, .. } => Some(*limit),
-            Warning::OutsideStated { .. } => Some(f64::NAN),
+        let limits = impact.warnings.iter().filter_map(|warning| match warning.kind {
+            WarningKind::DeepDent => {
+                let text = warning.to_string();
+                text.split("is beyond ").nth(1)?.split(',').next()?.parse().ok()
+            }
+            WarningKind::OutsideStated => Some(f64::NAN),
             _ => None,
         });
         (limits.collect::<Vec<_>>(), impact.peak_contact_radius / contact.sphere().radius)

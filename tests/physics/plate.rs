@@ -1,7 +1,7 @@
 //! Impacts on a large thin plate: 30-digit impacts, Zener's limits, the balance of energy, and where there is no answer.
 
 use plm_impact::impact::{
-    Contact, Event, Forces, Impact, ImpactError, Method, Plate, PlateError, PlateTheory, Solver, Warning,
+    Contact, Event, Forces, Impact, ImpactError, Method, Plate, PlateError, PlateTheory, Solver, Warning, WarningKind,
 };
 use plm_impact::integrate::library::{Library, Scheme};
 use plm_impact::integrate::rk8::Rk8;
@@ -384,17 +384,17 @@ fn doubtful_plates_are_warned_of() {
     assert!(warned(plain, None, Zener).is_empty());
     let x = plain.impact(1.0, None).on_plate.unwrap().thinness;
     let with = |thinness: f64| OnPlate { thickness: plain.thickness * x / thinness, ..plain };
-    assert!(matches!(warned(with(1.9), None, Zener)[..], [Warning::ThickPlate { .. }]));
-    assert!(matches!(warned(with(1.9), None, Thick)[..], [Warning::ThickPlate { .. }]));
-    assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning::BetweenTheories { .. }]));
-    assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning::BetweenTheories { .. }]));
+    assert!(matches!(warned(with(1.9), None, Zener)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
+    assert!(matches!(warned(with(1.9), None, Thick)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
+    assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning { kind: WarningKind::BetweenTheories, .. }]));
+    assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning { kind: WarningKind::BetweenTheories, .. }]));
     assert!(warned(with(10.1), None, Zener).is_empty() && warned(with(5.1), None, Thick).is_empty());
     let reach = plain.impact(1.0, None).on_plate.unwrap().reach;
     assert!(warned(plain, Some(1.001 * reach), Zener).is_empty());
-    assert!(matches!(warned(plain, Some(0.999 * reach), Zener)[..], [Warning::NearEdge { .. }]));
+    assert!(matches!(warned(plain, Some(0.999 * reach), Zener)[..], [Warning { kind: WarningKind::NearEdge, .. }]));
     let foil = OnPlate::glass(0.4e-3).impact(2.0, None).warnings;
-    assert!(foil.iter().any(|warning| matches!(warning, Warning::DeepPlate { .. })));
-    assert!(foil.iter().any(|warning| matches!(warning, Warning::WideContactOnPlate { .. })));
+    assert!(foil.iter().any(|warning| warning.kind == WarningKind::DeepPlate));
+    assert!(foil.iter().any(|warning| warning.kind == WarningKind::WideContactOnPlate));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Radiation of elastic waves: the factor of the material, the integral along an impact, known values, and the output.
 
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
-use plm_impact::impact::{Contact, Essentials, Impact, Method, Solver, Warning};
+use plm_impact::impact::{Contact, Essentials, Impact, Method, Solver, WarningKind};
 use plm_impact::law::catalogue::jackson_green::JacksonGreen;
 use plm_impact::law::jumps::Jumps;
 use plm_impact::law::{Plm, UnloadingExponent};
@@ -269,8 +269,8 @@ fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
         Bodies { half_space, ..base }.impact(100.0)
     };
     let (light, heavy) = (with(10.0), with(1e7));
-    assert!(!light.warnings.iter().any(|warning| matches!(warning, Warning::StrongWaves { .. })));
-    assert!(heavy.warnings.iter().any(|warning| matches!(warning, Warning::StrongWaves { .. })));
+    assert!(!light.warnings.iter().any(|warning| warning.kind == WarningKind::StrongWaves));
+    assert!(heavy.warnings.iter().any(|warning| warning.kind == WarningKind::StrongWaves));
     assert!(heavy.wave_loss_fraction.unwrap() > heavy.restitution * heavy.restitution);
     assert_eq!(heavy.restitution_with_waves(), Some(0.0));
     // W_rad is proportional to √ρ for a half-space of given moduli
@@ -286,7 +286,7 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
         Contact::try_new(bodies.sphere, bodies.half_space, &law).unwrap()
     };
     // at a jump of the force F' is infinite, and so is the radiated power
-    let says = |impact: &Impact| impact.warnings.iter().any(|warning| matches!(warning, Warning::WavesAtJump { .. }));
+    let says = |impact: &Impact| impact.warnings.iter().any(|warning| warning.kind == WarningKind::WavesAtJump);
     let (printed, crossed) = (contact(Jumps::Printed), contact(Jumps::Crossed));
     let yield_speed = printed.yield_speed().unwrap();
     // x = 1.9 is reached at 1.9^1.25 = 2.23 times the yield speed

@@ -1,6 +1,6 @@
 //! Scenes in which the error control of a stepper once failed; each failed before its defect was repaired.
 
-use plm_impact::impact::{Damping, Forces, Method, Warning};
+use plm_impact::impact::{Damping, Forces, Method, WarningKind};
 use plm_impact::law::UnloadingExponent;
 use plm_impact::material::Material;
 
@@ -25,7 +25,7 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
     assert!(got.energy.drift < 1e3 * tolerance, "{:e}", got.energy.drift);
     assert!(off(got.restitution, fine.restitution) < 1e3 * tolerance);
     assert!(off(got.contact_time, fine.contact_time) < 1e3 * tolerance);
-    assert!(!got.warnings.iter().any(|warning| matches!(warning, Warning::OpenLedger { .. })));
+    assert!(!got.warnings.iter().any(|warning| warning.kind == WarningKind::OpenLedger));
 }
 
 /// Cases found by the property tests among 10⁵: in the second step from r = 0 a weak pull and a weak drag hid the force
