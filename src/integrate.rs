@@ -14,6 +14,7 @@ pub mod exact;
 mod landing;
 pub mod library;
 mod nystrom;
+mod oscillation;
 mod path;
 mod piece;
 pub mod rk8;

@@ -1,4 +1,5 @@
-//! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event.
+//! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event. Straight
+//! pieces on the way in need no steps where the drag is linear: see `oscillation.rs`.
 //!
 //! **Landing.** The step that would reach the end of the leg, by the speed and its rate at the start of the step, is made a
 //! little longer than that. Where a step has passed an event, the event is located on the continuous solution of the step,
@@ -8,6 +9,7 @@
 
 use super::dop853::{self, CONTINUOUS_EVALUATIONS, Continuous, EVALUATIONS};
 use super::event::{Stretch, has_crested};
+use super::oscillation::Oscillation;
 use super::piece::power::{DraggedHertz, DraggedPower};
 use super::piece::smooth::DraggedCurve;
 use super::piece::straight::DraggedStraight;
@@ -195,9 +197,13 @@ impl Damped {
         track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError> {
         match path.restoring {
-            Restoring::Straight { at_start, slope } => {
-                self.run(DraggedStraight::along(at_start, slope, path), path, state, track)
-            }
+            Restoring::Straight { at_start, slope } => match Oscillation::along(path, *state) {
+                Some(closed) => {
+                    self.work = self.work + Work { steps: 1, rejected: 0, force_evaluations: 1 };
+                    Ok(closed.land(path, state, track))
+                }
+                None => self.run(DraggedStraight::along(at_start, slope, path), path, state, track),
+            },
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 self.run(DraggedHertz::<M>::along(coefficient, path), path, state, track)
             }
