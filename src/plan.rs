@@ -8,8 +8,8 @@ mod source;
 use crate::impact::Method;
 use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
-use crate::scene::{EITHER, Input, Key, Scene, Use};
-use axis::{Axis, Setting, Word};
+use crate::scene::{Input, Key, Scene, Use};
+use axis::{Axis, Word};
 use random::Variable;
 pub use source::Source;
 
@@ -44,21 +44,10 @@ pub const HARDNESS: &str = "half_space.hardness";
 pub const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
-    /// These cases of an input. A key that varies takes away the key in place of which it stands.
-    pub fn new(mut input: Input, cases: Cases) -> Self {
-        let mut plan = Self { scene: input.resolve(), input: Input::default(), cases, columns: None };
-        for axis in plan.axes() {
-            if let Setting::Number { key, values } = &axis.setting {
-                key.put(&mut input, values.at(0));
-            }
-        }
-        if let Cases::MonteCarlo { variables, .. } = &plan.cases {
-            for variable in variables {
-                variable.key.put(&mut input, variable.middle());
-            }
-        }
-        plan.input = input;
-        plan.scene = plan.scene_at(&vec![0; plan.axes().len()]);
+    /// These cases of an input, in which every key that varies has its first value or its median.
+    pub fn new(input: Input, cases: Cases) -> Self {
+        let mut plan = Self { scene: input.resolve(), input, cases, columns: None };
+        plan.scene = plan.input_at(&vec![0; plan.axes().len()]).resolve();
         plan
     }
 
@@ -81,11 +70,6 @@ impl Plan {
         let mut input = self.input.clone();
         put(self.axes(), places, &mut input);
         input
-    }
-
-    /// The scene of that case.
-    pub fn scene_at(&self, places: &[u64]) -> Scene {
-        self.input_at(places).resolve()
     }
 
     /// The columns of the swept values, and of a yield strength that follows from them.
@@ -134,16 +118,11 @@ impl Plan {
     pub fn unused(&self) -> Option<(&'static str, String)> {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
-        if let Some([other, path]) = EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path))) {
-            return Some((path, format!("stands in place of {other}, which varies too; keep one of the two")));
-        }
         let cases = self.worded();
         let is_plastic = cases.iter().any(|input| input.resolve().half_space.yield_strength.is_some());
         paths.iter().copied().find_map(|path| {
             let key = Key::find(path);
-            let problem = if self.has_waves() && (path == "gravity.acceleration" || is_of_damping(path)) {
-                "cannot vary beside half_space.density: elastic waves are computed without gravity and damping; leave one of the two out".to_owned()
-            } else if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") {
+            let problem = if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") {
                 "cannot vary together with \"law\": give it in the table of its law".to_owned()
             } else if key.is_some_and(|key| !cases.iter().any(|input| key.has_effect(input, Use::Rows))) {
                 format!("is not used: {}", key?.why_without_effect())
@@ -158,18 +137,16 @@ impl Plan {
 
     /// The inputs under all laws and methods of the axes, with the first values of the other axes.
     fn worded(&self) -> Vec<Input> {
-        let mut all = vec![vec![0; self.axes().len()]];
-        for (k, axis) in self.axes().iter().enumerate() {
-            if matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]) {
-                let with = |places: &Vec<u64>, place| {
-                    let mut places = places.clone();
-                    places[k] = place;
-                    places
-                };
-                all = all.iter().flat_map(|places| (0..axis.len()).map(move |place| with(places, place))).collect();
-            }
+        let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
+        for axis in self.axes().iter().filter(|axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..])) {
+            let with = |input: &Input, place| {
+                let mut input = input.clone();
+                axis.put(place, &mut input);
+                input
+            };
+            all = all.iter().flat_map(|input| (0..axis.len()).map(move |place| with(input, place))).collect();
         }
-        all.iter().map(|places| self.input_at(places)).collect()
+        all
     }
 
     /// The methods of the cases.
@@ -215,11 +192,6 @@ impl Plan {
     /// Whether the half-space can yield. If not, nothing plastic is reported.
     pub fn is_plastic(&self) -> bool {
         self.scene.half_space.yield_strength.is_some()
-    }
-
-    /// Whether the half-space has a density, and is no plate. If not, nothing is reported of elastic waves.
-    pub fn has_waves(&self) -> bool {
-        self.scene.half_space.density.is_some() && self.scene.forces.plate.is_none()
     }
 
     /// Whether values are random.

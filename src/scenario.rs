@@ -22,23 +22,18 @@
 //! ```
 
 mod axes;
+mod beside;
 pub mod calibrate;
-mod columns;
 mod compare;
 mod document;
 pub mod edit;
-mod explain;
 mod extreme;
 mod file;
 mod flow;
-mod forces;
-mod friction;
 pub mod indentation;
 mod kind;
-mod law;
+mod mark;
 mod material;
-mod overrides;
-mod place;
 pub mod reference;
 mod repeat;
 pub mod schema;
@@ -50,14 +45,15 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::impact::Warning;
+use crate::law::LawChoice;
 use crate::plan::axis::Setting;
-use crate::scene::read::{Fault, Reader};
-use crate::scene::table::Table as _;
+use crate::scene::read::Reader;
 use crate::scene::taken::Taken;
+use crate::scene::written::add_places;
 use crate::scene::{EITHER, Input, KEYS, Key, Scene, Use};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
-use file::File;
-pub use file::{every_key, list_of};
+use file::Tables;
+pub use file::every_key;
 pub use kind::{Kind, template};
 
 /// A scenario file, read and checked.
@@ -65,10 +61,12 @@ pub use kind::{Kind, template};
 pub struct Scenario {
     /// Its text, in which the place of a value can be found.
     pub document: Document,
-    /// Its tables.
-    tables: File,
-    /// Those of one impact, with what the bodies take from their materials.
+    /// Its tables of one impact, with what the bodies take from their materials.
     input: Input,
+    /// The results that a table has besides the restitution, if it names them.
+    columns: Option<Vec<String>>,
+    /// Its other tables.
+    tables: Tables,
     /// The values that its bodies take from named materials.
     pub taken: Vec<Taken>,
     /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
@@ -130,7 +128,7 @@ impl Scenario {
         directory: PathBuf,
         mut texts: BTreeMap<String, String>,
     ) -> Result<Self, Error> {
-        let document = Document::new(name, text, overrides)?;
+        let mut document = Document::new(name, text, overrides)?;
         let mut files = BTreeMap::new();
         let mut read = |key: &str, name: &str| {
             let path = directory.join(name);
@@ -141,26 +139,31 @@ impl Scenario {
             files.insert(key.to_owned(), (path.clone(), text.clone()));
             Ok([path.display().to_string(), text])
         };
+        let root = document.tables()?;
         let mut reader = Reader::new(&mut read);
-        let mut tables = File::default();
-        let read: Result<(), Fault> = tables.take(&document.root, &mut reader);
-        let refused = reader.refused.into_iter().chain(read.err().map(|fault| (String::new(), fault)));
-        if let Some(refusal) = document.refused(refused.collect()) {
+        let (mut input, mut tables) = file::read(&root, &mut reader);
+        if let Some(refusal) = document.refused(reader.refused) {
             return Err(refusal);
         }
-        let taken = tables.take_materials(&document)?;
-        let mut input = tables.input();
+        let mut places = BTreeMap::new();
+        add_places("", &root, &mut places);
+        drop(root);
+        document.places = places;
+        let taken = tables.take_materials(&input, &document)?;
         for taken in &taken {
             input.take(taken);
         }
+        // rows of a table copy the input
+        let columns = input.output.columns.take();
         if let Some(name) = tables.calibrate.as_ref().and_then(|calibrate| calibrate.data.as_ref()) {
             let path = directory.join(name);
             // one that cannot be read is refused where it is needed
             let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
-        let scenario = Self { document, tables, input, taken, files, directory };
-        scenario.check_tables()?;
+        let scenario = Self { document, input, columns, tables, taken, files, directory };
+        scenario.check_beside()?;
+        scenario.need(&NEEDED[..3])?;
         Ok(scenario)
     }
 
@@ -173,27 +176,6 @@ impl Scenario {
     /// Whether a key varies over the cases of a table, or is to be found.
     fn varies(&self, path: &str) -> bool {
         self.tables.varied().contains(&path)
-    }
-
-    /// Whether a key is given or varies.
-    fn gives(&self, path: &str) -> bool {
-        self.has(path) || self.varies(path)
-    }
-
-    /// Checks what every kind of scene needs: a sphere, and no two keys in place of each other.
-    fn check_tables(&self) -> Result<(), Error> {
-        for [one, other] in EITHER {
-            if self.has(one) && self.has(other) {
-                return Err(self.document.one_key(one, other));
-            }
-        }
-        for table in ["friction", "gravity", "damping"] {
-            let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
-            if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
-                return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
-            }
-        }
-        self.need(&NEEDED[..3])
     }
 
     /// Refuses a scenario in which one of these keys is missing. A key in place of it counts, and a key that varies
@@ -244,13 +226,9 @@ impl Scenario {
     /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
     fn checked(&self, needed: usize) -> Result<Input, Error> {
         self.need(&NEEDED[..needed])?;
-        self.check_law()?;
         let input = self.first_case();
         self.check_flow(&input)?;
-        self.needs_gravity()?;
-        self.check_friction()?;
         let scene = input.resolve();
-        self.refuse_waves(&scene)?;
         self.check_plate(&scene)?;
         let flow = input.half_space.flow_stress.curve();
         self.check_strength(flow, &scene.law, Some(&scene.half_space))?;
@@ -287,7 +265,6 @@ impl Scenario {
     /// The scene of a scenario without motion.
     fn at_rest(&self) -> Result<Scene, Error> {
         self.need(&NEEDED[3..5])?;
-        self.check_law()?;
         self.check_flow(&self.input)?;
         Ok(self.as_given())
     }
@@ -305,11 +282,12 @@ impl Scenario {
             None => !key.has_effect(input, of),
         };
         let keys = KEYS.iter().filter(is_open).filter(is_idle).map(|key| (key.path, key.why_without_effect()));
-        let law = match self.law_name().filter(|_| is_elastic) {
-            Some("plm") if self.document.has("law.plm.coefficients") => Some("law.plm.coefficients"),
-            None | Some("plm" | "hertz") => None,
-            Some(_) => Some("law"),
+        let law = match &self.input.law {
+            LawChoice::Plm(_) => Some("law.plm.coefficients"),
+            LawChoice::Hertz(_) => None,
+            _ => Some("law"),
         };
+        let law = law.filter(|key| is_elastic && self.document.has(key));
         keys.chain(law.map(|key| (key, ELASTIC))).map(|(key, reason)| Warning::unused(key, reason)).collect()
     }
 }

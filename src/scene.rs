@@ -19,7 +19,6 @@ use crate::impact::{Approach, Contact, Forces, ImpactError, Incidence, PlateTheo
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
 pub use effect::Use;
-pub use field::Given;
 pub use input::Input;
 pub use keys::{EITHER, KEYS, Key};
 use taken::Taken;

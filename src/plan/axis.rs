@@ -15,14 +15,12 @@ pub enum Values {
     /// As listed.
     List(Vec<f64>),
     /// Evenly spaced, both ends included; may fall.
-    Linear { from: f64, to: f64, points: u64 },
-    /// Evenly spaced in the logarithm, both ends included; may fall. Made by [`Values::logarithmic`].
-    Logarithmic {
+    Spaced {
         from: f64,
         to: f64,
-        /// Logarithms to base 10 of the first and the last value.
-        decades: (f64, f64),
         points: u64,
+        /// Logarithms to base 10 of the first and the last value, where the values are evenly spaced in the logarithm.
+        decades: Option<(f64, f64)>,
     },
 }
 
@@ -31,25 +29,27 @@ impl Values {
     pub fn len(&self) -> u64 {
         match self {
             Self::List(values) => values.len() as u64,
-            Self::Linear { points, .. } | Self::Logarithmic { points, .. } => *points,
+            Self::Spaced { points, .. } => *points,
         }
     }
 
     /// Evenly spaced in the logarithm; both ends are > 0.
     pub fn logarithmic(from: f64, to: f64, points: u64) -> Self {
-        Self::Logarithmic { from, to, decades: (log10(from), log10(to)), points }
+        Self::Spaced { from, to, points, decades: Some((log10(from), log10(to))) }
     }
 
     /// Value `i`; the ends are exact.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
     pub fn at(&self, i: u64) -> f64 {
-        let share = |points: u64| i as f64 / (points - 1) as f64;
         match *self {
             Self::List(ref values) => values[i as usize],
-            Self::Linear { from, .. } | Self::Logarithmic { from, .. } if i == 0 => from,
-            Self::Linear { to, points, .. } | Self::Logarithmic { to, points, .. } if i + 1 >= points => to,
-            Self::Linear { from, to, points } => from + (to - from) * share(points),
-            Self::Logarithmic { decades: (low, high), points, .. } => pow(10f64, low + (high - low) * share(points)),
+            Self::Spaced { from, .. } if i == 0 => from,
+            Self::Spaced { to, points, .. } if i + 1 >= points => to,
+            Self::Spaced { from, to, points, decades } => {
+                let share = i as f64 / (points - 1) as f64;
+                let between = |low: f64, high: f64| low + (high - low) * share;
+                decades.map_or_else(|| between(from, to), |(low, high)| pow(10f64, between(low, high)))
+            }
         }
     }
 
@@ -107,7 +107,7 @@ pub struct Axis {
 impl Axis {
     /// An axis of a numeric key.
     pub fn of_number(key: &'static Key, values: Values) -> Self {
-        let is_logarithmic = matches!(values, Values::Logarithmic { .. });
+        let is_logarithmic = matches!(values, Values::Spaced { decades: Some(_), .. });
         Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
     }
 

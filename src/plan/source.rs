@@ -1,5 +1,7 @@
 //! The texts that a plan is read from: hashed, and kept beside tables so that another machine reads the same plan again.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -12,13 +14,12 @@ pub struct Source {
     pub text: String,
     /// `key=value` of the command line, in its order.
     pub overrides: Vec<String>,
-    /// Of the file of coefficients, if the scenario names one.
-    pub coefficients: Option<String>,
-    /// Of the file of a flow curve, if the scenario names one.
-    pub flow_table: Option<String>,
-    /// Of the file of measurements, if the scenario names one.
-    pub data: Option<String>,
+    /// Of the files that the scenario names, by the keys that name them.
+    pub files: BTreeMap<String, String>,
 }
+
+/// The keys that name files.
+const NAMING: [&str; 3] = ["law.plm.coefficients", "half_space.flow_stress.table", "calibrate.data"];
 
 impl Source {
     /// SHA-256 of these texts, in hexadecimal.
@@ -30,8 +31,8 @@ impl Source {
             hasher.update([0]);
             hasher.update(given);
         }
-        for (zeros, file) in (2..).zip([&self.coefficients, &self.flow_table, &self.data]) {
-            if let Some(text) = file {
+        for (zeros, key) in (2..).zip(NAMING) {
+            if let Some(text) = self.files.get(key) {
                 hasher.update(vec![0; zeros]);
                 hasher.update(text);
             }

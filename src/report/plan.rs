@@ -41,7 +41,7 @@ fn values(axis: &Axis) -> String {
     }
     let spacing = match (&axis.setting, axis.is_logarithmic) {
         (Setting::Number { .. }, true) => ", evenly in the logarithm",
-        (Setting::Number { values: Values::Linear { .. }, .. }, _) => ", evenly",
+        (Setting::Number { values: Values::Spaced { decades: None, .. }, .. }, _) => ", evenly",
         _ => "",
     };
     format!("{count} values from {} to {}{spacing}", axis.label(0), axis.label(count - 1))

@@ -28,7 +28,7 @@ struct Computed {
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
     let (mut scene, contact) = held(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
-    if !scenario.names_method() {
+    if !scenario.document.has("solver.method") {
         // a series needs no steps where there is a closed form
         scene.solver.method = Method::Auto;
     }

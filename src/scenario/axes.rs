@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use toml::de::{DeTable, DeValue};
+
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::materials;
@@ -11,10 +13,10 @@ use crate::plan::random::{Distribution, Variable};
 use crate::scene::field::Field;
 use crate::scene::key::Form;
 use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
-use crate::scene::read::{Fault, Reader, count, items, list, named, number, text, word};
+use crate::scene::read::{Fault, Reader, count, items, list, named, number, word};
 use crate::scene::taken::{Body, Taken};
-use crate::scene::words::{DRAWN, LAWS, MATERIALS, METHODS, SCALES};
-use crate::scene::written::{Item, Node, Value};
+use crate::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
+use crate::scene::written::{Name, Node};
 use crate::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
 
@@ -45,30 +47,35 @@ pub(super) struct RandomKeys {
 
 impl Field for Option<Vec<Axis>> {
     fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let keys = &items(node)?.0;
+        let keys = items(node)?;
         if keys.is_empty() {
             let message =
                 "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
             return Err(Fault::at(node, message));
         }
-        let axes = self.insert(Vec::new());
-        for item in keys {
-            reader.within(&item.name, |_| {
-                axes.push(axis(item)?);
-                Ok(())
-            });
-        }
+        *self = Some(each(keys, reader, axis));
         Ok(())
     }
 }
 
-fn axis(item: &Item) -> Result<Axis, Fault> {
-    let Item { name: path, node, .. } = item;
+/// What `read` makes of the keys of a table; a refusal is kept.
+fn each<T>(keys: &DeTable, reader: &mut Reader, read: fn(&Name, &Node) -> Result<T, Fault>) -> Vec<T> {
+    let mut all = Vec::new();
+    for (name, node) in keys {
+        reader.within(name.get_ref(), |_| read(name, node).map(|one| all.push(one)));
+    }
+    all
+}
+
+fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
+    let path = name.get_ref();
     if path == METHOD {
         let method = |item: &Node| named(&METHODS, item, Method::from_name).map(Word::Method);
         return words(METHOD, node, "[\"rk8\", \"dop853\"]", method);
     }
     if path == LAW {
+        let find = |name: &str| LawChoice::from_name(name).filter(LawChoice::has_loading);
+        let law = |item: &Node| named(&AXIS_OF_LAWS, item, find).map(Word::Law);
         return words(LAW, node, "[\"plm\", \"thornton\"]", law);
     }
     if let Some(body) = Body::of_key(path) {
@@ -77,7 +84,7 @@ fn axis(item: &Item) -> Result<Axis, Fault> {
         let material = |item: &Node| named(&MATERIALS, item, materials::find).map(taken);
         return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
     }
-    let key = known(item, true)?;
+    let key = known(name, true)?;
     Ok(Axis::of_number(key, axis_values(key.quantity, node)?))
 }
 
@@ -104,24 +111,12 @@ fn words(
 
 const AT_LEAST_ONE: &str = "an axis needs at least one value";
 
-/// A law, or two halves "loading + unloading".
-fn law(item: &Node) -> Result<Word, Fault> {
-    let name = text(item, "plm")?;
-    if let Some(law) = LawChoice::from_name(name).filter(LawChoice::has_loading) {
-        return Ok(Word::Law(law));
-    }
-    let whole = (LAWS.known)();
-    let all = format!("laws are {}, or \"loading + unloading\" such as \"jackson_green + brake\"", whole.join(", "));
-    let hint = did_you_mean(name, whole.iter().map(String::as_str), '"', &all);
-    Err(Fault::at(item, format!("no law is known as \"{name}\"{hint}")))
-}
-
 impl Field for RandomKeys {
     fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        for item in &items(node)?.0 {
-            reader.within(&item.name, |_| self.take(item));
+        for (name, value) in items(node)? {
+            reader.within(name.get_ref(), |_| self.take(name, value));
         }
-        let problem = if self.samples == 0 && items(node)?.get("samples").is_none() {
+        let problem = if !items(node)?.contains_key("samples") {
             "samples, the number of cases, is missing"
         } else if self.variables.is_empty() && self.materials.is_empty() && reader.refused.is_empty() {
             "has no random key; give one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
@@ -133,17 +128,17 @@ impl Field for RandomKeys {
 }
 
 impl RandomKeys {
-    fn take(&mut self, item: &Item) -> Result<(), Fault> {
-        match item.name.as_str() {
-            "samples" => self.samples = count(&SAMPLED, &item.node)?,
-            "seed" => self.seed = count(&SEED, &item.node)?,
+    fn take(&mut self, name: &Name, node: &Node) -> Result<(), Fault> {
+        match &**name.get_ref() {
+            "samples" => self.samples = count(&SAMPLED, node)?,
+            "seed" => self.seed = count(&SEED, node)?,
             path => {
                 if let Some(body) = Body::of_key(path) {
-                    word(&DRAWN, &item.node)?;
+                    word(&DRAWN, node)?;
                     self.materials.push(DrawnMaterial { body, place: self.variables.len() });
                 } else {
-                    let key = known(item, false)?;
-                    self.variables.push(Variable::of(key, distribution(key.quantity, &item.node)?));
+                    let key = known(name, false)?;
+                    self.variables.push(Variable::of(key, distribution(key.quantity, node)?));
                 }
             }
         }
@@ -153,18 +148,12 @@ impl RandomKeys {
 
 impl Field for Option<Vec<Free>> {
     fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let keys = &items(node)?.0;
+        let keys = items(node)?;
         if keys.is_empty() || keys.len() > 2 {
             let message = format!("{} keys are given, expected one or two, each with {FREE}", keys.len());
             return Err(Fault::at(node, message));
         }
-        let all = self.insert(Vec::new());
-        for item in keys {
-            reader.within(&item.name, |_| {
-                all.push(free(item)?);
-                Ok(())
-            });
-        }
+        *self = Some(each(keys, reader, free));
         Ok(())
     }
 }
@@ -172,8 +161,8 @@ impl Field for Option<Vec<Free>> {
 const FREE: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
 
 /// A key to find, with its range.
-fn free(item: &Item) -> Result<Free, Fault> {
-    let (key, node) = (known(item, false)?, &item.node);
+fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
+    let key = known(name, false)?;
     let [from, to, scale] = parts(node, ["from", "to", "scale"], FREE)?;
     let end = |end: Option<_>| end.map(|end| number(key.quantity, None, end)).transpose();
     let ends = end(from)?.zip(end(to)?).filter(|(from, to)| from < to);
@@ -189,17 +178,23 @@ fn free(item: &Item) -> Result<Free, Fault> {
 }
 
 /// The values of a table that has these keys alone; `form` says how such a table is written.
-fn parts<'n, const N: usize>(node: &'n Node, names: [&str; N], form: &str) -> Result<[Option<&'n Node>; N], Fault> {
-    let Value::Table(table) = &node.value else { return Err(Fault::unexpected(node, form)) };
-    let unknown = table.0.iter().find(|item| !names.contains(&item.name.as_str()));
-    let Some(Item { name, span, .. }) = unknown else { return Ok(names.map(|name| table.get(name))) };
+fn parts<'n, 't, const N: usize>(
+    node: &'n Node<'t>,
+    names: [&str; N],
+    form: &str,
+) -> Result<[Option<&'n Node<'t>>; N], Fault> {
+    let DeValue::Table(table) = node.get_ref() else { return Err(Fault::unexpected(node, form)) };
+    let unknown = table.keys().find(|name| !names.contains(&&**name.get_ref()));
+    let Some((name, span)) = unknown.map(|name| (name.get_ref(), name.span())) else {
+        return Ok(names.map(|name| table.get(name)));
+    };
     let hint = did_you_mean(name, names, '`', &format!("keys here are {}", names.join(", ")));
-    Err(Fault { span: span.clone(), message: format!("unknown key `{name}`{hint}") })
+    Err(Fault { span, message: format!("unknown key `{name}`{hint}") })
 }
 
 /// The numeric key of that path.
-fn known(item: &Item, has_words: bool) -> Result<&'static Key, Fault> {
-    let path = item.name.as_str();
+fn known(name: &Name, has_words: bool) -> Result<&'static Key, Fault> {
+    let path = &**name.get_ref();
     if let Some(key) = Key::find(path) {
         return Ok(key);
     }
@@ -215,12 +210,12 @@ fn known(item: &Item, has_words: bool) -> Result<&'static Key, Fault> {
             &all,
         ),
     };
-    Err(Fault { span: item.span.clone(), message: format!("`{path}` is no numeric key of a scenario{hint}") })
+    Err(Fault { span: name.span(), message: format!("`{path}` is no numeric key of a scenario{hint}") })
 }
 
 /// A list of values, or two ends and how many points.
 fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
-    if let Value::List(items) = &value.value {
+    if let DeValue::Array(items) = value.get_ref() {
         return if items.is_empty() {
             Err(Fault::at(value, AT_LEAST_ONE))
         } else {
@@ -238,7 +233,7 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     let points = points.ok_or_else(|| Fault::at(value, "points, the number of values, is missing"))?;
     let points = count(&POINTS, points)?;
     if !is_log {
-        return Ok(Values::Linear { from, to, points });
+        return Ok(Values::Spaced { from, to, points, decades: None });
     }
     if from > 0.0 && to > 0.0 {
         return Ok(Values::logarithmic(from, to, points));

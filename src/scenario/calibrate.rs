@@ -1,7 +1,7 @@
 //! `[calibrate]`: keys that are found from measurements.
 
 use super::document::read_text;
-use super::file::{CalibrateInput, NoiseInput, numbers};
+use super::file::{CalibrateInput, numbers};
 use super::{DATA, Kind, LARGEST_DATA, NEEDED, Scenario};
 use crate::error::Error;
 use crate::impact::Method;
@@ -88,16 +88,15 @@ impl Scenario {
             let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
-        let (model_error, deviations) = match &given.noise {
-            Some(NoiseInput::Given(noise)) => (noise.model, numbers(Some(noise))),
-            _ => (None, Vec::new()),
-        };
+        let mut deviations = numbers(given.noise.as_ref());
+        let is_estimated = given.noise.is_some() && deviations.is_empty();
+        deviations.retain(|(name, _)| name != "model");
         Ok(Wanted {
             source: self.measurements(given)?,
             free,
-            deviations: deviations.into_iter().filter(|(name, _)| name != "model").collect(),
-            model_error: model_error.unwrap_or(0.0),
-            is_estimated: matches!(given.noise, Some(NoiseInput::Estimate)),
+            deviations,
+            model_error: given.noise.as_ref().and_then(|noise| noise.model).unwrap_or(0.0),
+            is_estimated,
             is_robust: given.robust.as_ref().is_some_and(|robust| robust == "student-t"),
             laws,
             scene,
@@ -107,14 +106,13 @@ impl Scenario {
     fn measurements(&self, given: &CalibrateInput) -> Result<Source, Error> {
         let measured = numbers(given.measured.as_ref());
         match (&given.data, measured.is_empty()) {
-            (Some(name), true) => {
+            (Some(name), _) => {
                 if let Some((path, text)) = self.files.get(DATA) {
                     return Ok(Source::Text(path.display().to_string(), text.clone()));
                 }
                 let path = self.directory.join(name);
                 read_text(&path, LARGEST_DATA).map(|text| Source::Text(path.display().to_string(), text))
             }
-            (Some(_), false) => Err(self.document.one_table("calibrate.measured", "calibrate.data")),
             (None, false) => Ok(Source::Numbers(measured)),
             (None, true) => {
                 let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";
@@ -138,16 +136,19 @@ impl Scenario {
     /// Refuses keys to find and columns of the data that have no effect, and impacts without a speed or a mass.
     pub fn check_varied(&self, wanted: &Wanted, columns: &[&'static Key], is_of_impacts: bool) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
-            let free = format!("calibrate.free.{path}");
             let is_column = columns.iter().any(|key| key.path == path);
             let (place, what) =
-                if is_column { ("calibrate.data", format!("its column {path} ")) } else { (&*free, String::new()) };
-            Err(self.document.refuse(if self.document.has(place) { place } else { path }, what + &message))
+                if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
+            Err(self.refuse_varied(place, what + &message))
         };
-        let axis = |key: &'static Key, value: f64| Axis::of_number(key, Values::List(vec![value]));
-        let axes = wanted.free.iter().map(|free| axis(free.key, free.from));
-        let axes: Vec<Axis> = axes.chain(columns.iter().map(|key| axis(key, 1.0))).collect();
-        let plan = Plan { scene: wanted.scene.clone(), ..Plan::new(Input::of(&wanted.scene), Cases::Grid(axes)) };
+        let mut input = Input::of(&wanted.scene);
+        let free = wanted.free.iter().map(|free| (free.key, free.from));
+        let axis = |(key, value): (&'static Key, f64)| {
+            key.put(&mut input, value);
+            Axis::of_number(key, Values::List(vec![value]))
+        };
+        let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
+        let plan = Plan { scene: wanted.scene.clone(), ..Plan::new(input, Cases::Grid(axes)) };
         let paths = plan.paths();
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
             return refuse(

@@ -2,7 +2,6 @@
 
 use super::Scenario;
 use super::file::CompareInput;
-use super::flow::FLOW;
 use crate::compare::{Comparison, Origin};
 use crate::error::Error;
 use crate::impact::{of_half_space, of_sphere};
@@ -17,9 +16,6 @@ const LEFT_OUT: &str = "walton_braun";
 /// Why another law than PLM is refused.
 const OTHER_LAW: &str = "only [law.plm] has an effect here; name other laws in compare.laws";
 
-/// Why a flow curve is refused.
-const NO_HARDENING: &str = "the other laws have no hardening, so there is nothing to compare; leave the table out";
-
 impl Scenario {
     /// The comparison that the scenario asks for.
     ///
@@ -30,9 +26,6 @@ impl Scenario {
         let Some(given) = &self.tables.compare else {
             return Err(refuse("compare", "the table [compare] is missing"));
         };
-        if self.has("impact") {
-            return Err(refuse("impact", "is not used: [compare] has no motion; leave one of the two out"));
-        }
         let Scene { sphere, half_space, law, .. } = self.at_rest()?;
         let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)
             .map_err(|error| refuse("sphere", &error.to_string()))?;
@@ -40,9 +33,6 @@ impl Scenario {
             Bodies::new(&pair, &half_space).ok_or_else(|| self.document.missing("half_space", "yield_strength"))?;
         let point = bodies.yield_point;
         let LawChoice::Plm(plm) = law else { return Err(refuse("law", OTHER_LAW)) };
-        if plm.flow.is_some() {
-            return Err(refuse(FLOW, NO_HARDENING));
-        }
         let ratio = given.peak_indentation_ratio;
         let of_length = || given.peak_indentation.map(|length| length / point.indentation);
         let x = ratio.or_else(of_length).ok_or_else(|| {

@@ -1,16 +1,19 @@
 //! The text of a scenario with its overrides: it is read and merged, and messages point into it.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use super::explain::missing;
-use super::overrides::choose_law;
-use super::place::Place;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::mark::{Mark, shortened};
+use super::reference::{allowed, missing};
 use crate::error::{Details, Error, ErrorKind};
 use crate::scene::read::Fault;
-use crate::scene::written::{Node, Table, Value};
+use crate::scene::written::{Node, choose_law, merge};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
@@ -50,19 +53,24 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
 /// The most refusals that are told at once.
 const MOST_REFUSALS: usize = 10;
 
+/// Longer keys and messages quote a value that nobody wrote by hand; the middle of it is left out.
+const LONGEST_KEY: usize = 200;
+const LONGEST_MESSAGE: usize = 1800;
+
 /// `key=value` from the command line.
 #[derive(Debug, Clone)]
 struct Override {
     /// As given.
     text: String,
-    /// As TOML.
+    /// As TOML, behind so many blanks that places in it are behind those of the file and of the overrides before it. So a
+    /// place tells its text.
     toml: String,
-    /// Where its places begin: behind those of the file and of the overrides before it. So a place tells its text.
+    /// How many blanks.
     start: usize,
 }
 
 impl Override {
-    fn parse(text: &str, start: usize) -> Result<(Self, Table), Error> {
+    fn parse(text: &str, start: usize) -> Result<Self, Error> {
         let refuse = |problem: String| {
             let (key, value) = text.split_once('=').unwrap_or((text, ""));
             let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
@@ -78,16 +86,14 @@ impl Override {
                 "a line break or another control character is in it; write --set anew for every key".to_owned(),
             ));
         }
-        let (toml, table) = if let Ok(table) = Table::parse(text, start) {
-            (text.to_owned(), Ok(table))
-        } else {
+        let blanks = " ".repeat(start);
+        let mut toml = blanks.clone() + text;
+        if DeTable::parse(&toml).is_err() {
             // a bare word, whose quotes the shell has removed
-            let toml = format!("{key}={}", toml::Value::from(value.trim()));
-            let table = Table::parse(&toml, start);
-            (toml, table)
-        };
-        let table = table.map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        Ok((Self { text: text.to_owned(), toml, start }, table))
+            toml = format!("{blanks}{key}={}", toml::Value::from(value.trim()));
+            DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
+        }
+        Ok(Self { text: text.to_owned(), toml, start })
     }
 }
 
@@ -97,30 +103,36 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
-    /// The tables of the file, with those of the overrides.
-    pub(super) root: Node,
+    /// Where the values are, by their keys.
+    pub(super) places: BTreeMap<String, Range<usize>>,
 }
 
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
-        let whole = |table| Node { span: 0..0, value: Value::Table(table) };
-        let parsed = Table::parse(&text, 0);
-        let mut document = Self { name, text, overrides: Vec::new(), root: whole(Table::default()) };
-        let mut root = parsed.map_err(|error| {
-            let message = error.message().trim_end().replace('\n', "; ");
-            document.refusal(error.span(), "", &message)
-        })?;
-        let mut start = document.text.len() + 1;
+        let mut start = text.len() + 1;
+        let mut document = Self { name, text, overrides: Vec::new(), places: BTreeMap::new() };
         for given in overrides {
-            let (given, mut changes) = Override::parse(given, start)?;
-            start += given.toml.len() + 1;
-            choose_law(&mut root, &mut changes);
-            root.merge(changes);
+            let given = Override::parse(given, start)?;
+            start = given.toml.len() + 1;
             document.overrides.push(given);
         }
-        document.root = whole(root);
         Ok(document)
+    }
+
+    /// The tables of the file, with those of the overrides.
+    pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
+        let refuse = |error: toml::de::Error| {
+            let message = error.message().trim_end().replace('\n', "; ");
+            self.refusal(error.span(), "", &message)
+        };
+        let mut root = DeTable::parse(&self.text).map_err(refuse)?.into_inner();
+        for given in &self.overrides {
+            let mut changes = DeTable::parse(&given.toml).map_err(refuse)?.into_inner();
+            choose_law(&mut root, &mut changes);
+            merge(&mut root, changes);
+        }
+        Ok(Spanned::new(0..0, DeValue::Table(root)))
     }
 
     /// What the scenario is called in messages: its file.
@@ -140,7 +152,7 @@ impl Document {
 
     /// The same as TOML.
     pub fn settings(&self) -> impl Iterator<Item = &str> {
-        self.overrides.iter().map(|given| &*given.toml)
+        self.overrides.iter().map(|given| given.toml.trim_start())
     }
 
     /// The refusal of the keys that were refused while they were read, in the order of the file.
@@ -153,12 +165,12 @@ impl Document {
 
     /// A refusal of the value at `key`, pointing at it.
     pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
-        self.refusal(self.root().span_of(key), key, message.as_ref())
+        self.refusal(self.places.get(key).cloned(), key, message.as_ref())
     }
 
     /// Whether the scenario, or the command line, gives the key itself.
     pub fn has(&self, key: &str) -> bool {
-        self.root().span_of(key).is_some()
+        self.places.contains_key(key)
     }
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
@@ -181,24 +193,32 @@ impl Document {
         self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
     }
 
-    /// The refusal of a table or a key that is given beside a table which it stands in place of.
-    pub(super) fn one_table(&self, first: &str, second: &str) -> Error {
-        self.refuse(second, format!("[{first}] is given too; write only one of the two"))
-    }
-
     fn refusal(&self, span: Option<Range<usize>>, key: &str, message: &str) -> Error {
-        let place = match span {
-            None => Place::file(&self.name),
-            Some(span) => match self.overrides.iter().rfind(|given| given.start <= span.start) {
-                Some(given) => Place::setting(&given.text),
-                None => Place::in_text(&self.name, &self.text, &span),
-            },
+        let (mut begin, mut excerpt) = (self.name.clone(), String::new());
+        let mut details = Details {
+            file: Some(self.name.clone()),
+            key: Some(key.to_owned()).filter(|key| !key.is_empty()),
+            allowed: allowed(key),
+            message: Some(message.to_owned()),
+            ..Details::default()
         };
-        place.refuse(key, message)
-    }
-
-    fn root(&self) -> &Table {
-        static NONE: Table = Table(Vec::new());
-        if let Value::Table(table) = &self.root.value { table } else { &NONE }
+        if let Some(span) = span {
+            if let Some(Override { text, .. }) = self.overrides.iter().rfind(|given| given.start <= span.start) {
+                begin = format!("--set {text}");
+                details.file = None;
+                details.value = text.split_once('=').map(|(_, value)| value.to_owned());
+            } else {
+                let Mark { line, column, value, excerpt: marked } = Mark::of(&self.text, &span);
+                begin = format!("{begin}:{line}:{column}");
+                excerpt = marked;
+                (details.line, details.column) = (Some(line as u64), Some(column as u64));
+                // where the key itself is refused, the mark is under the key, and there is no value
+                let name = key.rsplit('.').next().unwrap_or(key);
+                details.value = Some(value).filter(|text| text != name && !text.starts_with('['));
+            }
+        }
+        let said = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
+        let text = format!("{begin}: {said}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
+        Error::input(text).with(details)
     }
 }

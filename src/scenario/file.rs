@@ -5,44 +5,22 @@ use super::axes::RandomKeys;
 use crate::plan::axis::Axis;
 use crate::plan::free::Free;
 use crate::repeat::Place;
-use crate::scene::field::{Field, Given};
-use crate::scene::input::{
-    DampingInput, FrictionInput, GravityInput, HalfSpaceInput, ImpactInput, Input, OutputInput, SolverInput,
-    SphereInput,
-};
+use crate::scene::Input;
+use crate::scene::field::Field as _;
+use crate::scene::key::AnyKey;
 use crate::scene::key::Form::{self, Axes, Count, Items, List, Number, Table, Text, Variables, Word, WordOrTable};
-use crate::scene::key::{self, AnyKey};
-use crate::scene::laws::{self, LawInput};
 use crate::scene::quantity::{
     DEPTH_RATIO, DEVIATION, ENERGY, FORCE, IMPACTS, INDENTATION, LEEB, LENGTH, LOAD, MODEL_ERROR, MODULUS,
     POISSONS_RATIO, RESTITUTION, SHOT_SPEED, SPEED, STRENGTH, TIME,
 };
-use crate::scene::read::{Fault, Reader, word};
+use crate::scene::read::{Reader, items};
 use crate::scene::table::{self, Table as _, tables};
 use crate::scene::words::{LAWS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS};
-use crate::scene::written::{Node, Value};
+use crate::scene::written::Node;
 
 tables! {
-    /// A scenario, as it is written.
-    pub(super) struct File {
-        /// The sphere.
-        sphere: SphereInput as Table(SphereInput::keys),
-        /// The half-space.
-        half_space: HalfSpaceInput as Table(HalfSpaceInput::keys),
-        /// The impact.
-        impact: ImpactInput as Table(ImpactInput::keys),
-        /// Friction.
-        friction: FrictionInput as Table(FrictionInput::keys),
-        /// Gravity.
-        gravity: GravityInput as Table(GravityInput::keys),
-        /// Damping.
-        damping: DampingInput as Table(DampingInput::keys),
-        /// The contact law.
-        law: LawInput as Table(laws::keys),
-        /// The integration.
-        solver: SolverInput as Table(SolverInput::keys),
-        /// Traces and tables.
-        output: OutputInput as Table(OutputInput::keys),
+    /// The tables of a scenario besides those of one impact.
+    pub(super) struct Tables {
         /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
         sweep: Option<Vec<Axis>> as Axes,
         /// Random cases: samples, seed, and keys with distributions.
@@ -106,37 +84,14 @@ tables! {
         /// Other laws to fit; all laws are ranked.
         laws: Option<Vec<String>> as List(&Word(&LAWS)) => "none",
         /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
-        noise: Option<NoiseInput> as WordOrTable(&NOISES, Deviations::keys) => "columns `_sd` of the data, else \"estimate\"",
+        noise: Option<Deviations> as WordOrTable(&NOISES, Deviations::keys) => "columns `_sd` of the data, else \"estimate\"",
         /// The measurements themselves.
         measured: Option<MeasuredInput> as Table(MeasuredInput::keys),
     }
 }
 
-/// `calibrate.noise`: a word, or a table.
-#[derive(Debug, Clone)]
-pub(super) enum NoiseInput {
-    /// "estimate".
-    Estimate,
-    /// Standard deviations.
-    Given(Deviations),
-}
-
-impl Field for Option<NoiseInput> {
-    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        *self = Some(if let Value::Table(_) = node.value {
-            let mut deviations = Deviations::default();
-            deviations.read(form, node, reader)?;
-            NoiseInput::Given(deviations)
-        } else {
-            word(&NOISES, node)?;
-            NoiseInput::Estimate
-        });
-        Ok(())
-    }
-}
-
 tables! {
-    /// `[calibrate.noise]`
+    /// `[calibrate.noise]`; without any number they are to be estimated.
     pub(super) struct Deviations {
         /// Error of the law as a share of each value, added in quadrature, independent from value to value.
         model: Option<f64> as Number(&MODEL_ERROR) => "0",
@@ -183,9 +138,9 @@ tables! {
     /// `[indentation]`
     pub(super) struct IndentationInput {
         /// Where the steps end.
-        steps: Option<Vec<StepInput>> as Items(&STEPS, StepInput::keys),
+        steps: Option<Vec<StepInput>> as Items(STEPS, STEP, StepInput::keys),
         /// Half-spaces, each with a name.
-        half_space: Option<Vec<SpecimenInput>> as Items(&SPECIMENS, SpecimenInput::keys),
+        half_space: Option<Vec<SpecimenInput>> as Items(SPECIMENS, "a table with a name", SpecimenInput::keys),
     }
 
     /// A step of an indentation.
@@ -197,15 +152,10 @@ tables! {
     }
 }
 
-/// Where the steps of an indentation end.
-pub(super) static STEPS: key::List = key::List {
-    example: "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]",
-    item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
-};
-
-/// Half-spaces of an indentation.
-static SPECIMENS: key::List =
-    key::List { example: "[[indentation.half_space]] with a name", item: "a table with a name" };
+/// How steps of an indentation are written.
+pub(super) const STEPS: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
+const SPECIMENS: &str = "[[indentation.half_space]] with a name";
+const STEP: &str = "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }";
 
 tables! {
     /// `[[indentation.half_space]]`
@@ -225,32 +175,22 @@ tables! {
     }
 }
 
-impl File {
-    /// The tables of one impact.
-    pub(super) fn input(&self) -> Input {
-        let Self { sphere, half_space, impact, friction, gravity, damping, law, solver, output, .. } = self.clone();
-        Input {
-            sphere,
-            half_space,
-            impact,
-            friction,
-            gravity,
-            damping,
-            law: law.choice,
-            solver,
-            samples: output.samples,
-        }
+/// Reads all tables of a scenario. What is refused stays with the reader.
+pub(super) fn read(root: &Node, reader: &mut Reader) -> (Input, Tables) {
+    let (mut input, mut tables) = (Input::default(), Tables::default());
+    if let Ok(all) = items(root) {
+        let others = input.read_known(all, reader);
+        let unknown = tables.read_known(others, reader);
+        reader.unknown(unknown, &[Input::names(), Tables::names()].concat());
     }
+    (input, tables)
 }
 
 /// The numbers that a table gives, by their names in alphabetical order.
 pub(super) fn numbers<T: table::Table>(table: Option<&T>) -> Vec<(String, f64)> {
     let Some(table) = table else { return Vec::new() };
-    let number = |name: &str, given| match given {
-        Some(Given::Number(value)) => Some((name.to_owned(), value)),
-        _ => None,
-    };
-    let mut all: Vec<_> = T::ENTRIES.iter().filter_map(|entry| number(entry.name, (entry.get)(table))).collect();
+    let keys = T::numeric().into_iter();
+    let mut all: Vec<_> = keys.filter_map(|key| Some((key.path.to_owned(), (key.get)(table)?))).collect();
     all.sort_by(|a, b| a.0.cmp(&b.0));
     all
 }
@@ -259,17 +199,9 @@ pub(super) fn numbers<T: table::Table>(table: Option<&T>) -> Vec<(String, f64)> 
 pub fn every_key() -> impl Iterator<Item = AnyKey> {
     static ALL: std::sync::LazyLock<Vec<AnyKey>> = std::sync::LazyLock::new(|| {
         let mut all = Vec::new();
-        File::keys("", &mut all);
+        Input::keys("", &mut all);
+        Tables::keys("", &mut all);
         all
     });
     ALL.iter().copied()
-}
-
-/// The list of tables of that path.
-pub fn list_of(path: &str) -> Option<&'static key::List> {
-    match path {
-        "indentation.steps" => Some(&STEPS),
-        "indentation.half_space" => Some(&SPECIMENS),
-        _ => None,
-    }
 }

@@ -1,15 +1,15 @@
 //! `[half_space.flow_stress]`: how the half-space hardens, and which keys may stand beside it.
 
 use super::Scenario;
+use super::beside::FLOW;
 use crate::error::Error;
 use crate::law::LawChoice;
 use crate::material::HalfSpace;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
+use crate::scene::input::FlowInput;
+use crate::scene::table::Table as _;
 use crate::scene::{Input, KEYS};
 use crate::strength::flow::FlowCurve;
-
-/// The table of the flow curve.
-pub(super) const FLOW: &str = "half_space.flow_stress";
 
 /// How a curve may be written.
 const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
@@ -18,7 +18,7 @@ impl Scenario {
     /// Refuses two forms of a flow curve, none, and one that lacks a number.
     pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
         let path = |form: &str| format!("{FLOW}.{form}");
-        let mut forms = input.half_space.flow_stress.forms();
+        let mut forms = FlowInput::names().into_iter().filter(|form| self.gives(&path(form)));
         let Some(form) = forms.next() else {
             return if self.has(FLOW) {
                 Err(self.document.refuse(FLOW, format!("has no curve; write one of {EXAMPLE}")))

@@ -52,7 +52,6 @@ impl Scenario {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
             return Err(self.document.refuse("output.samples", message));
         }
-        self.check_law()?;
         self.check_flow(&self.input)?;
         let flow = self.input.half_space.flow_stress.curve();
         self.check_strength(flow, &law, specimens.first().map(|first| &first.half_space))?;
@@ -71,9 +70,10 @@ impl Scenario {
     }
 
     fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, Error> {
-        let as_in = format!("as in {}", file::STEPS.example);
+        let as_in = format!("as in {}", file::STEPS);
         let Some(steps) = &given.steps else {
-            return Err(self.document.missing("indentation", "steps"));
+            let message = format!("the key `steps` is missing: a list, {as_in}");
+            return Err(self.document.refuse("indentation", message));
         };
         if steps.is_empty() {
             let message = format!("there is no step; give one at least, {as_in}");
@@ -94,9 +94,6 @@ impl Scenario {
     fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
-            if given.half_space.is_some() {
-                return Err(self.document.one_table("half_space", SPECIMENS));
-            }
             let half_space = self.at_rest()?.half_space;
             return Ok(vec![Specimen {
                 name: None,

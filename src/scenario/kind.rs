@@ -22,11 +22,6 @@ pub enum Kind {
     Indentation,
 }
 
-/// Why forces have no effect.
-const NO_MOTION: &str = "there is no motion that it could act on";
-/// Why friction has no effect.
-const NOTHING_SLIDES: &str = "nothing slides there";
-
 impl Kind {
     /// All kinds with their names; every one but the first has a table of that name.
     pub const ALL: [(&'static str, Self); 7] = [
@@ -38,27 +33,6 @@ impl Kind {
         ("indentation", Self::Indentation),
         ("calibrate", Self::Calibrate),
     ];
-
-    /// The tables that have no effect on this kind, and why.
-    fn idle_tables(self) -> &'static [(&'static str, &'static str)] {
-        match self {
-            Self::Indentation => &[
-                ("impact", "an indentation is slow"),
-                ("friction", NOTHING_SLIDES),
-                ("gravity", NO_MOTION),
-                ("damping", NO_MOTION),
-                ("solver", "an indentation is computed in closed form"),
-            ],
-            Self::Compare => &[
-                ("solver", "unloading is computed in closed form"),
-                ("output", "a comparison has no trace"),
-                ("friction", NOTHING_SLIDES),
-                ("gravity", NO_MOTION),
-                ("damping", NO_MOTION),
-            ],
-            _ => &[],
-        }
-    }
 }
 
 /// A scenario of this kind, with a comment for every key: a test compares them with those of the keys.
@@ -83,14 +57,10 @@ impl Scenario {
         let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.has(table));
         match (given.next(), given.next()) {
             (None, _) => Ok(Kind::Impact),
-            (Some((table, kind)), None) => match kind.idle_tables().iter().find(|(idle, _)| self.has(idle)) {
-                None => Ok(*kind),
-                Some((idle, reason)) => {
-                    let message = format!("[{table}] is given too, and {reason}; write only one of the two");
-                    Err(self.document.refuse(idle, message))
-                }
-            },
-            (Some((first, _)), Some((second, _))) => Err(self.document.one_table(first, second)),
+            (Some((_, kind)), None) => Ok(*kind),
+            (Some((first, _)), Some((second, _))) => {
+                Err(self.document.refuse(second, format!("[{first}] is given too; write only one of the two")))
+            }
         }
     }
 }

@@ -2,20 +2,16 @@
 
 use super::Scenario;
 use super::axes::DrawnMaterial;
+use super::beside::FLOW;
 use super::document::Document;
-use super::file::File;
+use super::file::Tables;
 use crate::error::Error;
 use crate::law::LawChoice;
 use crate::materials::{Entry, Property};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
-use crate::scene::Key;
-use crate::scene::field::Given;
-use crate::scene::laws::COMBINED;
 use crate::scene::taken::{Body, Taken};
-
-/// The table of the flow curve.
-const FLOW: &str = "half_space.flow_stress";
+use crate::scene::{Input, Key};
 
 /// Keys that replace a value of the material, besides the key of that value.
 fn instead(body: Body, property: Property) -> &'static [&'static str] {
@@ -28,25 +24,25 @@ fn instead(body: Body, property: Property) -> &'static [&'static str] {
     }
 }
 
-impl File {
+impl Tables {
     /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
     /// is drawn becomes random keys.
-    pub(super) fn take_materials(&mut self, document: &Document) -> Result<Vec<Taken>, Error> {
+    pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<Taken>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
             let random = self.monte_carlo.iter().flat_map(|random| &random.materials);
             let is_drawn = random.into_iter().any(|drawn| drawn.body == body);
             let refuse = |message| document.refuse(&format!("monte_carlo.{}", body.material()), message);
-            let Some(material) = self.material(body) else {
+            let Some(material) = self.material(input, body) else {
                 if !is_drawn {
                     continue;
                 }
-                let table = body.table();
+                let table = body.material().trim_end_matches(".material");
                 return Err(refuse(format!(
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
             };
-            let left = Property::ALL.into_iter().filter(|property| self.is_left(document, body, *property));
+            let left = Property::ALL.into_iter().filter(|property| self.is_left(input, document, body, *property));
             let taken = Taken { body, material, left: left.collect() };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
                 if let Word::Material(other) = word
@@ -56,7 +52,7 @@ impl File {
                 }
             }
             if is_drawn {
-                let variables = self.drawn(&taken);
+                let variables = drawn(input, &taken);
                 if variables.is_empty() {
                     let name = &material.name;
                     return Err(refuse(format!(
@@ -68,19 +64,6 @@ impl File {
             all.push(taken);
         }
         Ok(all)
-    }
-
-    /// The values of a material as random keys: even between the ends of their ranges.
-    fn drawn(&self, taken: &Taken) -> Vec<Variable> {
-        let is_rigid = matches!(self.sphere.youngs_modulus, Some(Given::Word));
-        let drawn = |(path, known): (&'static str, _)| {
-            let [from, to] = taken.range(known);
-            // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
-            let is_used = path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
-            let key = Key::find(path).filter(|_| from < to && is_used)?;
-            Some(Variable::of(key, Distribution::Uniform { from, to }))
-        };
-        taken.values().filter_map(drawn).collect()
     }
 
     /// Replaces the drawn material of a body by random keys.
@@ -95,17 +78,17 @@ impl File {
     }
 
     /// The material of a body: of the first case, where it varies.
-    fn material(&self, body: Body) -> Option<&'static Entry> {
+    fn material(&self, input: &Input, body: Body) -> Option<&'static Entry> {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
-            _ if body == Body::Sphere => self.sphere.material,
-            _ => self.half_space.material,
+            _ if body == Body::Sphere => input.sphere.material,
+            _ => input.half_space.material,
         }
     }
 
     /// Whether the body takes this property from its material.
-    fn is_left(&self, document: &Document, body: Body, property: Property) -> bool {
+    fn is_left(&self, input: &Input, document: &Document, body: Body, property: Property) -> bool {
         let Some(path) = body.path(property) else { return false };
         let has = |path: &str| document.has(path);
         let free = self.calibrate.as_ref().map(|calibrate| calibrate.free.is_some());
@@ -127,8 +110,7 @@ impl File {
             }
             // no other law has hardening
             (Body::HalfSpace, Property::HardeningExponent) => {
-                let is_other = |law: &str| law != "plm" && has(&format!("law.{law}"));
-                !LawChoice::names().into_iter().chain([COMBINED]).any(is_other) && !varied.contains(&"law")
+                matches!(input.law, LawChoice::Plm(_)) && !varied.contains(&"law")
             }
             _ => true,
         };
@@ -142,6 +124,19 @@ impl File {
         let free = self.calibrate.iter().flat_map(|calibrate| &calibrate.free).flatten().map(|free| free.key.path);
         axes.chain(variables).chain(free).collect()
     }
+}
+
+/// The values of a material as random keys: even between the ends of their ranges.
+fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
+    let is_rigid = input.sphere.youngs_modulus == Some(f64::INFINITY);
+    let drawn = |(path, known): (&'static str, _)| {
+        let [from, to] = taken.range(known);
+        // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
+        let is_used = path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
+        let key = Key::find(path).filter(|_| from < to && is_used)?;
+        Some(Variable::of(key, Distribution::Uniform { from, to }))
+    };
+    taken.values().filter_map(drawn).collect()
 }
 
 impl Scenario {

@@ -1,4 +1,4 @@
-//! The tables of keys and materials of the reference page, made from the registries.
+//! What the registries say of keys and materials: the tables of the reference page, and what messages tell of a key.
 
 use std::fmt::Write as _;
 
@@ -7,6 +7,7 @@ use crate::law::LawChoice;
 use crate::materials::Property;
 use crate::scene::Key;
 use crate::scene::key::{AnyKey, Form};
+use crate::scene::keys::varied;
 use crate::scene::quantity::Quantity;
 
 /// All keys as Markdown, a table for every table of a scenario.
@@ -91,4 +92,42 @@ pub fn materials() -> String {
     }
     text.push('\n');
     text
+}
+
+/// The value that a key takes, in words; that of an axis, of a distribution or of a range is the key that varies.
+pub(super) fn allowed(key: &str) -> Option<String> {
+    match form_of(varied(key))? {
+        Form::Axes | Form::Variables | Form::Free => None,
+        Form::Word(words) => Some((words.known)().join(", ")),
+        form => Some(written(&form).replace('`', "")),
+    }
+}
+
+/// How the value of a key is written. An item of a list has the keys of all its items.
+fn form_of(key: &str) -> Option<Form> {
+    let parts: Vec<&str> = key.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect();
+    let pattern = parts.join("[");
+    every_key().find(|key| key.path == pattern).map(|key| key.form)
+}
+
+/// The message that `name` is missing in `table`; where `table` is empty, that the table `name` is missing.
+pub(super) fn missing(name: &str, table: &str) -> String {
+    if table.is_empty() {
+        let way_out = match name {
+            "sphere" => "; give its radius, youngs_modulus, poissons_ratio and density",
+            "half_space" => "; give its youngs_modulus, poissons_ratio and, unless it is elastic, yield_strength",
+            "impact" => "; give it with a speed such as speed = \"3 m/s\"",
+            _ => "",
+        };
+        return format!("the table [{name}] is missing{way_out}");
+    }
+    let path = format!("{table}.{name}");
+    let example = match form_of(&path) {
+        Some(Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity)) => {
+            format!("{} such as {name} = {}", quantity.name, quantity.example)
+        }
+        Some(Form::Text(example)) => format!("a text such as {name} = \"{example}\""),
+        _ => return format!("the key `{name}` is missing"),
+    };
+    format!("the key `{name}` is missing: {example}")
 }

@@ -16,10 +16,6 @@ impl Scenario {
         let Some(speeds) = self.tables.repeat.as_ref().and_then(|repeat| repeat.speeds.as_ref()) else {
             return Ok(None);
         };
-        if self.has("impact") {
-            let message = "repeat.speeds gives the speed of every shot; leave [impact] out, or the list";
-            return Err(self.document.refuse("impact", message));
-        }
         let refuse = |message: String| Err(self.document.refuse("repeat.speeds", message));
         match speeds.first() {
             None => refuse("is empty: write the speed of every shot, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
@@ -40,32 +36,15 @@ impl Scenario {
         let Some(place) = given.spot else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
-        let most = given.impacts;
         let until = given.until.as_ref().and_then(|until| until.speed);
-        let speeds = given.speeds.as_ref();
-        let drive = match (scene.forces.gravity, speeds, most) {
-            (Some(_), Some(_), _) => {
-                return refuse(
-                    "repeat.speeds",
-                    "gives every shot a speed, but under [gravity] the sphere bounces: leave one of the two out",
-                );
-            }
-            (None, Some(_), Some(_)) => {
-                return refuse("repeat.impacts", "`speeds` is given too: it has as many impacts as speeds");
-            }
-            (_, None, None) => return refuse("repeat", NEEDS_IMPACTS),
-            (Some(gravity), None, Some(most)) => {
+        let drive = match (&given.speeds, given.impacts, scene.forces.gravity) {
+            (Some(speeds), ..) => Drive::Shots(speeds.clone()),
+            (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
+            (None, Some(most), Some(gravity)) => {
                 Drive::Bouncing { gravity, drop_height: scene.drop_height, speed: scene.speed, most, until }
             }
-            (None, Some(speeds), None) => Drive::Shots(speeds.clone()),
-            (None, None, Some(most)) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
+            (None, Some(most), None) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
-        if given.until.is_some() && scene.forces.gravity.is_none() {
-            return refuse(
-                "repeat.until",
-                "is for bouncing: without [gravity] every shot has its given speed; leave it out",
-            );
-        }
         Ok(Some(Repeat { place, drive }))
     }
 }

@@ -1,6 +1,6 @@
 //! The JSON Schema of a scenario, made from the registry of keys: for editors, and for programs that write scenarios.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::Kind;
 use super::file::every_key;
@@ -31,16 +31,12 @@ pub fn schema() -> Value {
     root["title"] = json!("Scenario of plm-impact");
     root["properties"]["law"]["minProperties"] = json!(1);
     root["properties"]["law"]["maxProperties"] = json!(1);
-    let mut excluded = Map::new();
     for [one, other] in EITHER {
         let (Some((table, one)), Some((_, other))) = (one.split_once('.'), other.split_once('.')) else { continue };
-        let pairs = excluded.entry(table).or_insert_with(|| json!([]));
-        if let Some(pairs) = pairs.as_array_mut() {
-            pairs.push(json!({ "not": { "required": [one, other] } }));
-        }
-    }
-    for (table, pairs) in excluded {
-        root["properties"][table]["allOf"] = pairs;
+        let pairs = &mut root["properties"][table]["allOf"];
+        let mut all = pairs.as_array().cloned().unwrap_or_default();
+        all.push(json!({ "not": { "required": [one, other] } }));
+        *pairs = all.into();
     }
     // without the table of another kind it is one impact, and that needs a speed
     let speed = json!({ "anyOf": [{ "required": ["speed"] }, { "required": ["drop_height"] }] });

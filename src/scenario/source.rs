@@ -7,20 +7,11 @@ use crate::error::Error;
 use crate::plan::Source;
 use crate::provenance::Provenance;
 
-const COEFFICIENTS: &str = "law.plm.coefficients";
-const TABLE: &str = "half_space.flow_stress.table";
-
 impl Scenario {
     /// Its texts.
     pub fn source(&self) -> Source {
-        let text = |key| self.files.get(key).map(|(_, text)| text.clone());
-        Source {
-            text: self.document.text().to_owned(),
-            overrides: self.document.overrides(),
-            coefficients: text(COEFFICIENTS),
-            flow_table: text(TABLE),
-            data: text(DATA),
-        }
+        let files = self.files.iter().map(|(key, (_, text))| (key.clone(), text.clone()));
+        Source { text: self.document.text().to_owned(), overrides: self.document.overrides(), files: files.collect() }
     }
 
     /// Reads a scenario from its texts; `name` stands for the file in messages.
@@ -28,9 +19,7 @@ impl Scenario {
     /// # Errors
     /// [`Error`], naming line, value, allowed range.
     pub fn from_source(name: &str, source: &Source) -> Result<Self, Error> {
-        let texts = [(COEFFICIENTS, &source.coefficients), (TABLE, &source.flow_table), (DATA, &source.data)];
-        let texts = texts.into_iter().filter_map(|(key, text)| Some((key.to_owned(), text.clone()?)));
-        Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), texts.collect())
+        Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), source.files.clone())
     }
 
     /// The same with measurements that are known without the file `calibrate.data`.

@@ -1,6 +1,6 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::axes::{LAW, RandomKeys};
+use super::axes::{LAW, METHOD, RandomKeys};
 use super::{Kind, Scenario};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method, Warning};
@@ -8,6 +8,7 @@ use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Cases, MOST_CASES, Plan};
 use crate::scene::Use;
+use crate::scene::results::columns;
 use crate::scene::taken::Taken;
 
 impl Scenario {
@@ -25,8 +26,8 @@ impl Scenario {
             input.solver.method = Some(Method::Auto);
         }
         let own_law = input.law.clone();
-        let refuse = |path: &str, message: String| Err(self.document.refuse(path, message));
-        let (cases, table) = match (&self.tables.sweep, &self.tables.monte_carlo) {
+        let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
+        let cases = match (&self.tables.sweep, &self.tables.monte_carlo) {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
                 let mut axes = axes.clone();
@@ -39,10 +40,10 @@ impl Scenario {
                     }
                 }
                 self.refuse_mixture(&axes)?;
-                (Cases::Grid(axes), "sweep")
+                Cases::Grid(axes)
             }
             (None, Some(RandomKeys { samples, seed, variables, .. })) => {
-                (Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }, "monte_carlo")
+                Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }
             }
         };
         let mut plan = Plan::new(input, cases);
@@ -54,32 +55,62 @@ impl Scenario {
         let unused_law = self.unused_law(&own_law, plan.axes());
         plan.scene.warnings.extend(unused_law);
         self.choose_columns(&mut plan)?;
-        if let Some((path, problem)) = self.contradicted(&plan.paths()).or_else(|| plan.unused()) {
-            return refuse(&format!("{table}.{path}"), problem);
+        if let Some((path, problem)) = plan.unused() {
+            return refuse(path, problem);
         }
         if plan.lacks_closed_form() {
-            let is_swept = plan.paths().contains(&"solver.method");
-            let key = if is_swept { format!("{table}.solver.method") } else { "solver.method".to_owned() };
-            return refuse(&key, ImpactError::NoClosedForm.to_string());
+            return refuse(METHOD, ImpactError::NoClosedForm.to_string());
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases
             && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)
         {
             let allowed = variable.key.quantity.allowed();
             let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");
-            return refuse(&format!("{table}.{}", variable.key.path), message);
+            return refuse(variable.key.path, message);
         }
         if plan.count() > MOST_CASES {
-            return refuse(table, "has more than 2^63 cases; take fewer".to_owned());
+            return refuse(
+                if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" },
+                "has more than 2^63 cases; take fewer".to_owned(),
+            );
         }
         Ok(Some(plan))
     }
 
+    /// Leaves in the table of a plan only the results that the scenario names, if it names any.
+    pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
+        let Some(names) = &self.columns else {
+            return Ok(());
+        };
+        let refuse = |message: String| Err(self.document.refuse("output.columns", message));
+        let mut chosen = vec![RESTITUTION];
+        for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
+            let name = column.name;
+            if let Some(reason) = column.missing(&plan.scene) {
+                return refuse(format!("\"{name}\" is not there: {reason}"));
+            }
+            if names.iter().filter(|other| *other == name).count() > 1 {
+                return refuse(format!("\"{name}\" is named twice"));
+            }
+            chosen.push(column.name);
+        }
+        plan.columns = Some(chosen);
+        Ok(())
+    }
+
+    /// Refuses columns for `scene`, which is no table.
+    pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), Error> {
+        if self.columns.is_none() {
+            return Ok(());
+        }
+        let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");
+        Err(self.document.refuse("output.columns", message))
+    }
+
     /// The warning about the table of a law that is not on the axis of laws.
     fn unused_law(&self, own: &LawChoice, axes: &[Axis]) -> Option<Warning> {
-        self.law_name()?;
         let laws = axes.iter().find(|axis| axis.path() == LAW)?.words();
-        let is_used = laws.iter().any(|law| law.name() == own.name());
+        let is_used = !self.document.has(LAW) || laws.iter().any(|law| law.name() == own.name());
         let reason = "no case is under that law; name it in \"law\" of [sweep], or leave its table out";
         (!is_used).then(|| Warning::unused(&format!("law.{}", own.about().name), reason))
     }
@@ -87,3 +118,6 @@ impl Scenario {
 
 /// A distribution with a smaller share in the allowed range is taken for a mistake.
 const LEAST_KEPT: f64 = 1e-3;
+
+/// A table always has this result: a resumed run reads it back.
+const RESTITUTION: &str = "restitution";

@@ -4,7 +4,6 @@ use super::keys::Key;
 use super::{Input, Scene};
 use crate::impact::Method;
 use crate::material::Pair;
-use crate::units::parse;
 
 /// What is computed of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,8 +29,8 @@ impl Key {
 
     /// Another value than that of the input.
     fn other_value(&self, input: &Input) -> Option<f64> {
-        let example = parse(self.quantity.example.trim_matches('"'), self.quantity.dimension).ok();
-        let Some(super::Given::Number(own)) = (self.get)(input) else {
+        let example = self.quantity.example_value();
+        let Some(own) = (self.get)(input).filter(|own| own.is_finite()) else {
             return example.or(Some(self.quantity.range().0.max(1.0)));
         };
         let mut near = [Some(1.01 * own), Some(0.99 * own), example].into_iter().flatten();

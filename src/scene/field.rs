@@ -1,18 +1,13 @@
 //! The fields of tables: how each type takes the value of a key, and gives it back.
 
+use std::fmt;
+
+use toml::de::DeValue;
+
 use super::key::Form;
 use super::quantity::Quantity;
 use super::read::{Fault, Reader, count, list, number, pair, text, word};
-use super::written::{Node, Value};
-
-/// What is given for a numeric key.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Given {
-    /// A number in SI.
-    Number(f64),
-    /// The word that may stand in its place.
-    Word,
-}
+use super::written::{Node, below};
 
 /// A key and its value, for reports.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,25 +24,76 @@ pub struct Held {
 pub trait Field {
     /// Takes the value that stands there, written in this form.
     fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault>;
-    /// The number that it has, for a key that may vary.
-    fn given(&self) -> Option<Given> {
+    /// The number that it has, for a key that may vary; infinite for the word in its place.
+    fn given(&self) -> Option<f64> {
         None
     }
     /// Puts a checked number there, SI, or nothing.
     fn put(&mut self, _: Option<f64>) {}
+    /// The numeric keys of a table.
+    fn numeric() -> Vec<Numeric<Self>>
+    where
+        Self: Sized,
+    {
+        Vec::new()
+    }
     /// Adds what it has, for reports.
     fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
-        let (quantity, word) = match form {
-            Form::Number(quantity) => (Some(*quantity), ""),
-            Form::NumberOr(quantity, word) => (Some(*quantity), *word),
-            _ => (None, ""),
-        };
-        let value = match self.given() {
-            Some(Given::Number(value)) => value.into(),
-            Some(Given::Word) => word.into(),
-            None => return,
-        };
-        into.push(Held { path: path.to_owned(), quantity, value });
+        if let (Some((quantity, word)), Some(value)) = (form.number(), self.given()) {
+            let value = word.filter(|_| value.is_infinite()).map_or_else(|| value.into(), Into::into);
+            into.push(Held { path: path.to_owned(), quantity: Some(quantity), value });
+        }
+    }
+}
+
+/// Reads a number.
+type Get<I> = Box<dyn Fn(&I) -> Option<f64> + Send + Sync>;
+/// Sets a number, or takes it away.
+type Set<I> = Box<dyn Fn(&mut I, Option<f64>) + Send + Sync>;
+
+/// A numeric key of an `I`, which may vary: an axis, a random variable, or found from measurements.
+pub struct Numeric<I> {
+    /// As in the file, with dots: `impact.speed`.
+    pub path: &'static str,
+    /// Dimension and allowed range.
+    pub quantity: &'static Quantity,
+    /// A word that may stand in place of the number.
+    pub word: Option<&'static str>,
+    /// Its number; `None` where it is not given, infinite for the word.
+    pub get: Get<I>,
+    /// Puts a checked number there, SI, or takes it away. It changes nothing else.
+    pub set: Set<I>,
+}
+
+impl<I> fmt::Debug for Numeric<I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.path)
+    }
+}
+
+impl<I: 'static> Numeric<I> {
+    /// The same key of an `O` that may have such an `I` under this name.
+    pub fn within<O>(
+        self,
+        name: &str,
+        of: impl Fn(&O) -> Option<&I> + Copy + Send + Sync + 'static,
+        of_mut: impl Fn(&mut O) -> Option<&mut I> + Send + Sync + 'static,
+    ) -> Numeric<O> {
+        let Self { path, quantity, word, get, set } = self;
+        Numeric {
+            path: below(name, path).leak(),
+            quantity,
+            word,
+            get: Box::new(move |outer| get(of(outer)?)),
+            set: Box::new(move |outer, value| {
+                // a table is made for a number, but not to say that there is none
+                if (value.is_some() || of(outer).is_some())
+                    && let Some(inner) = of_mut(outer)
+                {
+                    set(inner, value);
+                }
+            }),
+        }
     }
 }
 
@@ -56,14 +102,14 @@ pub fn show_word(value: impl Into<serde_json::Value>, path: &str, into: &mut Vec
     into.push(Held { path: path.to_owned(), quantity: None, value: value.into() });
 }
 
-impl<T: Field + Default> Field for Option<T> {
+impl<T: Field + Default + 'static> Field for Option<T> {
     fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let mut value = T::default();
         value.read(form, node, reader)?;
         *self = Some(value);
         Ok(())
     }
-    fn given(&self) -> Option<Given> {
+    fn given(&self) -> Option<f64> {
         self.as_ref()?.given()
     }
     fn put(&mut self, value: Option<f64>) {
@@ -71,6 +117,10 @@ impl<T: Field + Default> Field for Option<T> {
         if let Some(field) = self {
             field.put(value);
         }
+    }
+    fn numeric() -> Vec<Numeric<Self>> {
+        let inner = |key: Numeric<T>| key.within("", Self::as_ref, |table| Some(table.get_or_insert_default()));
+        T::numeric().into_iter().map(inner).collect()
     }
     fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
         if let Some(value) = self {
@@ -81,39 +131,16 @@ impl<T: Field + Default> Field for Option<T> {
 
 impl Field for f64 {
     fn read(&mut self, form: &Form, node: &Node, _: &mut Reader) -> Result<(), Fault> {
-        if let Form::Number(quantity) = form {
-            *self = number(quantity, None, node)?;
+        if let Some((quantity, word)) = form.number() {
+            *self = number(quantity, word, node)?;
         }
         Ok(())
     }
-    fn given(&self) -> Option<Given> {
-        Some(Given::Number(*self))
+    fn given(&self) -> Option<f64> {
+        Some(*self)
     }
     fn put(&mut self, value: Option<f64>) {
         *self = value.unwrap_or(*self);
-    }
-}
-
-impl Field for Option<Given> {
-    fn read(&mut self, form: &Form, node: &Node, _: &mut Reader) -> Result<(), Fault> {
-        if let Form::NumberOr(quantity, word) = form {
-            *self = Some(number_or(quantity, word, node)?);
-        }
-        Ok(())
-    }
-    fn given(&self) -> Option<Given> {
-        *self
-    }
-    fn put(&mut self, value: Option<f64>) {
-        *self = value.map(Given::Number);
-    }
-}
-
-/// A number, or the word in its place.
-pub fn number_or(quantity: &Quantity, word: &str, node: &Node) -> Result<Given, Fault> {
-    match &node.value {
-        Value::Text(text) if text.trim() == word => Ok(Given::Word),
-        _ => number(quantity, Some(word), node).map(Given::Number),
     }
 }
 
@@ -159,15 +186,15 @@ impl<T: Field + Default> Field for Vec<T> {
                     self.push(one);
                 }
             }
-            Form::Items(of, _) => {
-                let Value::List(items) = &node.value else {
-                    return Err(Fault::unexpected(node, &format!("a list of tables: {}", of.example)));
+            Form::Items(example, one_item, _) => {
+                let DeValue::Array(items) = node.get_ref() else {
+                    return Err(Fault::unexpected(node, &format!("a list of tables: {example}")));
                 };
                 for (i, item) in items.iter().enumerate() {
                     let mut one = T::default();
-                    reader.within(&format!("[{i}]"), |reader| match item.value {
-                        Value::Table(_) => one.read(form, item, reader),
-                        _ => Err(Fault::unexpected(item, of.item)),
+                    reader.within(&format!("[{i}]"), |reader| match item.get_ref() {
+                        DeValue::Table(_) => one.read(form, item, reader),
+                        _ => Err(Fault::unexpected(item, one_item)),
                     });
                     self.push(one);
                 }
@@ -179,6 +206,15 @@ impl<T: Field + Default> Field for Vec<T> {
 }
 
 impl Form {
+    /// The quantity of a number, and the word that may stand in its place.
+    pub fn number(&self) -> Option<(&'static Quantity, Option<&'static str>)> {
+        match self {
+            Self::Number(quantity) => Some((quantity, None)),
+            Self::NumberOr(quantity, word) => Some((quantity, Some(word))),
+            _ => None,
+        }
+    }
+
     /// How such a value may be written.
     pub fn example(&self) -> String {
         match self {

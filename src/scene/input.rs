@@ -1,6 +1,6 @@
 //! The tables of one impact as they are written: every number as it is given, and nothing that follows from others.
 
-use super::field::{Field, Given, Held, show_word};
+use super::field::{Field, Held, show_word};
 use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
 use super::laws;
 use super::quantity::{
@@ -19,24 +19,30 @@ use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::csv_text::{CsvText, Refusal};
 use crate::units::{Dimension, human, number};
 
-/// What the file and the command line say about one impact. Every key sets a value of its own here, so that the order in
-/// which values are set does not matter; [`Input::resolve`] works out what follows from them.
-#[derive(Debug, Clone, Default)]
-pub struct Input {
-    pub sphere: SphereInput,
-    pub half_space: HalfSpaceInput,
-    pub impact: ImpactInput,
-    pub friction: FrictionInput,
-    pub gravity: GravityInput,
-    pub damping: DampingInput,
-    /// The law with its parameters; [`Input::resolve`] gives it the flow curve of the half-space.
-    pub law: LawChoice,
-    pub solver: SolverInput,
-    /// Rows of a trace.
-    pub samples: Option<u64>,
-}
-
 tables! {
+    /// What the file and the command line say about one impact. Every key sets a value of its own here, so that the order in
+    /// which values are set does not matter; [`Input::resolve`] works out what follows from them.
+    pub struct Input {
+        /// The sphere.
+        sphere: SphereInput as Table(SphereInput::keys),
+        /// The half-space.
+        half_space: HalfSpaceInput as Table(HalfSpaceInput::keys),
+        /// The impact.
+        impact: ImpactInput as Table(ImpactInput::keys),
+        /// Friction.
+        friction: FrictionInput as Table(FrictionInput::keys),
+        /// Gravity.
+        gravity: GravityInput as Table(GravityInput::keys),
+        /// Damping.
+        damping: DampingInput as Table(DampingInput::keys),
+        /// The contact law with its parameters; [`Input::resolve`] gives it the flow curve of the half-space.
+        law: LawChoice as Table(laws::keys),
+        /// The integration.
+        solver: SolverInput as Table(SolverInput::keys),
+        /// Traces and tables.
+        output: OutputInput as Table(OutputInput::keys),
+    }
+
     /// `[sphere]`
     pub struct SphereInput {
         /// Radius of the sphere (not its diameter).
@@ -44,7 +50,7 @@ tables! {
         /// Diameter of the sphere, in place of the radius.
         diameter: Option<f64> as Number(&LENGTH),
         /// Young's modulus of the sphere, or "rigid".
-        youngs_modulus: Option<Given> as NumberOr(&SPHERE_MODULUS, "rigid"),
+        youngs_modulus: Option<f64> as NumberOr(&SPHERE_MODULUS, "rigid"),
         /// Poisson's ratio of the sphere.
         poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
         /// Density of the sphere, which gives its mass.
@@ -178,15 +184,7 @@ impl Input {
     /// The keys that have a value, for reports: numbers, words and counts in the order of the file.
     pub fn held(&self) -> Vec<Held> {
         let mut held = Vec::new();
-        self.sphere.show_keys("sphere", &mut held);
-        self.half_space.show_keys("half_space", &mut held);
-        self.impact.show_keys("impact", &mut held);
-        self.gravity.show_keys("gravity", &mut held);
-        self.damping.show_keys("damping", &mut held);
-        show_word(self.law.name(), "law", &mut held);
-        laws::show(&self.law, &mut held);
-        self.solver.show_keys("solver", &mut held);
-        self.samples.show(&Count(&SAMPLES), "output.samples", &mut held);
+        self.show_keys("", &mut held);
         held
     }
 }
@@ -245,19 +243,6 @@ fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
 }
 
 impl FlowInput {
-    /// The names of the forms that are given.
-    pub fn forms(&self) -> impl Iterator<Item = &'static str> {
-        let Self { power, voce, linear, points, table } = self;
-        let given = [
-            power.as_ref().map(|_| "power"),
-            voce.as_ref().map(|_| "voce"),
-            linear.as_ref().map(|_| "linear"),
-            points.as_ref().map(|_| "points"),
-            table.as_ref().map(|_| "table"),
-        ];
-        given.into_iter().flatten()
-    }
-
     /// The curve, if all its numbers are given.
     pub fn curve(&self) -> Option<FlowCurve> {
         if let Some(PowerInput { exponent: Some(exponent) }) = self.power {

@@ -45,17 +45,8 @@ pub enum Form {
     WordOrTable(&'static Words, Keys),
     /// A table with keys of its own.
     Table(Keys),
-    /// A list of tables with keys of their own.
-    Items(&'static List, Keys),
-}
-
-/// A list of tables: a key whose items have keys of their own.
-#[derive(Debug, Clone, Copy)]
-pub struct List {
-    /// How it is written.
-    pub example: &'static str,
-    /// What an item of it is.
-    pub item: &'static str,
+    /// A list of tables with keys of their own: how it is written, what an item of it is, and the keys.
+    Items(&'static str, &'static str, Keys),
 }
 
 /// Words that a key takes.

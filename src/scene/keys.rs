@@ -3,52 +3,14 @@
 
 use std::sync::LazyLock;
 
+use super::field::{Field as _, Numeric};
 use super::input::Input;
-use super::laws;
-use super::table::{Numeric, numeric};
 
 /// A numeric key of the scene of an impact.
 pub type Key = Numeric<Input>;
 
 /// All numeric keys of the scene of an impact, in the order of the file.
-pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
-    let flow = |form: &str| format!("half_space.flow_stress.{form}");
-    let of_laws = laws::numeric_keys().into_iter().map(|Numeric { path, quantity, word, get, set }| Key {
-        path,
-        quantity,
-        word,
-        get: Box::new(move |input| get(&input.law)),
-        set: Box::new(move |input, value| set(&mut input.law, value)),
-    });
-    [
-        numeric("sphere", |input: &Input| Some(&input.sphere), |input| Some(&mut input.sphere)),
-        numeric("half_space", |input: &Input| Some(&input.half_space), |input| Some(&mut input.half_space)),
-        numeric(
-            &flow("power"),
-            |input: &Input| input.half_space.flow_stress.power.as_ref(),
-            |input| Some(input.half_space.flow_stress.power.get_or_insert_default()),
-        ),
-        numeric(
-            &flow("voce"),
-            |input: &Input| input.half_space.flow_stress.voce.as_ref(),
-            |input| Some(input.half_space.flow_stress.voce.get_or_insert_default()),
-        ),
-        numeric(
-            &flow("linear"),
-            |input: &Input| input.half_space.flow_stress.linear.as_ref(),
-            |input| Some(input.half_space.flow_stress.linear.get_or_insert_default()),
-        ),
-        numeric("impact", |input: &Input| Some(&input.impact), |input| Some(&mut input.impact)),
-        numeric("friction", |input: &Input| Some(&input.friction), |input| Some(&mut input.friction)),
-        numeric("gravity", |input: &Input| Some(&input.gravity), |input| Some(&mut input.gravity)),
-        numeric("damping", |input: &Input| Some(&input.damping), |input| Some(&mut input.damping)),
-        of_laws.collect(),
-        numeric("solver", |input: &Input| Some(&input.solver), |input| Some(&mut input.solver)),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
-});
+pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(Input::numeric);
 
 /// Keys that stand in place of each other: a scene takes one of the two.
 pub const EITHER: [[&str; 2]; 6] = [

@@ -2,27 +2,22 @@
 
 use std::sync::Arc;
 
-use super::field::{Field, Held, show_word};
+use toml::de::DeValue;
+
+use super::field::{Field, Held, Numeric, show_word};
 use super::key::AnyKey;
 use super::key::Form::{self, Number, NumberOr, Text, Word};
 use super::quantity::{AREA_FACTOR, EXPONENT, FACTOR, SHARE, STRENGTH, TRANSITION_RATIO};
-use super::read::{Fault, Reader};
-use super::table::{Numeric, Table as _, keys, numeric, tables};
+use super::read::{Fault, Reader, items};
+use super::table::{Table as _, keys, tables};
 use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
-use super::written::{Node, Value};
-use crate::law::catalogue::brake::Brake;
-use crate::law::catalogue::hertz::Hertz;
-use crate::law::catalogue::jackson_green::JacksonGreen;
-use crate::law::catalogue::johnson::Johnson;
-use crate::law::catalogue::kogut_etsion::KogutEtsion;
-use crate::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
-use crate::law::catalogue::ma_liu::MaLiu;
-use crate::law::catalogue::mesarovic_johnson::MesarovicJohnson;
-use crate::law::catalogue::stronge::Stronge;
-use crate::law::catalogue::thornton::Thornton;
-use crate::law::catalogue::walton_braun::WaltonBraun;
-use crate::law::catalogue::yigit_christoforou::YigitChristoforou;
-use crate::law::{Combined, LawChoice, Plm, PlmCoefficients};
+use super::written::{COMBINED, Node};
+use crate::law::catalogue::{
+    brake::Brake, hertz::Hertz, jackson_green::JacksonGreen, johnson::Johnson, kogut_etsion::KogutEtsion,
+    kogut_komvopoulos::KogutKomvopoulos, ma_liu::MaLiu, mesarovic_johnson::MesarovicJohnson, stronge::Stronge,
+    thornton::Thornton, walton_braun::WaltonBraun, yigit_christoforou::YigitChristoforou,
+};
+use crate::law::{LawChoice, Plm, PlmCoefficients};
 
 keys! {
     Plm {
@@ -98,49 +93,41 @@ tables! {
     }
 }
 
-/// The law that is named, PLM if none is.
-#[derive(Debug, Clone, Default)]
-pub struct LawInput {
-    /// The law with its parameters, but for a flow curve of the half-space.
-    pub choice: LawChoice,
-    /// The halves of a combined law.
-    pub halves: Option<HalvesInput>,
-}
-
 /// The laws by their names, with the table of each.
 macro_rules! laws {
     ($($name:literal $law:ident),* $(,)?) => {
-        /// Takes the keys of the table of this law.
-        fn take(choice: &mut LawChoice, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-            match choice {
-                $(LawChoice::$law(law) => law.take(node, reader),)*
-                LawChoice::Combined(_) => Ok(()),
-            }
-        }
-
-        /// Adds what the keys of this law have, for reports.
-        pub(super) fn show(choice: &LawChoice, into: &mut Vec<Held>) {
-            match choice {
-                $(LawChoice::$law(law) => law.show_keys(concat!("law.", $name), into),)*
-                LawChoice::Combined(_) => {}
-            }
-        }
-
         /// The keys of all laws.
         pub fn keys(path: &str, into: &mut Vec<AnyKey>) {
             $(<$law>::keys(&format!("{path}.{}", $name), into);)*
             HalvesInput::keys(&format!("{path}.{COMBINED}"), into);
         }
 
-        /// The numeric keys of all laws.
-        pub(super) fn numeric_keys() -> Vec<Numeric<LawChoice>> {
-            let mut keys = Vec::new();
-            $(keys.extend(numeric::<LawChoice, $law>(
-                concat!("law.", $name),
-                |choice| if let LawChoice::$law(law) = choice { Some(law) } else { None },
-                |choice| if let LawChoice::$law(law) = choice { Some(law) } else { None },
-            ));)*
-            keys
+        /// One law, named by its table; PLM if none is.
+        impl Field for LawChoice {
+            fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+                let Some(table) = chosen(self, node, reader)? else { return Ok(()) };
+                match self {
+                    $(Self::$law(law) => reader.within($name, |reader| law.read(form, table, reader)),)*
+                    Self::Combined(_) => {}
+                }
+                Ok(())
+            }
+            fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
+                show_word(self.name(), path, into);
+                match self {
+                    $(Self::$law(law) => law.show(form, concat!("law.", $name), into),)*
+                    Self::Combined(_) => {}
+                }
+            }
+            fn numeric() -> Vec<Numeric<Self>> {
+                let mut keys = Vec::new();
+                $(keys.extend(<$law>::numeric().into_iter().map(|key| key.within(
+                    $name,
+                    |choice| if let Self::$law(law) = choice { Some(law) } else { None },
+                    |choice| if let Self::$law(law) = choice { Some(law) } else { None },
+                )));)*
+                keys
+            }
         }
     };
 }
@@ -161,37 +148,56 @@ laws!(
     "johnson" Johnson,
 );
 
-/// The law of two halves.
-pub const COMBINED: &str = "combined";
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 
-impl Field for LawInput {
-    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let Value::Table(laws) = &node.value else {
-            return Err(Fault::at(node, format!("not a table; {ONE_LAW}")));
-        };
-        let [law] = &laws.0[..] else {
-            let found: Vec<&str> = laws.0.iter().map(|law| law.name.as_str()).collect();
-            let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
-            return Err(Fault::at(node, format!("a scenario has exactly one law, found {found}; {ONE_LAW}")));
-        };
-        if law.name == COMBINED {
-            let mut halves = HalvesInput::default();
-            reader.within(COMBINED, |reader| halves.take(&law.node, reader));
-            if let (Some(loading), Some(unloading)) = (&halves.loading, &halves.unloading) {
-                let half = |name: &str| LawChoice::from_name(name).unwrap_or_default().into();
-                self.choice = LawChoice::Combined(Combined { loading: half(loading), unloading: half(unloading) });
-            }
-            self.halves = Some(halves);
-        } else if let Some(choice) = LawChoice::all().into_iter().find(|choice| choice.about().name == law.name) {
-            self.choice = choice;
-            reader.within(&law.name, |reader| take(&mut self.choice, &law.node, reader));
-        } else {
-            let known: Vec<&str> = LawChoice::names().into_iter().chain([COMBINED]).collect();
-            reader.unknown(&law.name, law.span.clone(), &known);
-        }
-        Ok(())
+/// Takes the law that `[law]` names, and gives its table if it is one law.
+fn chosen<'n, 't>(
+    choice: &mut LawChoice,
+    node: &'n Node<'t>,
+    reader: &mut Reader,
+) -> Result<Option<&'n Node<'t>>, Fault> {
+    let DeValue::Table(laws) = node.get_ref() else {
+        return Err(Fault::at(node, format!("not a table; {ONE_LAW}")));
+    };
+    let found: Vec<&str> = laws.keys().map(|law| &**law.get_ref()).collect();
+    let (&[name], Some((law, table))) = (&found[..], laws.iter().next()) else {
+        let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
+        return Err(Fault::at(node, format!("a scenario has exactly one law, found {found}; {ONE_LAW}")));
+    };
+    if name == COMBINED {
+        reader.within(COMBINED, |reader| {
+            *choice = combined(table, reader)?;
+            Ok(())
+        });
+        return Ok(None);
     }
+    let Some(known) = LawChoice::all().into_iter().find(|law| law.about().name == name) else {
+        let known: Vec<&str> = LawChoice::names().into_iter().chain([COMBINED]).collect();
+        reader.unknown([(law, table)], &known);
+        return Ok(None);
+    };
+    *choice = known;
+    if !choice.has_loading() {
+        let message = format!(
+            "{name} is a law of unloading only; write [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\""
+        );
+        reader.within(name, |_| Err(Fault::at(table, message)));
+    }
+    Ok(Some(table))
+}
+
+/// The law of two halves.
+fn combined(node: &Node, reader: &mut Reader) -> Result<LawChoice, Fault> {
+    let mut halves = HalvesInput::default();
+    halves.read(&Form::Table(HalvesInput::keys), node, reader)?;
+    for (half, verb, law) in [("loading", "loads", "plm"), ("unloading", "unloads", "thornton")] {
+        if !items(node)?.contains_key(half) {
+            let message = format!("the key `{half}` is missing: the law that {verb}, such as {half} = \"{law}\"");
+            return Err(Fault::at(node, message));
+        }
+    }
+    let name = format!("{} + {}", halves.loading.unwrap_or_default(), halves.unloading.unwrap_or_default());
+    Ok(LawChoice::from_name(&name).unwrap_or_default())
 }
 
 /// Coefficients of a file.

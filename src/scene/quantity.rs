@@ -27,10 +27,10 @@ pub struct Quantity {
     pub high: Bound,
     /// How it may be written.
     pub example: &'static str,
-    /// What to do about a value at or beyond one end of the range; may be empty.
-    pub hint: &'static str,
-    /// Whether the hint is about the lower end.
-    pub is_hint_low: bool,
+    /// What to do about a value at or below the lower end; may be empty.
+    pub too_low: &'static str,
+    /// What to do about a value at or above the upper end; may be empty.
+    pub too_high: &'static str,
     /// Whether it may be written on a scale of hardness too.
     pub is_hardness: bool,
 }
@@ -42,8 +42,8 @@ const fn positive(name: &'static str, dimension: Dimension, example: &'static st
         low: Bound::Open(0.0),
         high: Bound::Open(f64::INFINITY),
         example,
-        hint: "",
-        is_hint_low: false,
+        too_low: "",
+        too_high: "",
         is_hardness: false,
     }
 }
@@ -71,10 +71,10 @@ pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"")
 /// An elastic modulus.
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
 /// The sphere's modulus, which is infinite for a rigid sphere.
-pub const SPHERE_MODULUS: Quantity = Quantity { hint: "for a rigid sphere write \"rigid\"", ..MODULUS };
+pub const SPHERE_MODULUS: Quantity = Quantity { too_high: "for a rigid sphere write \"rigid\"", ..MODULUS };
 /// A yield strength.
 pub const STRENGTH: Quantity = Quantity {
-    hint: "for an elastic body leave the key out",
+    too_high: "for an elastic body leave the key out",
     ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
 };
 /// A hardness, as the mean pressure of a hardness test. No material that keeps a dent is softer than the lower end, which
@@ -82,8 +82,7 @@ pub const STRENGTH: Quantity = Quantity {
 pub const HARDNESS: Quantity = Quantity {
     is_hardness: true,
     low: Bound::Closed(1e5),
-    hint: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
-    is_hint_low: true,
+    too_low: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
     ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
 };
 /// A mass.
@@ -108,7 +107,7 @@ pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"")
 pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
-    hint: "for an incompressible material write 0.4999",
+    too_high: "for an incompressible material write 0.4999",
     ..number("a Poisson's ratio", Bound::Open(-1.0), Bound::Open(0.5), "0.3")
 };
 /// The exponent n of the unloading branch.
@@ -132,7 +131,7 @@ pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.
 pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
 /// Rows of a trace: at least its two ends, at most what some hundred megabytes of memory hold.
 pub const SAMPLES: Quantity = Quantity {
-    hint: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
+    too_high: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
     ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
 };
 /// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
@@ -140,8 +139,7 @@ pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Boun
 
 /// Gravity.
 pub const ACCELERATION: Quantity = Quantity {
-    hint: "to do without gravity leave the table out",
-    is_hint_low: true,
+    too_low: "to do without gravity leave the table out",
     ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
 };
 /// A height that the sphere falls from.
@@ -153,13 +151,12 @@ pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", 
 /// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only
 /// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
 pub const VISCOUS: Quantity = Quantity {
-    hint: "beyond that a contact only creeps",
+    too_high: "beyond that a contact only creeps",
     ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
 };
 
 /// The speed of one shot of a list.
-pub const SHOT_SPEED: Quantity =
-    Quantity { hint: "a shot without speed does not touch: leave it out", is_hint_low: true, ..SPEED };
+pub const SHOT_SPEED: Quantity = Quantity { too_low: "a shot without speed does not touch: leave it out", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
 
@@ -169,7 +166,7 @@ pub const RESTITUTION: Quantity = number("a restitution", Bound::Open(0.0), Boun
 pub const LEEB: Quantity = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
 /// An angle of impact, from the normal.
 pub const ANGLE: Quantity = Quantity {
-    hint: "it is taken from the normal, and at 90 deg the sphere only passes by",
+    too_high: "it is taken from the normal, and at 90 deg the sphere only passes by",
     ..number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Open(FRAC_PI_2), "\"30 deg\"")
 };
 /// A spin, forward or backward.
@@ -192,8 +189,7 @@ pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), 
 pub const SEED: Quantity = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
 /// Values of an axis.
 pub const POINTS: Quantity = Quantity {
-    hint: "an axis needs at least one value",
-    is_hint_low: true,
+    too_low: "an axis needs at least one value",
     ..number("a number of values", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "11")
 };
 
@@ -223,9 +219,9 @@ impl Quantity {
         if above && below {
             return Ok(value);
         }
-        let (low, high) = self.range();
-        let is_beyond = if self.is_hint_low { value <= low } else { value >= high };
-        let way_out = if is_beyond && !self.hint.is_empty() { format!("; {}", self.hint) } else { String::new() };
+        let low = self.range().0;
+        let hint = if value <= low { self.too_low } else { self.too_high };
+        let way_out = if hint.is_empty() || value.is_nan() { String::new() } else { format!("; {hint}") };
         Err(format!("{} is not allowed: {} must be {}{way_out}", written(), self.name, self.allowed()))
     }
 
@@ -264,6 +260,11 @@ impl Quantity {
         } else {
             units::human(value, self.dimension)
         }
+    }
+
+    /// The value of its example, in SI; `None` where that is on a scale of hardness.
+    pub fn example_value(&self) -> Option<f64> {
+        units::parse(self.example.trim_matches('"'), self.dimension).ok()
     }
 
     /// The ends of the allowed range.

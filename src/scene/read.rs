@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
+use toml::de::{DeTable, DeValue};
+
 use super::key::Words;
 use super::quantity::Quantity;
-use super::written::{Node, Table, Value};
+use super::written::{Name, Node, below, described, whole_number};
 use crate::units::nearest::did_you_mean;
 
 /// A value that is refused: where it stands, and why.
@@ -19,12 +21,12 @@ pub struct Fault {
 impl Fault {
     /// A refusal of what stands there.
     pub fn at(node: &Node, message: impl Into<String>) -> Self {
-        Self { span: node.span.clone(), message: message.into() }
+        Self { span: node.span(), message: message.into() }
     }
 
     /// The refusal of a value of the wrong kind.
     pub fn unexpected(node: &Node, expected: &str) -> Self {
-        Self::at(node, format!("found {}, expected {expected}", node.described()))
+        Self::at(node, format!("found {}, expected {expected}", described(node)))
     }
 }
 
@@ -48,15 +50,12 @@ impl<'f> Reader<'f> {
 
     /// Reads what stands below this name; a refusal is kept.
     pub fn within(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
-        let outer = self.path.len();
-        if !self.path.is_empty() && !name.starts_with('[') {
-            self.path.push('.');
-        }
-        self.path.push_str(name);
+        let inner = below(&self.path, name);
+        let outer = std::mem::replace(&mut self.path, inner);
         if let Err(fault) = read(self) {
             self.refused.push((self.path.clone(), fault));
         }
-        self.path.truncate(outer);
+        self.path = outer;
     }
 
     /// Path and text of the file that this key names.
@@ -64,31 +63,45 @@ impl<'f> Reader<'f> {
         (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
     }
 
-    /// Refuses a key that the table has not; `known` are the names of those that it has.
-    pub fn unknown(&mut self, name: &str, span: Range<usize>, known: &[&str]) {
+    /// Refuses keys that the table has not; `known` are the names of those that it has.
+    pub fn unknown<'n, 't: 'n>(
+        &mut self,
+        others: impl IntoIterator<Item = (&'n Name<'t>, &'n Node<'t>)>,
+        known: &[&str],
+    ) {
         let (thing, things) = match self.path.as_str() {
             "" => ("table", "tables"),
             "law" => ("law", "laws"),
             _ => ("key", "keys here"),
         };
-        let message = if known.is_empty() {
-            format!("unknown {thing} `{name}`; this table takes none")
-        } else {
-            let all = format!("{things} are {}", known.join(", "));
-            format!("unknown {thing} `{name}`{}", did_you_mean(name, known.iter().copied(), '`', &all))
-        };
-        self.within(name, |_| Err(Fault { span, message }));
+        for (name, _) in others {
+            let written = name.get_ref();
+            let message = if known.is_empty() {
+                format!("unknown {thing} `{written}`; this table takes none")
+            } else {
+                let all = format!("{things} are {}", known.join(", "));
+                format!("unknown {thing} `{written}`{}", did_you_mean(written, known.iter().copied(), '`', &all))
+            };
+            self.within(written, |_| Err(Fault { span: name.span(), message }));
+        }
     }
 }
 
-/// A number in SI, or a text with a unit. `word` may stand in its place; it is read before.
+/// A number in SI, or a text with a unit; infinite where the word stands in its place.
 pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f64, Fault> {
     let or = |begin: &str| word.map_or_else(String::new, |word| format!("{begin} \"{word}\""));
-    match &node.value {
-        Value::Text(text) => quantity.parse(text).map_err(|message| Fault::at(node, message + &or("; or write"))),
-        Value::Number { value: Some(value), .. } => quantity.plain(*value).map_err(|message| Fault::at(node, message)),
-        _ => Err(Fault::unexpected(node, &format!("{} such as {}{}", quantity.name, quantity.example, or(", or")))),
-    }
+    let value = match node.get_ref() {
+        DeValue::String(text) if word.is_some_and(|word| text.trim() == word) => return Ok(f64::INFINITY),
+        DeValue::String(text) => {
+            return quantity.parse(text).map_err(|message| Fault::at(node, message + &or("; or write")));
+        }
+        DeValue::Integer(digits) => whole_number(digits),
+        DeValue::Float(digits) => digits.as_str().parse().ok(),
+        _ => None,
+    };
+    let expected = || format!("{} such as {}{}", quantity.name, quantity.example, or(", or"));
+    let value = value.ok_or_else(|| Fault::unexpected(node, &expected()))?;
+    quantity.plain(value).map_err(|message| Fault::at(node, message))
 }
 
 /// A whole number.
@@ -96,10 +109,13 @@ pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f6
 pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
     const TOO_MANY: f64 = 18_446_744_073_709_551_616.0;
     let value = number(quantity, None, node)?;
-    match node.value {
-        Value::Number { whole: Some(whole), .. } => Ok(whole),
-        _ if value.fract() == 0.0 && value < TOO_MANY => Ok(value as u64),
-        _ => {
+    // beyond 2^53 only the digits tell it
+    let whole =
+        node.get_ref().as_integer().and_then(|digits| u64::from_str_radix(digits.as_str(), digits.radix()).ok());
+    match whole {
+        Some(whole) => Ok(whole),
+        None if value.fract() == 0.0 && value < TOO_MANY => Ok(value as u64),
+        None => {
             let message = format!("{value} is not allowed: {} must be a whole number below 2^64", quantity.name);
             Err(Fault::at(node, message))
         }
@@ -116,44 +132,42 @@ pub fn pair(quantities: [&Quantity; 2], node: &Node) -> Result<[f64; 2], Fault> 
 }
 
 /// The items of a list.
-pub fn list<'n>(node: &'n Node, example: &str) -> Result<&'n [Node], Fault> {
-    match &node.value {
-        Value::List(items) => Ok(items),
+pub fn list<'n, 't>(node: &'n Node<'t>, example: &str) -> Result<&'n [Node<'t>], Fault> {
+    match node.get_ref() {
+        DeValue::Array(items) => Ok(items),
         _ => Err(Fault::unexpected(node, &format!("a list in [ ] such as {example}"))),
     }
 }
 
 /// Any text.
 pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
-    match &node.value {
-        Value::Text(text) => Ok(text),
+    match node.get_ref() {
+        DeValue::String(text) => Ok(text),
         _ => Err(Fault::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
     }
 }
 
 /// A word that is known.
 pub fn word(words: &Words, node: &Node) -> Result<String, Fault> {
-    let known = (words.known)();
-    let given = text(node, known.first().map_or("", String::as_str))?;
-    if known.iter().any(|word| word == given) {
-        return Ok(given.to_owned());
-    }
-    let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
-    let all = format!("{} are {}", words.several, all.join(", "));
-    let hint = did_you_mean(given, known.iter().map(String::as_str), '"', &all);
-    Err(Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one)))
+    named(words, node, |given| (words.known)().into_iter().find(|word| word == given))
 }
 
-/// What a word that is known stands for.
+/// What a word stands for.
 pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
-    let name = word(words, node)?;
-    find(&name).ok_or_else(|| Fault::at(node, format!("unknown {} \"{name}\"", words.one)))
+    let known = (words.known)();
+    let given = text(node, known.first().map_or("", String::as_str))?;
+    find(given).ok_or_else(|| {
+        let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
+        let all = format!("{} are {}", words.several, all.join(", "));
+        let hint = did_you_mean(given, known.iter().map(String::as_str), '"', &all);
+        Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one))
+    })
 }
 
 /// The items of a table.
-pub fn items(node: &Node) -> Result<&Table, Fault> {
-    match &node.value {
-        Value::Table(table) => Ok(table),
+pub fn items<'n, 't>(node: &'n Node<'t>) -> Result<&'n DeTable<'t>, Fault> {
+    match node.get_ref() {
+        DeValue::Table(table) => Ok(table),
         _ => Err(Fault::unexpected(node, "a table")),
     }
 }

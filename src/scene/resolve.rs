@@ -3,10 +3,9 @@
 
 use std::f64::consts::PI;
 
-use super::field::Given;
 use super::input::{
-    DampingInput, FlowInput, FrictionInput, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, PowerInput,
-    SolverInput, SphereInput, VoceInput,
+    DampingInput, FlowInput, FrictionInput, GravityInput, HalfSpaceInput, ImpactInput, Input, LinearInput, OutputInput,
+    PowerInput, SolverInput, SphereInput, VoceInput,
 };
 use super::keys::Key;
 use super::taken::Taken;
@@ -48,11 +47,7 @@ impl Input {
             sphere: Sphere {
                 radius,
                 material: Material {
-                    youngs_modulus: match sphere.youngs_modulus {
-                        None => f64::NAN,
-                        Some(Given::Number(modulus)) => modulus,
-                        Some(Given::Word) => f64::INFINITY,
-                    },
+                    youngs_modulus: sphere.youngs_modulus.unwrap_or(f64::NAN),
                     poissons_ratio: sphere.poissons_ratio.unwrap_or(f64::NAN),
                 },
                 density: mass.map_or_else(|| sphere.density.unwrap_or(f64::NAN), of_mass),
@@ -77,7 +72,7 @@ impl Input {
             forces: Forces { gravity: self.gravity.acceleration, damping: hunt_crossley.or_else(viscous), plate },
             plate_theory: theory,
             solver: self.solver(),
-            samples: self.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
+            samples: self.output.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
             materials: Vec::new(),
             warnings: Vec::new(),
         }
@@ -138,7 +133,6 @@ impl Input {
     pub fn of(scene: &Scene) -> Self {
         let Scene { sphere, half_space, forces, solver, .. } = scene;
         let [of_sphere, of_half_space] = [sphere.material, half_space.material];
-        let is_rigid = of_sphere.youngs_modulus.is_infinite();
         let (hunt_crossley, viscous) = match forces.damping {
             Some(Damping::HuntCrossley(chi)) => (Some(chi), None),
             Some(Damping::Viscous(share)) => (None, Some(share)),
@@ -147,11 +141,7 @@ impl Input {
         Self {
             sphere: SphereInput {
                 radius: Some(sphere.radius),
-                youngs_modulus: if is_rigid {
-                    Some(Given::Word)
-                } else {
-                    Some(Given::Number(of_sphere.youngs_modulus))
-                },
+                youngs_modulus: Some(of_sphere.youngs_modulus),
                 poissons_ratio: Some(of_sphere.poissons_ratio),
                 density: Some(sphere.density).filter(|_| scene.mass.is_none()),
                 mass: scene.mass,
@@ -186,7 +176,7 @@ impl Input {
                 method: Some(solver.method),
                 steps_per_contact: Some(solver.steps_per_contact.into()),
             },
-            samples: Some(scene.samples as u64),
+            output: OutputInput { samples: Some(scene.samples as u64), columns: None },
         }
     }
 }

@@ -1,16 +1,15 @@
 //! How the tables of a scenario are described once: a table is a struct, and the doc comment of a field is the line of its
 //! key on the reference page and in the schema. Reading, ranges, words and "did you mean" follow from the [`Form`] beside it.
 
-use std::fmt;
+use toml::de::DeValue;
 
-use super::field::{Field, Given, Held};
+use super::field::{Field, Held, Numeric};
 use super::key::{AnyKey, Form};
-use super::quantity::Quantity;
-use super::read::{Fault, Reader, items};
-use super::written::Node;
+use super::read::{Fault, Reader, items, word};
+use super::written::{Name, Node, below};
 
 /// A key of a table that is a `T`.
-pub struct Entry<T> {
+pub struct Entry<T: 'static> {
     /// As in the file.
     pub name: &'static str,
     /// What it is, in one sentence.
@@ -21,10 +20,8 @@ pub struct Entry<T> {
     pub form: Form,
     /// Takes a value.
     pub read: fn(&mut T, &Form, &Node, &mut Reader) -> Result<(), Fault>,
-    /// The number that it has, for a key that may vary.
-    pub get: fn(&T) -> Option<Given>,
-    /// Puts a checked number there, SI, or nothing.
-    pub set: fn(&mut T, Option<f64>),
+    /// The numeric keys that it is or has.
+    pub numeric: fn(&'static Self) -> Vec<Numeric<T>>,
     /// Adds what it has, for reports.
     pub show: fn(&T, &Form, &str, &mut Vec<Held>),
 }
@@ -34,36 +31,44 @@ pub trait Table: Sized + 'static {
     /// Its keys, in the order of the reference page.
     const ENTRIES: &'static [Entry<Self>];
 
-    /// Takes the keys of a table of the file.
-    fn take(&mut self, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        for item in &items(node)?.0 {
-            if let Some(entry) = Self::ENTRIES.iter().find(|entry| entry.name == item.name) {
-                reader.within(entry.name, |reader| (entry.read)(self, &entry.form, &item.node, reader));
-            } else {
-                let known: Vec<&str> = Self::ENTRIES.iter().map(|entry| entry.name).collect();
-                reader.unknown(&item.name, item.span.clone(), &known);
+    /// Takes its keys, and gives back those that it has not.
+    fn read_known<'n, 't>(
+        &mut self,
+        keys: impl IntoIterator<Item = (&'n Name<'t>, &'n Node<'t>)>,
+        reader: &mut Reader,
+    ) -> Vec<(&'n Name<'t>, &'n Node<'t>)> {
+        let mut others = Vec::new();
+        for (name, node) in keys {
+            match Self::ENTRIES.iter().find(|entry| entry.name == name.get_ref()) {
+                Some(entry) => reader.within(entry.name, |reader| (entry.read)(self, &entry.form, node, reader)),
+                None => others.push((name, node)),
             }
         }
-        Ok(())
+        others
+    }
+
+    /// The names of its keys.
+    fn names() -> Vec<&'static str> {
+        Self::ENTRIES.iter().map(|entry| entry.name).collect()
     }
 
     /// Adds what its keys have, for reports; the path is that of the table.
     fn show_keys(&self, path: &str, into: &mut Vec<Held>) {
         for entry in Self::ENTRIES {
-            (entry.show)(self, &entry.form, &format!("{path}.{}", entry.name), into);
+            (entry.show)(self, &entry.form, &below(path, entry.name), into);
         }
     }
 
     /// Its keys, for a table of this path.
     fn keys(path: &str, into: &mut Vec<AnyKey>) {
         for &Entry { name, about, default, form, .. } in Self::ENTRIES {
-            let path = if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
+            let path = below(path, name);
             if !matches!(form, Form::Table(_) | Form::Items(..)) {
                 into.push(AnyKey { path: path.clone().leak(), form, about, default });
             }
             match form {
                 Form::Table(inner) | Form::WordOrTable(_, inner) => inner(&path, into),
-                Form::Items(_, inner) => inner(&format!("{path}[]"), into),
+                Form::Items(.., inner) => inner(&format!("{path}[]"), into),
                 _ => {}
             }
         }
@@ -71,68 +76,35 @@ pub trait Table: Sized + 'static {
 }
 
 impl<T: Table> Field for T {
-    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        self.take(node, reader)
+    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        if let (Form::WordOrTable(words, _), DeValue::String(_)) = (form, node.get_ref()) {
+            return word(words, node).map(drop);
+        }
+        let others = self.read_known(items(node)?, reader);
+        reader.unknown(others, &Self::names());
+        Ok(())
     }
     fn show(&self, _: &Form, path: &str, into: &mut Vec<Held>) {
         self.show_keys(path, into);
     }
-}
-
-/// Reads a number.
-type Get<I> = Box<dyn Fn(&I) -> Option<Given> + Send + Sync>;
-/// Sets a number, or takes it away.
-type Set<I> = Box<dyn Fn(&mut I, Option<f64>) + Send + Sync>;
-
-/// A numeric key of an `I`, which may vary: an axis, a random variable, or found from measurements.
-pub struct Numeric<I> {
-    /// As in the file, with dots: `impact.speed`.
-    pub path: &'static str,
-    /// Dimension and allowed range.
-    pub quantity: &'static Quantity,
-    /// A word that may stand in place of the number.
-    pub word: Option<&'static str>,
-    /// Its number; `None` where it is not given.
-    pub get: Get<I>,
-    /// Puts a checked number there, SI, or takes it away. It changes nothing else.
-    pub set: Set<I>,
-}
-
-impl<I> fmt::Debug for Numeric<I> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.path)
+    fn numeric() -> Vec<Numeric<Self>> {
+        Self::ENTRIES.iter().flat_map(|entry| (entry.numeric)(entry)).collect()
     }
 }
 
-/// The numeric keys of a table that an `I` may have.
-pub fn numeric<I: 'static, T: Table>(
-    path: &str,
-    of: fn(&I) -> Option<&T>,
-    of_mut: fn(&mut I) -> Option<&mut T>,
-) -> Vec<Numeric<I>> {
-    let key = |entry: &'static Entry<T>| {
-        let (quantity, word) = match entry.form {
-            Form::Number(quantity) => (quantity, None),
-            Form::NumberOr(quantity, word) => (quantity, Some(word)),
-            _ => return None,
-        };
-        Some(Numeric {
-            path: format!("{path}.{}", entry.name).leak(),
-            quantity,
-            word,
-            get: Box::new(move |input: &I| (entry.get)(of(input)?)),
-            set: Box::new(move |input: &mut I, value| {
-                // a table is made for a number, but not to say that there is none
-                if value.is_none() && of(input).is_none() {
-                    return;
-                }
-                if let Some(table) = of_mut(input) {
-                    (entry.set)(table, value);
-                }
-            }),
-        })
+/// The numeric keys of an entry, whose field is found so.
+pub fn numeric<T: 'static, F: Field + 'static>(
+    entry: &'static Entry<T>,
+    of: impl Fn(&T) -> &F + Copy + Send + Sync + 'static,
+    of_mut: impl Fn(&mut T) -> &mut F + Copy + Send + Sync + 'static,
+) -> Vec<Numeric<T>> {
+    let Some((quantity, word)) = entry.form.number() else {
+        let inner = |key: Numeric<F>| key.within(entry.name, move |t| Some(of(t)), move |t| Some(of_mut(t)));
+        return F::numeric().into_iter().map(inner).collect();
     };
-    T::ENTRIES.iter().filter_map(key).collect()
+    let get = Box::new(move |table: &T| of(table).given());
+    let set = Box::new(move |table: &mut T, value| of_mut(table).put(value));
+    vec![Numeric { path: entry.name, quantity, word, get, set }]
 }
 
 /// The keys of structs: name of the key (and of the field, where that is another), the form of its value, and its default in
@@ -148,10 +120,11 @@ macro_rules! keys {
                 read: |table, form, node, reader| {
                     $crate::scene::field::Field::read(&mut $crate::scene::table::keys!(@ table, $name $($field)?), form, node, reader)
                 },
-                get: |table| $crate::scene::field::Field::given(&$crate::scene::table::keys!(@ table, $name $($field)?)),
-                set: |table, value| {
-                    $crate::scene::field::Field::put(&mut $crate::scene::table::keys!(@ table, $name $($field)?), value);
-                },
+                numeric: |entry| $crate::scene::table::numeric(
+                    entry,
+                    |table| &$crate::scene::table::keys!(@ table, $name $($field)?),
+                    |table| &mut $crate::scene::table::keys!(@ table, $name $($field)?),
+                ),
                 show: |table, form, path, into| {
                     $crate::scene::field::Field::show(&$crate::scene::table::keys!(@ table, $name $($field)?), form, path, into);
                 },

@@ -15,14 +15,6 @@ impl Body {
     /// Both of them.
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
-    /// Its table in a scenario.
-    pub fn table(self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere",
-            Self::HalfSpace => "half_space",
-        }
-    }
-
     /// The key that names its material.
     pub fn material(self) -> &'static str {
         match self {

@@ -1,6 +1,6 @@
 //! The words that keys take in place of numbers.
 
-use super::field::{Field, Given, Held, number_or, show_word};
+use super::field::{Field, Held, show_word};
 use super::key::{Form, Words};
 use super::read::{Fault, Reader, named};
 use super::results::columns;
@@ -18,8 +18,13 @@ const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<Stri
 
 /// Names of integration methods.
 pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.iter().map(|(name, _)| name)));
-/// Names of whole laws, as an axis takes them.
+/// Names of whole laws.
 pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
+/// The same, as an axis takes them.
+pub static AXIS_OF_LAWS: Words =
+    words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
+        laws(LawChoice::has_loading)
+    });
 /// Names of laws that load.
 pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
 /// Names of laws that unload.
@@ -81,28 +86,37 @@ named! {
     Option<&'static Material>: find;
     Option<PlateTheory>: |name: &str| PlateTheory::ALL.into_iter().find(|theory| theory.name() == name);
     Option<Place>: |name: &str| Place::ALL.into_iter().find(|place| place.name() == name);
-    Jumps: |name: &str| Some(if name == "crossed" { Jumps::Crossed } else { Jumps::Printed });
-    Hardness: |name: &str| Some(if name == "cosine" { Hardness::Cosine } else { Hardness::Exponential });
+    Jumps: |name: &str| match name {
+        "printed" => Some(Self::Printed),
+        "crossed" => Some(Self::Crossed),
+        _ => None,
+    };
+    Hardness: |name: &str| match name {
+        "exponential" => Some(Self::Exponential),
+        "cosine" => Some(Self::Cosine),
+        _ => None,
+    };
 }
 
 impl Field for UnloadingExponent {
-    fn read(&mut self, form: &Form, node: &Node, _: &mut Reader) -> Result<(), Fault> {
-        if let Form::NumberOr(quantity, word) = form {
-            match number_or(quantity, word, node)? {
-                Given::Number(value) => self.put(Some(value)),
-                Given::Word => *self = Self::PressureShape,
-            }
-        }
+    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        let mut value = f64::NAN;
+        value.read(form, node, reader)?;
+        self.put(Some(value));
         Ok(())
     }
-    fn given(&self) -> Option<Given> {
+    fn given(&self) -> Option<f64> {
         Some(match self {
-            Self::Paper => Given::Number(1.5),
-            Self::Fixed(value) => Given::Number(*value),
-            Self::PressureShape => Given::Word,
+            Self::Paper => 1.5,
+            Self::Fixed(value) => *value,
+            Self::PressureShape => f64::INFINITY,
         })
     }
     fn put(&mut self, value: Option<f64>) {
-        *self = value.map_or(*self, Self::of);
+        *self = match value {
+            None => *self,
+            Some(f64::INFINITY) => Self::PressureShape,
+            Some(value) => Self::of(value),
+        };
     }
 }

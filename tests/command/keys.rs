@@ -1,20 +1,11 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
 use plm_impact::report::reference::renewed;
+use plm_impact::scenario::every_key;
 use plm_impact::scenario::schema::schema;
-use plm_impact::scenario::{every_key, list_of};
 use serde_json::Value;
 
 use crate::common::command::{Desk, text};
-
-#[test]
-fn every_list_of_tables_says_how_it_is_written() {
-    for path in every_key().map(|key| key.path) {
-        if let Some((list, _)) = path.split_once("[].") {
-            assert!(list_of(list).is_some(), "{path}");
-        }
-    }
-}
 
 #[test]
 fn the_command_prints_the_schema() {

@@ -7,7 +7,7 @@ use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
 use plm_impact::run::{Order, Run, way};
 use plm_impact::scenario::{Kind, Scenario};
-use plm_impact::scene::{Given, Input, KEYS, Key, Scene};
+use plm_impact::scene::{Input, KEYS, Key, Scene};
 
 use crate::common::STEEL;
 
@@ -140,7 +140,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         }
         assert_eq!(
             (key.get)(&Input::of(&by_file)),
-            Some(Given::Number(value)).filter(|_| key.path != "sphere.diameter"),
+            Some(value).filter(|_| key.path != "sphere.diameter"),
             "{}",
             key.path
         );

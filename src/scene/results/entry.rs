@@ -81,6 +81,19 @@ pub struct Column {
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
+impl Needs {
+    /// When an impact has the result, in words.
+    pub const fn condition(self) -> &'static str {
+        match self {
+            Self::Nothing => "",
+            Self::Strength => YIELDS,
+            Self::Density => WAVES,
+            Self::Thickness => PLATE,
+            Self::Incidence => OBLIQUE,
+        }
+    }
+}
+
 impl Column {
     /// Why impacts of this scene do not have the column; `None` where they have it.
     pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
@@ -153,15 +166,15 @@ pub(super) const UNCERTAIN: &str = "an uncertainty is given";
 /// A list of results from its entries.
 macro_rules! results {
     (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
-        $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? : $value:expr;)+) => {
+        $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
         vec![$($crate::scene::results::entry::Reported::<$type> {
             name: $name,
             about: concat!($($about),+).trim_ascii_start(),
             shown: results!(@shown $($shown)?),
-            condition: results!(@condition $($condition)?),
+            condition: results!(@condition [$($condition)?] [$($needs)?]),
             label: concat!($($label)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
-            value: |$of| results!(@value $value $(, $condition)?),
+            value: |$of| results!(@value $of [$($condition)?] [$($needs, $column)?] [$($value)?]),
             column: results!(@column $($name, $needs, $column)?),
         }),+]
     };
@@ -172,10 +185,15 @@ macro_rules! results {
     (@shown $dimension:ident) => {
         $crate::scene::results::entry::Shown::In($crate::units::Dimension::$dimension)
     };
-    (@condition) => { "" };
-    (@condition $condition:ident) => { $crate::scene::results::entry::$condition };
-    (@value $value:expr) => { Some($value.into()) };
-    (@value $value:expr, $condition:ident) => { $value.map(Into::into) };
+    (@condition [] []) => { "" };
+    (@condition [] [$needs:ident]) => { $crate::scene::results::entry::Needs::$needs.condition() };
+    (@condition [$condition:ident] [$($needs:ident)?]) => { $crate::scene::results::entry::$condition };
+    (@value $of:ident [] [] [$value:expr]) => { Some($value.into()) };
+    (@value $of:ident [$condition:ident] [] [$value:expr]) => { $value.map(Into::into) };
+    (@value $of:ident [] [$needs:ident, $column:expr] []) => {
+        $of.of_row($crate::scene::results::entry::Needs::$needs, $column)
+    };
+    (@value $of:ident [$condition:ident] [$needs:ident, $column:expr] []) => { None };
     (@column) => { None };
     (@column $name:literal, $needs:ident, $value:expr) => {{
         use $crate::scene::results::entry::{Column, Needs};

@@ -1,6 +1,8 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
 
-use super::entry::{Reported, file, results};
+use serde_json::Value;
+
+use super::entry::{Needs, Reported, file, results};
 use crate::impact::{
     Contact, Essentials, Event, Impact, InFixedSteps, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
 };
@@ -13,6 +15,19 @@ pub struct Single<'a> {
 }
 
 impl Single<'_> {
+    /// The value of a column of tables, if the impact has it.
+    fn of_row(&self, needs: Needs, value: fn(&Essentials) -> Option<f64>) -> Option<Value> {
+        let row = &self.impact.essentials;
+        let is_there = match needs {
+            Needs::Nothing => true,
+            Needs::Strength => self.contact.pair().yield_point.is_some(),
+            Needs::Density => row.wave_loss_fraction.is_some(),
+            Needs::Thickness => row.on_plate.is_some(),
+            Needs::Incidence => row.rebound.is_some(),
+        };
+        is_there.then(|| value(row).into())
+    }
+
     /// The value, if the half-space can yield.
     fn plastic<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
@@ -29,11 +44,6 @@ impl Single<'_> {
     }
 
     /// The value, if the sphere came in at an angle, or spinning.
-    fn rebound(&self, value: fn(&Rebound) -> f64) -> Option<f64> {
-        self.impact.rebound.as_ref().map(value)
-    }
-
-    /// The same of one impact alone.
     fn oblique(&self, value: fn(&Oblique) -> f64) -> Option<f64> {
         self.impact.oblique.as_ref().map(value)
     }
@@ -44,8 +54,8 @@ impl Single<'_> {
     }
 }
 
-/// A value of an oblique impact for a table; none where it is no number.
-fn of(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
+/// A value of an oblique impact; none where it is no number.
+fn rebound(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
     row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
@@ -53,73 +63,66 @@ fn of(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
-        "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)]:
-            (of.impact.speed > 0.0).then_some(of.impact.restitution);
+        "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// Share of the kinetic energy that the plate has taken at separation.
-        "plate_loss_fraction" in Percent as "the plate takes {} of the energy" if PLATE [Thickness: Essentials::plate_loss_fraction]:
-            of.on_plate(|_| of.impact.plate_loss_fraction()).flatten();
+        "plate_loss_fraction" in Percent as "the plate takes {} of the energy"
+            [Thickness: Essentials::plate_loss_fraction];
         /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
-        "inelasticity" as "Zener's number {}" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)]:
-            of.on_plate(|plate| plate.inelasticity);
+        "inelasticity" as "Zener's number {}" [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
         "plate_thinness" as "wave travels {} thicknesses" if PLATE: of.on_plate(|plate| plate.thinness);
         /// How far the plate has moved at separation.
-        "plate_displacement_m" in Length as "plate moves by" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.displacement)]:
-            of.on_plate(|plate| plate.displacement);
+        "plate_displacement_m" in Length as "plate moves by"
+            [Thickness: |row| row.on_plate.map(|plate| plate.displacement)];
         /// How far away an edge must be, so that no bending wave comes back from it during the contact.
-        "plate_reach_m" in Length as "edges beyond {}" if PLATE [Thickness: |row| row.on_plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())]:
-            of.on_plate(|plate| plate.reach);
+        "plate_reach_m" in Length as "edges beyond {}"
+            [Thickness: |row| row.on_plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())];
         /// Share of the kinetic energy that is radiated as elastic waves, to first order.
-        "wave_loss_fraction" in Percent as "waves take {} of the energy" if WAVES [Density: |row| row.wave_loss_fraction]:
-            of.impact.wave_loss_fraction;
+        "wave_loss_fraction" in Percent as "waves take {} of the energy" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
-        "restitution_with_waves" as "with waves" if WAVES [Density: Essentials::restitution_with_waves]:
-            of.impact.restitution_with_waves();
+        "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space.
         "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
-        "rebound_angle_deg" as "rebound angle (deg)" if OBLIQUE [Incidence: |row| of(row, |after| after.angle.to_degrees())]:
-            of.rebound(|after| after.angle.to_degrees());
+        "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
-        "tangential_restitution" as "tangential restitution" if OBLIQUE [Incidence: |row| of(row, |after| after.tangential_restitution)]:
-            of.rebound(|after| after.tangential_restitution);
+        "tangential_restitution" as "tangential restitution"
+            [Incidence: |row| rebound(row, |after| after.tangential_restitution)];
         /// Slip speed of the contact point after the impact over that before, negative where it slips on: -s_1/s_0; `null`
         /// where it did not slip.
-        "contact_point_restitution" as "of the contact point {}" if OBLIQUE
-            [Incidence: |row| of(row, |after| after.contact_point_restitution)]: of.rebound(|after| after.contact_point_restitution);
+        "contact_point_restitution" as "of the contact point {}"
+            [Incidence: |row| rebound(row, |after| after.contact_point_restitution)];
         /// Speed of the sphere along the half-space after the impact.
-        "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface" if OBLIQUE
-            [Incidence: |row| of(row, |after| after.tangential_speed)]: of.rebound(|after| after.tangential_speed);
+        "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface"
+            [Incidence: |row| rebound(row, |after| after.tangential_speed)];
         /// Spin of the sphere after the impact; positive for rolling forward.
-        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" if OBLIQUE [Incidence: |row| of(row, |after| after.spin)]:
-            of.rebound(|after| after.spin);
+        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound(row, |after| after.spin)];
         /// Tangential impulse against the slip over normal impulse; at most the coefficient of friction.
-        "impulse_ratio" as "impulse ratio" if OBLIQUE [Incidence: |row| of(row, |after| after.impulse_ratio)]:
-            of.rebound(|after| after.impulse_ratio);
+        "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound(row, |after| after.impulse_ratio)];
         /// Energy taken by friction over the kinetic energy of the whole speed.
-        "friction_loss_fraction" in Percent as "friction takes {} of the energy" if OBLIQUE
-            [Incidence: |row| of(row, |after| after.loss_fraction)]: of.rebound(|after| after.loss_fraction);
+        "friction_loss_fraction" in Percent as "friction takes {} of the energy"
+            [Incidence: |row| rebound(row, |after| after.loss_fraction)];
         /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
         "sliding_regime" as "regime" if OBLIQUE:
             of.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
         /// 1 where the contact point slips all the time, else 0.
-        "is_sliding" if TABLES [Incidence: |row| of(row, |after| f64::from(u8::from(after.is_sliding)))]: None::<f64>;
+        "is_sliding" if TABLES [Incidence: |row| rebound(row, |after| f64::from(u8::from(after.is_sliding)))];
         /// Slip speed before the impact over friction, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
-        "psi_1" if OBLIQUE [Incidence: |row| of(row, |after| after.psi)]: of.rebound(|after| after.psi);
+        "psi_1" [Incidence: |row| rebound(row, |after| after.psi)];
         /// The same of the slip speed after the impact.
-        "psi_2" if OBLIQUE [Incidence: |row| of(row, Rebound::psi_after)]: of.rebound(Rebound::psi_after);
+        "psi_2" [Incidence: |row| rebound(row, Rebound::psi_after)];
         /// Error of -s_1/s_0: a third of the change from half as many springs; 0 for a closed form.
         "friction_error" in Error if OBLIQUE: of.oblique(|friction| friction.error);
         /// Time from first touch to separation; `null` for a captured sphere.
-        "contact_time_s" in Time as "contact time" [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)]:
-            of.impact.contact_time;
+        "contact_time_s" in Time as "contact time"
+            [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
         /// Time from first touch to the largest indentation.
         "loading_time_s" in Time as "compression {}": of.impact.loading_time;
         /// Largest contact force.
-        "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)]: of.impact.peak_force;
+        "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)];
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
-        "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)]: of.impact.peak_indentation;
+        "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
         /// The sphere's own share of the largest indentation; 0 for a rigid sphere.
         "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
@@ -129,15 +132,13 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// The part of the largest indentation that is recovered on unloading.
         "elastic_approach_m" in Length: of.impact.elastic_approach;
         /// Depth of the dent; 0 without one.
-        "residual_indentation_m" in Length as "dent depth" if YIELDS [Strength: |row| Some(row.residual_indentation)]:
-            of.plastic(of.impact.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// Effective radius of the contact on unloading.
         "unloading_radius_m" in Length if YIELDS: of.plastic(of.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
         "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
         /// Radius of the dent's rim: the contact radius at the peak that shaped it; `null` without a dent.
-        "dent_radius_m" in Length as "dent radius" if YIELDS [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)]:
-            of.plastic(of.impact.dent_radius);
+        "dent_radius_m" in Length as "dent radius" [Strength: |row| row.has_dent().then_some(row.peak_contact_radius)];
         /// Impact speed above which the half-space yields.
         "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
         /// Indentation at first yield.
@@ -145,9 +146,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Force at first yield.
         "yield_force_N" in Force as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
         /// Share of the kinetic energy that comes back: the square of the restitution.
-        "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())]: None::<f64>;
+        "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Share of the kinetic energy that is spent on the dent.
-        "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)]: None::<f64>;
+        "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)];
         /// Whether the sphere left (`separated`) or stayed (`captured`).
         "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
         /// Time of separation; for a captured sphere, the time at which the computation ends.

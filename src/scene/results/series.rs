@@ -16,24 +16,15 @@ pub struct Series<'a> {
     pub warnings: &'a [String],
 }
 
-/// What drives a bouncing sphere.
-struct Bouncing {
-    gravity: f64,
-    drop_height: Option<f64>,
-    most: u64,
-    until: Option<f64>,
-}
-
 impl Series<'_> {
     fn plastic<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
     }
 
-    fn bouncing<V>(&self, value: impl FnOnce(Bouncing) -> V) -> Option<V> {
+    /// Height of the first fall, most impacts, and the speed at which bouncing ends, if the sphere bounces.
+    fn bouncing(&self) -> Option<(Option<f64>, u64, Option<f64>)> {
         match self.repeat.drive {
-            Drive::Bouncing { gravity, drop_height, most, until, .. } => {
-                Some(value(Bouncing { gravity, drop_height, most, until }))
-            }
+            Drive::Bouncing { drop_height, most, until, .. } => Some((drop_height, most, until)),
             Drive::Shots(_) => None,
         }
     }
@@ -80,29 +71,29 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Depth of the deepest dent.
         "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: of.plastic(of.sequence.deepest_dent());
         /// Gravity.
-        "gravity_m_per_s2" in Acceleration if BOUNCES: of.bouncing(|by| by.gravity);
+        "gravity_m_per_s2" in Acceleration if BOUNCES: of.contact.forces().gravity;
         /// Height of the first fall; `null` where the first speed is given.
-        "drop_height_m" in Length if BOUNCES: of.bouncing(|by| by.drop_height);
+        "drop_height_m" in Length if BOUNCES: of.bouncing().map(|(drop_height, ..)| drop_height);
         /// Largest number of impacts.
-        "most_impacts" if BOUNCES: of.bouncing(|by| by.most);
+        "most_impacts" if BOUNCES: of.bouncing().map(|(_, most, _)| most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
-        "until_speed_m_per_s" in Speed if BOUNCES: of.bouncing(|by| by.until);
+        "until_speed_m_per_s" in Speed if BOUNCES: of.bouncing().map(|(.., until)| until);
         /// Time of the last separation.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            of.bouncing(|_| of.sequence.hits.last().and_then(Hit::separation_time));
+            of.bouncing().map(|_| of.sequence.hits.last().and_then(Hit::separation_time));
         /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
         /// its dent.
-        "remaining_time_s" in Time as "time to rest" if BOUNCES: of.bouncing(|_| of.sequence.remaining_time);
+        "remaining_time_s" in Time as "time to rest" if BOUNCES: of.bouncing().map(|_| of.sequence.remaining_time);
         /// How that time is estimated.
-        "remaining_time" if BOUNCES: of.bouncing(|_| REMAINING);
+        "remaining_time" if BOUNCES: of.bouncing().map(|_| REMAINING);
         /// Highest rebound over the original surface.
-        "highest_rebound_m" in Length if BOUNCES: of.bouncing(|_| {
+        "highest_rebound_m" in Length if BOUNCES: of.bouncing().map(|_| {
             let flights = of.sequence.hits.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.top()).reduce(max_or_nan)
         });
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "rests at" if CAPTURED:
-            of.bouncing(|_| of.sequence.hits.last().and_then(|hit| hit.forced(|forces| forces.static_indentation))).flatten();
+            of.bouncing().and_then(|_| of.sequence.hits.last()?.forced(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J" in Energy: of.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.

@@ -1,0 +1,174 @@
+//! Keys that need another key, that stand in place of another, or that are not computed beside another. What is asked is
+//! only whether a key or table is given, or varies.
+
+use super::Scenario;
+use crate::error::Error;
+use crate::scene::{EITHER, KEYS, Scene};
+
+/// Keys that are refused beside others.
+struct Rule {
+    /// The keys that are refused.
+    keys: &'static [&'static str],
+    /// Beside any of these; none: always.
+    beside: &'static [&'static str],
+    /// Unless one of these is given.
+    unless: &'static [&'static str],
+    /// Why, and the way out; `{}` stands for the key beside which they are refused.
+    why: &'static str,
+}
+
+const fn without(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> Rule {
+    Rule { keys, beside: &[], unless: needed, why }
+}
+
+const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], why: &'static str) -> Rule {
+    Rule { keys, beside, unless: &[], why }
+}
+
+/// The table of the flow curve.
+pub(super) const FLOW: &str = "half_space.flow_stress";
+const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
+const AT_REST: &[&str] = &["indentation", "compare"];
+const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
+
+const RULES: &[Rule] = &[
+    without(
+        &["impact.drop_height"],
+        &["gravity.acceleration"],
+        "a drop height needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` instead",
+    ),
+    without(
+        OBLIQUE,
+        &["friction.coefficient"],
+        "needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none",
+    ),
+    Rule {
+        keys: OBLIQUE,
+        beside: &["sphere.mass"],
+        unless: &["sphere.moment_of_inertia"],
+        why: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
+    },
+    beside(
+        OBLIQUE,
+        &["gravity"],
+        "gravity acts along the normal here: leave [{}] out, and give the speed at first touch",
+    ),
+    beside(OBLIQUE, &["damping"], "codes differ on whether friction counts the damping force too: leave [{}] out"),
+    beside(OBLIQUE, &["repeat"], "the impacts of [{}] are straight: leave this key or [{}] out"),
+    beside(
+        OBLIQUE,
+        &["calibrate"],
+        "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
+    ),
+    // a plate radiates no such waves: its density is for the plate
+    Rule {
+        keys: &["half_space.density"],
+        beside: &["repeat", "damping", "gravity"],
+        unless: &["half_space.thickness"],
+        why: "elastic waves are computed for one impact by the law alone: leave out this key, or [{}]",
+    },
+    // a column of measurements may give the thickness
+    without(
+        &["half_space.edge_distance", "half_space.plate"],
+        &["half_space.thickness", "calibrate"],
+        "is of a plate: give half_space.thickness too, or leave the key out",
+    ),
+    beside(
+        &["impact"],
+        &["repeat.speeds"],
+        "repeat.speeds gives the speed of every shot; leave [impact] out, or the list",
+    ),
+    beside(
+        &["repeat.speeds"],
+        &["gravity"],
+        "gives every shot a speed, but under [{}] the sphere bounces: leave one of the two out",
+    ),
+    beside(&["repeat.impacts"], &["repeat.speeds"], "`speeds` is given too: it has as many impacts as speeds"),
+    without(
+        &["repeat.until"],
+        &["gravity"],
+        "is for bouncing: without [gravity] every shot has its given speed; leave it out",
+    ),
+    beside(
+        &["impact", "gravity", "damping"],
+        AT_REST,
+        "[{}] is given too, and there is no motion in it; write only one of the two",
+    ),
+    beside(&["friction"], AT_REST, "[{}] is given too, and nothing slides there; write only one of the two"),
+    beside(&["solver"], AT_REST, "[{}] is given too, and it is computed in closed form; write only one of the two"),
+    beside(&["output"], &["compare"], "[{}] is given too, and a comparison has no trace; write only one of the two"),
+    beside(
+        &[FLOW],
+        &["compare"],
+        "the other laws have no hardening, so there is nothing to compare; leave the table out",
+    ),
+    beside(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO),
+    beside(&["indentation.half_space"], &["half_space"], ONE_OF_TWO),
+];
+
+impl Scenario {
+    /// Refuses tables of two kinds, keys that cannot stand beside each other, keys that need another, and tables without any
+    /// key.
+    pub(super) fn check_beside(&self) -> Result<(), Error> {
+        self.kind()?;
+        for [one, other] in EITHER {
+            if self.has(one) && self.has(other) {
+                return Err(self.document.one_key(one, other));
+            }
+        }
+        for table in ["friction", "gravity", "damping"] {
+            let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+            if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
+                return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
+            }
+        }
+        // what a calibration varies is checked with the data
+        let swept = if self.tables.calibrate.is_none() { self.tables.varied() } else { Vec::new() };
+        if let Some((path, problem)) = self.contradicted(&swept) {
+            return Err(self.refuse_varied(path, problem));
+        }
+        let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.gives(path));
+        for Rule { keys, beside, unless, why } in RULES {
+            let (Some(key), None) = (given(keys), given(unless)) else { continue };
+            if let Some(other) = if beside.is_empty() { Some("") } else { given(beside) } {
+                return Err(self.refuse_varied(key, why.replace("{}", other)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a key or a table is given, or a key of it varies.
+    pub(super) fn gives(&self, path: &str) -> bool {
+        let is_of_it =
+            |varied: &&str| varied.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        self.has(path) || self.tables.varied().iter().any(is_of_it)
+    }
+
+    /// A refusal of a key where it stands, or where it varies.
+    pub(super) fn refuse_varied(&self, path: &str, message: impl AsRef<str>) -> Error {
+        let places = ["sweep.", "monte_carlo.", "calibrate.free.", ""].map(|table| format!("{table}{path}"));
+        let place = places.iter().find(|place| self.document.has(place)).map_or(path, String::as_str);
+        self.document.refuse(place, message)
+    }
+
+    /// Refuses a plate that is not computed with what the scene has besides.
+    pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), Error> {
+        let contact = scene.contact().ok().filter(|_| scene.forces.plate.is_some());
+        let refuse = |error| self.document.refuse("half_space.thickness", ToString::to_string(&error));
+        contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
+    }
+
+    /// A key that cannot vary, because the key in place of which it stands is given, or varies too.
+    pub(super) fn contradicted(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
+        let varies = |path: &str| varied.contains(&path);
+        // a swept diameter replaces a radius in the file
+        let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
+        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has(other));
+        let told = |(key, other, is_given)| {
+            (key, format!("stands in place of {other}, which {is_given}; keep one of the two"))
+        };
+        let both = || EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
+        let given = given.map(|(key, other)| (key, other, "the scenario gives"));
+        given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(told)
+    }
+}
