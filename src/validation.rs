@@ -9,21 +9,38 @@
 pub mod cases;
 pub mod check;
 pub mod dynamic;
-mod error;
 pub mod experiments;
 mod hardening;
+pub mod laws;
 mod measured;
 mod oblique;
 mod pictures;
 mod quasi_static;
 pub mod report;
 
-use crate::error::Error;
-use crate::law::PlmCoefficients;
+use crate::error::{Error, ErrorKind};
+use crate::impact::ImpactError;
+use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::material::OutOfFloatRange;
 use crate::progress::Counter;
 pub use check::{Check, Group, Known, Tolerance, Verdict};
-pub use error::EXPONENTS;
 pub use pictures::pictures;
+
+/// The exponents that are compared, with their names in tables and pictures.
+pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
+    [(UnloadingExponent::Paper, "exponent 3/2"), (UnloadingExponent::PressureShape, "pressure-shape")];
+
+impl From<ImpactError> for Error {
+    fn from(error: ImpactError) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
+}
+
+impl From<OutOfFloatRange> for Error {
+    fn from(error: OutOfFloatRange) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
+}
 
 /// A function that makes the checks against one kind of reference.
 type Source = fn(&PlmCoefficients) -> Result<Vec<Check>, Error>;

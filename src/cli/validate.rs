@@ -51,13 +51,14 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (checks, measured, pictures) = watched(false, move |progress| {
+    let (checks, laws, measured, pictures) = watched(false, move |progress| {
         let checks = validation::checks(&coefficients, progress)?;
+        let laws = validation::laws::laws(&coefficients)?;
         let draw = || validation::pictures(&coefficients, &measured, format, progress);
         let pictures = super::threads::with(None, draw)??;
-        Ok::<_, Error>((checks, measured, pictures))
+        Ok::<_, Error>((checks, laws, measured, pictures))
     })??;
-    let mut page = report::page(&checks, &name, is_built_in);
+    let mut page = report::page(&checks, &laws, &name, is_built_in);
     let mut files = vec![OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? }];
     let mut said = report::table(&checks);
     if !measured.is_empty() {

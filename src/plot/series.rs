@@ -55,6 +55,12 @@ impl Series {
         Self::new(name, outline, Look::Band)
     }
 
+    /// Error bars at (x, y), of a standard deviation on each side.
+    pub fn bars(values: impl Iterator<Item = (f64, f64, f64)>) -> Self {
+        // a point of NaN separates the bars
+        Self::bare("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
+    }
+
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, points, Look::MarkedLine)
     }

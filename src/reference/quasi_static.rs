@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use super::unloading::{self, Unloaded};
 use crate::error::Error;
 use crate::law::Bodies;
+use crate::material::{HalfSpace, Material, Sphere};
 
 /// Xie et al. (2024), Table 1: E_s, E_h, σ_Y \[Pa\] of every case; ν is 0.3 in all. The sphere of case 5 is as good as rigid.
 const MATERIALS: [(&str, [f64; 3]); 5] = [
@@ -69,6 +70,17 @@ pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded
     let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.material == *case).collect();
     rows.sort_by(|a, b| a.x.total_cmp(&b.x));
     rows
+}
+
+/// Every unloading, with a sphere of 5 mm and the half-space of its case.
+pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Unloaded)> {
+    UNLOADED.iter().filter_map(|row| {
+        let (_, [sphere, half_space, strength]) = MATERIALS.iter().find(|(case, _)| *case == row.material)?;
+        let [sphere, material] =
+            [sphere, half_space].map(|modulus| Material { youngs_modulus: *modulus, poissons_ratio: 0.3 });
+        let half_space = HalfSpace { material, yield_strength: Some(*strength), density: None };
+        Some((Sphere::elastic(5e-3, sphere, 7850.0), half_space, row))
+    })
 }
 
 /// The unloading curve of case 3 whose peak is within 1 % of this depth.

@@ -70,24 +70,9 @@ pub struct UnloadingPoint {
     pub sphere_x: f64,
 }
 
-/// A point of the surface after unloading.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct DentPoint {
-    pub run: String,
-    pub cycle: u32,
-    /// r/R.
-    #[serde(rename = "r_over_R")]
-    pub r: f64,
-    /// z/R.
-    #[serde(rename = "z_over_R")]
-    pub z: f64,
-}
-
 tables! {
     /// All unloadings.
     unloadings: UnloadingRow = "fe_unloading.csv";
     /// Points of all of them.
     points: UnloadingPoint = "fe_unloading_curves.csv";
-    /// Points of the dents; few unloadings have them.
-    dents: DentPoint = "fe_dents.csv";
 }

@@ -1,9 +1,8 @@
 //! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
 
 use crate::error::Error;
-use crate::fit::{LoadingCurve, LoadingPoint};
+use crate::fit::LoadingCurve;
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
-use crate::math::functions::ln;
 use crate::reference::LOADING;
 use crate::reference::unloading::{self, UnloadingRow};
 
@@ -27,10 +26,8 @@ pub struct Cycle {
     pub row: UnloadingRow,
     /// Their peak: x_m, f_m and ε_m = x_s,m/κ.
     pub peak: Peak,
-    /// x, f and x_s at points between peak and separation.
-    pub points: Vec<[f64; 3]>,
-    /// Points r/R and z/R of the surface after unloading. Only a few unloadings have them.
-    pub dent: Vec<[f64; 2]>,
+    /// x and f at points between peak and separation.
+    pub points: Vec<(f64, f64)>,
 }
 
 impl Cycle {
@@ -59,21 +56,6 @@ impl Case {
     pub fn sphere_compliance(&self) -> f64 {
         self.loading.pair.sphere_compliance
     }
-
-    /// Points of the loading curve from first yield on.
-    pub fn plastic(&self) -> impl Iterator<Item = &LoadingPoint> {
-        self.loading.points.iter().filter(|point| point.indentation >= 1.0)
-    }
-
-    /// The unloadings, without those for which another unloading at nearly the same depth has more elements.
-    pub fn distinct_cycles(&self) -> Vec<&Cycle> {
-        let is_near = |a: &Cycle, b: &Cycle| ln(a.row.x / b.row.x).abs() < 0.1;
-        let has_better = |one: &&Cycle| {
-            let mut others = self.cycles.iter().filter(|other| !std::ptr::eq(*one, *other));
-            others.any(|other| is_near(one, other) && other.row.elements > one.row.elements)
-        };
-        self.cycles.iter().filter(|one| !has_better(one)).collect()
-    }
 }
 
 /// The five cases.
@@ -81,15 +63,12 @@ impl Case {
 /// # Errors
 /// [`Error`] if a table is damaged.
 pub fn cases() -> Result<Vec<Case>, Error> {
-    let (rows, points, dents) = (unloading::unloadings()?, unloading::points()?, unloading::dents()?);
+    let (rows, points) = (unloading::unloadings()?, unloading::points()?);
     let cycle = |row: &UnloadingRow, kappa: f64| {
-        let is_this = |run: &str, cycle: u32| run == row.run && cycle == row.cycle;
-        let points = points.iter().filter(|point| is_this(&point.run, point.cycle));
-        let dent = dents.iter().filter(|point| is_this(&point.run, point.cycle));
+        let points = points.iter().filter(|point| point.run == row.run && point.cycle == row.cycle);
         Cycle {
             peak: Peak { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa },
-            points: points.map(|point| [point.x, point.f, point.sphere_x]).collect(),
-            dent: dent.map(|point| [point.r, point.z]).collect(),
+            points: points.map(|point| (point.x, point.f)).collect(),
             row: row.clone(),
         }
     };

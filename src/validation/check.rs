@@ -98,47 +98,40 @@ impl Group {
     }
 
     /// The check of one number.
-    pub fn check(&self, case: String, [expected, got]: [f64; 2]) -> Check {
-        Check {
-            quantity: self.quantity.to_owned(),
-            case,
-            reference: self.reference,
-            unit: self.unit,
-            expected: Some(expected),
-            got: Some(got),
-            deviation: if self.is_difference { got - expected } else { deviation(expected, got) },
-            tolerance: self.tolerance,
-            known: None,
-        }
+    pub fn check(self, case: String, [expected, got]: [f64; 2]) -> Check {
+        let deviation = if self.is_difference { got - expected } else { deviation(expected, got) };
+        Check { numbers: Some([expected, got]), ..self.check_of(case, deviation) }
+    }
+
+    /// The check of a deviation that sums up many numbers.
+    pub fn check_of(self, case: String, deviation: f64) -> Check {
+        let Self { tolerance, .. } = self;
+        Check { group: self, statistic: None, case, numbers: None, deviation, tolerance, known: None }
     }
 
     /// The checks of these numbers, then those of their statistics. `things` says what the cases are.
-    pub fn checks(&self, numbers: impl Iterator<Item = (String, [f64; 2])>, things: &str) -> Vec<Check> {
-        let mut checks: Vec<Check> = numbers.map(|(case, numbers)| self.check(case, numbers)).collect();
+    pub fn checks(self, numbers: impl IntoIterator<Item = (String, [f64; 2])>, things: &str) -> Vec<Check> {
+        let mut checks: Vec<Check> = numbers.into_iter().map(|(case, numbers)| self.check(case, numbers)).collect();
         let deviations: Vec<f64> = checks.iter().map(|check| check.deviation).collect();
-        for ((name, statistic), tolerance) in self.overall {
-            let quantity = format!("{}, {name}", self.quantity);
-            let case = format!("{} {things}", deviations.len());
-            checks.push(Check::mean(quantity, case, self.reference, statistic(&deviations), *tolerance));
-        }
+        checks.extend(self.overall.iter().map(|((name, statistic), tolerance)| Check {
+            statistic: Some(name),
+            tolerance: *tolerance,
+            ..self.check_of(format!("{} {things}", deviations.len()), statistic(&deviations))
+        }));
         checks
     }
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Check {
-    /// The quantity that is compared. Checks of the same quantity share a row of the summary.
-    pub quantity: String,
+    /// Quantity, reference and unit.
+    pub group: Group,
+    /// The name of the statistic, if the check is of one over all numbers of the group.
+    pub statistic: Option<&'static str>,
     /// The case, run or speed.
     pub case: String,
-    /// Where the expected number comes from.
-    pub reference: &'static str,
-    /// Unit of both numbers; empty for plain numbers.
-    pub unit: &'static str,
-    /// The number of the reference; `None` for a mean over many.
-    pub expected: Option<f64>,
-    /// The number of the law; `None` for a mean over many.
-    pub got: Option<f64>,
+    /// The number of the reference and that of the law; `None` for what sums up many.
+    pub numbers: Option<[f64; 2]>,
     /// Relative deviation, got/expected − 1. If it is relative to another number, the name of the quantity says so.
     pub deviation: f64,
     pub tolerance: Tolerance,
@@ -146,9 +139,10 @@ pub struct Check {
 }
 
 impl Check {
-    /// A check of a mean, or of a root mean square, of deviations.
-    pub fn mean(quantity: String, case: String, reference: &'static str, deviation: f64, tolerance: Tolerance) -> Self {
-        Self { quantity, case, reference, unit: "", expected: None, got: None, deviation, tolerance, known: None }
+    /// The quantity, and the name of the statistic.
+    pub fn quantity(&self) -> String {
+        let statistic = self.statistic.map_or_else(String::new, |name| format!(", {name}"));
+        self.group.quantity.to_owned() + &statistic
     }
 
     /// Whether the deviation is within the tolerance, or at least within the known deviation.
@@ -175,8 +169,8 @@ pub fn deviation(expected: f64, got: f64) -> f64 {
 }
 
 /// The deviation farthest from zero; NaN if any is NaN.
-pub fn largest(deviations: impl Iterator<Item = f64>) -> f64 {
-    deviations.fold(0.0, farther_or_nan)
+pub fn largest(deviations: impl IntoIterator<Item = f64>) -> f64 {
+    deviations.into_iter().fold(0.0, farther_or_nan)
 }
 
 /// A number that sums up many: its name, and how it is computed.

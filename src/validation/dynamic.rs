@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::EXPONENTS;
 use super::check::{Check, Group, Tolerance, found};
-use super::error::damaged;
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::law::{LawChoice, Plm, PlmCoefficients};
 use crate::reference::impacts::{self, ImpactRow, Sample};
 use crate::reference::{self, DYNAMIC};
 use crate::scenario::Scenario;
+use crate::scene::Scene;
 
 /// A quantity of an impact: its checks, and the expected and the computed number.
 type OfImpact = (Group, fn(&Case) -> Option<[f64; 2]>);
@@ -69,8 +69,7 @@ const SCENARIOS: [(&str, &str); 3] = [
 /// One impact, by finite elements and by the law.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// The name, such as "D1".
-    pub name: &'static str,
+    /// The results of the finite elements, with the name, such as "D1".
     pub reference: ImpactRow,
     /// Samples of the finite elements, in the order of time.
     pub samples: Vec<Sample>,
@@ -78,33 +77,36 @@ pub struct Case {
     pub impacts: [Impact; 2],
 }
 
-/// The three impacts.
-///
-/// # Errors
-/// [`Error`] if a reference is damaged or an impact has no result.
-pub fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
+/// The scenes of the three impacts, and what the finite elements gave: results, and samples in the order of time.
+pub(super) fn scenes() -> Result<Vec<(Scene, ImpactRow, Vec<Sample>)>, Error> {
     let (references, samples) = (impacts::impacts()?, impacts::samples()?);
-    let coefficients = Arc::new(coefficients.clone());
-    let case = |&(name, text): &(&'static str, &str)| {
+    let scene = |&(name, text): &(&'static str, &str)| {
         let reference = references.iter().find(|row| row.case == name).cloned();
         let reference = reference.ok_or_else(|| reference::damaged(impacts::TABLE, &format!("has no row {name}")))?;
-        let scene = Scenario::from_text(name, text, &[]).and_then(|scenario| scenario.resolve());
-        let mut scene = scene.map_err(damaged("scenario"))?;
+        let scene = Scenario::from_text(name, text, &[])?.resolve()?;
+        Ok((scene, reference, samples.iter().filter(|sample| sample.case == name).cloned().collect()))
+    };
+    SCENARIOS.iter().map(scene).collect()
+}
+
+/// The three impacts.
+pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
+    let coefficients = Arc::new(coefficients.clone());
+    let case = |(mut scene, reference, samples): (Scene, ImpactRow, Vec<Sample>)| {
         let mut impact = |exponent| -> Result<Impact, Error> {
             scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: None });
             Ok(scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES))?)
         };
         let [paper, shape] = EXPONENTS.map(|(exponent, _)| impact(exponent));
-        let samples = samples.iter().filter(|sample| sample.case == name).cloned().collect();
-        Ok(Case { name, reference, samples, impacts: [paper?, shape?] })
+        Ok(Case { reference, samples, impacts: [paper?, shape?] })
     };
-    SCENARIOS.iter().map(case).collect()
+    scenes()?.into_iter().map(case).collect()
 }
 
 pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let cases = cases(coefficients)?;
     let of = |(group, numbers): &OfImpact| {
-        let numbers = cases.iter().filter_map(|case| Some((case.name.to_owned(), numbers(case)?)));
+        let numbers = cases.iter().filter_map(|case| Some((case.reference.case.clone(), numbers(case)?)));
         group.checks(numbers, "impacts")
     };
     Ok(QUANTITIES.iter().flat_map(of).collect())

@@ -69,7 +69,7 @@ pub(super) fn checks(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error
             limits.push(BLOCK / of_device(device));
         }
     }
-    let mut checks = GROUP.checks(numbers.into_iter(), "predictions");
+    let mut checks = GROUP.checks(numbers, "predictions");
     checks.iter_mut().zip(limits).for_each(|(check, limit)| check.tolerance.limit = limit);
     Ok(checks)
 }

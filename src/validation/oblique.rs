@@ -72,6 +72,6 @@ pub(super) fn checks(_: &PlmCoefficients) -> Result<Vec<Check>, Error> {
         slipped.push((format!("s_0/(mu v_n) = {}", row.before), [row.after, got]));
     }
     let of_angles = [TANGENTIAL, SPIN, ANGLE].into_iter().zip(numbers);
-    let measured = of_angles.flat_map(|(group, numbers)| group.checks(numbers.into_iter(), "rebounds"));
-    Ok(measured.chain(SLIP.checks(slipped.into_iter(), "impacts")).collect())
+    let measured = of_angles.flat_map(|(group, numbers)| group.checks(numbers, "rebounds"));
+    Ok(measured.chain(SLIP.checks(slipped, "impacts")).collect())
 }

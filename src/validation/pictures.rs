@@ -1,40 +1,44 @@
-//! Pictures of the validation: deviations against depth, and the law (lines) beside the reference (points).
+//! Pictures of the validation: the law (lines) beside the reference (points).
 
-mod deviations;
-mod experiments;
-mod hardening;
-mod impacts;
-mod measured;
-mod oblique;
-mod plate;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::cases::cases;
-use super::experiments::Experiment;
+use super::EXPONENTS;
+use super::cases::{Case, cases};
+use super::check::deviation;
+use super::dynamic;
+use super::experiments::{Experiment, Row};
+use super::hardening::{at_energy, law};
+use super::measured::restitution as of_device;
+use super::oblique::{FRICTION, alumina_on_glass, rebound};
+use super::quasi_static::restitution;
 use crate::error::Error;
+use crate::impact::oblique::mindlin::Motion;
+use crate::impact::{ImpactError, TraceRow};
 use crate::law::PlmCoefficients;
-use crate::math::functions::{exp, ln};
+use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
-use crate::plot::{Chart, Pictures, PlotError};
+use crate::plot::axis::extremes;
+use crate::plot::of_key::title_of;
+use crate::plot::{Axis, Chart, Guide, Pictures, PlotError, Series, Style};
 use crate::progress::Counter;
+use crate::reference::hardening::unloadings;
+use crate::reference::impacts::Sample;
+use crate::reference::measured::{Steel, devices, steels};
+use crate::reference::oblique::rebounds;
 
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
-
-/// The name of a case in file names, such as "case-3".
-fn slug(case: &str) -> String {
-    case.to_lowercase().replace(' ', "-")
-}
 
 /// A curve of `n` equal pieces from `low` to `high`.
 fn sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
     (0..=n).map(|i| point(low + (high - low) * f64::from(i) / f64::from(n))).collect()
 }
 
-/// A curve of `n` pieces from `low` to `high`, with equal ratios.
-fn log_sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
-    sampled(ln(low), ln(high), n, |at| point(exp(at)))
+/// A curve of 300 pieces from 1 to `high`, with equal ratios.
+fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
+    sampled(0.0, ln(high), 300, |at| point(exp(at)))
 }
 
 /// All pictures; those of the user's measurements come last. `progress` counts the pictures.
@@ -48,15 +52,219 @@ pub fn pictures(
         return Ok(Vec::new());
     }
     let cases = cases()?;
-    let mut pictures = deviations::pictures(&cases, coefficients);
-    pictures.extend(super::dynamic::cases(coefficients)?.iter().map(impacts::picture));
-    pictures.push(hardening::picture(coefficients)?);
-    pictures.push(measured::picture(coefficients)?);
-    pictures.extend(plate::pictures()?);
-    pictures.push(oblique::picture()?);
-    pictures.extend(measured.iter().flat_map(experiments::pictures));
+    let mut pictures = vec![off_by_depth(&cases, coefficients)];
+    pictures.extend(cases.iter().filter(|case| case.name == "case 3").map(|case| by_depth(case, coefficients)));
+    pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
+    pictures.push(hardening(coefficients)?);
+    pictures.push(leeb(coefficients)?);
+    pictures.push(oblique()?);
+    pictures.extend(measured.iter().flat_map(experiments));
     progress.expect(pictures.len() as u64);
     let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
     let drawn: Result<Vec<Option<OutputFile>>, PlotError> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
+}
+
+/// The axis of depths.
+fn depths() -> Axis {
+    Axis::log("Peak indentation over that at yield", "")
+}
+
+/// The deviation of the restitution of all load cycles.
+fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
+    let of_exponent = |(i, (exponent, name))| {
+        let mut points = Vec::new();
+        for case in cases {
+            let law = case.law(coefficients, exponent);
+            let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
+            points.extend(case.cycles.iter().filter_map(|cycle| Some(off(cycle.row.x, cycle.row.restitution?))));
+        }
+        Series::points(format!("law, {name}"), points).styled(i + 1)
+    };
+    let series = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
+    let y = Axis::linear("Law over finite elements − 1", "%").between(-7.0, 4.0);
+    let chart = Chart::new("Restitution of load cycles, five pairs of materials", [depths(), y], series);
+    ("error-restitution".to_owned(), chart.with_guides([Guide::horizontal(0.0, "")]))
+}
+
+/// The restitution of one case.
+fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
+    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.row.x);
+    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.row.x, cycle.row.restitution?)));
+    let mut series = vec![Series::points("finite elements", cycles.collect())];
+    for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
+        let law = case.law(coefficients, exponent);
+        let curve = log_sampled(1.1 * deepest, |x| (x, restitution(&law, x)));
+        series.push(Series::bare(format!("law, {name}"), curve).styled(i + 1));
+    }
+    let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
+    let chart = Chart::new(format!("Restitution against depth: {}", case.name), [depths(), y], series);
+    (format!("restitution-{}", case.name.replace(' ', "-")), chart)
+}
+
+/// An indentation: its name, its value in the reference, and its value in the law.
+type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
+
+const SHARES: [Share; 3] = [
+    ("approach δ", |sample| sample.indentation, |row| row.indentation),
+    ("sphere δₛ", |sample| sample.sphere_indentation, |row| row.sphere_indentation),
+    ("half-space δₕ", |sample| sample.half_space_indentation, |row| row.half_space_indentation),
+];
+
+/// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
+fn impact(of: &dynamic::Case) -> Picture {
+    let mut series = Vec::new();
+    for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
+        let points = of.samples.iter().map(|sample| (of_sample(sample), sample.force));
+        series.push(Series::points(name, points.collect()).styled(i));
+        for (which, impact) in of.impacts.iter().enumerate() {
+            let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
+            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
+        }
+    }
+    let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
+    notes.push(format!("  finite elements: {:.4}", of.reference.restitution));
+    let of_law = of.impacts.iter().zip(EXPONENTS);
+    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
+    let with_waves = of.impacts[1].restitution_with_waves();
+    notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
+    let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    let (name, slug) = (&of.reference.case, of.reference.case.to_lowercase());
+    let chart = Chart::new(format!("Impact {name} (scenarios/dynamic-fe-{slug}.toml)"), axes, series);
+    let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
+    (format!("impact-{slug}-force-indentation"), chart)
+}
+
+/// Materials that harden, and their names in the picture.
+const HARDENING: [(&str, &str); 3] =
+    [("c3n10", "steel, N = 0.1"), ("alvoce", "aluminium, Voce"), ("cun30", "copper, N = 0.3")];
+
+/// Restitution against depth on half-spaces that harden, by the law with the flow curve and with the initial yield
+/// strength.
+fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
+    let rows = unloadings()?;
+    let mut series = Vec::new();
+    for (i, (name, called)) in HARDENING.into_iter().enumerate() {
+        let of_material: Vec<_> = rows.iter().filter(|(_, row)| row.material == name).collect();
+        let Some((materials, _)) = of_material.first() else { continue };
+        let points: Vec<(f64, f64)> = of_material.iter().map(|(_, row)| (row.x, row.restitution)).collect();
+        let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
+        series.push(Series::points(called, points).styled(i));
+        for (which, hardens) in [true, false].into_iter().enumerate() {
+            let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
+            let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
+            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
+        }
+    }
+    let axes = [
+        Axis::log("Peak indentation over that at first yield", ""),
+        Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
+    ];
+    let chart = Chart::new("Restitution on metals that harden", axes, series);
+    let chart =
+        chart.with_branches(&["law, flow curve", "law, initial strength"]).with_notes(["points: finite elements"]);
+    Ok(("hardening-restitution".to_owned(), chart))
+}
+
+/// The outline of the band between the lowest and the highest hardness of all steels, whose hardness is linear in the
+/// tensile strength.
+fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
+    let (weakest, strongest) = extremes(steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength));
+    let at = |tensile: f64| {
+        let hardnesses = steels.iter().filter_map(move |steel| {
+            let [(low, low_hardness), (high, high_hardness)] = steel.ends();
+            let share = (tensile - low) / (high - low);
+            (0.0..=1.0).contains(&share).then_some(low_hardness + share * (high_hardness - low_hardness))
+        });
+        extremes(hardnesses)
+    };
+    let lower = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).0));
+    let upper = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).1));
+    lower.into_iter().chain(upper.into_iter().rev()).collect()
+}
+
+/// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
+/// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
+fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
+    let coefficients = Arc::new(coefficients.clone());
+    let steels = steels()?;
+    let ends = steels.iter().flat_map(Steel::ends).collect();
+    let mut series = vec![
+        Series::points("measured, ten steels", ends).and("ends of their ranges"),
+        Series::bare("between them", band(&steels)).and("lowest and highest").styled(0),
+    ];
+    let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
+    for (device, (i, (share, name, taken))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate()) {
+        let mut points = Vec::new();
+        for step in 0..=60 {
+            let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
+            points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, &coefficients)?));
+        }
+        series.push(Series::bare(name, points).and(taken).styled(1 + i));
+    }
+    let axes =
+        [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
+    let chart = Chart::new("Rebound hardness of steels (Leeb, device D)", axes, series);
+    Ok(("measured-leeb-tensile-strength".to_owned(), chart))
+}
+
+/// The tangential restitution against the angle: measured, by the program, by the spring of DEM codes, and of a rigid
+/// body.
+fn oblique() -> Result<Picture, Error> {
+    let measured = rebounds()?.into_iter().filter(|row| row.quantity == "tangential_restitution");
+    let measured = Series::points("measured, alumina on glass", measured.map(|row| (row.angle, row.value)).collect());
+    let contact = alumina_on_glass()?;
+    let motion = Motion::elastic().map_err(ImpactError::from)?;
+    let (chi, j) = (contact.chi(), contact.slip_factor());
+    let mut curves = [Vec::new(), Vec::new(), Vec::new()];
+    // up to 65 degrees
+    for step in 1..=260 {
+        let degrees = 0.25 * f64::from(step);
+        let angle = degrees.to_radians();
+        let Some(after) = rebound(&contact, angle, FRICTION)? else { continue };
+        let (sin, cos) = sin_cos(angle);
+        // s_0 = v_t, so that e_t = 1 + (s_1/s_0 - 1)/j
+        let psi = 4.0 * contact.shear_ratio() * sin / cos / FRICTION;
+        let sliding = 1.0 - 4.0 * chi / psi;
+        let ratios = [-after.contact_point_restitution, motion.run_on_one_spring(psi, chi), sliding.max(0.0)];
+        for (curve, ratio) in curves.iter_mut().zip(ratios) {
+            curve.push((degrees, 1.0 + (ratio - 1.0) / j));
+        }
+    }
+    let names = [
+        "this program: Mindlin's contact",
+        "one spring, as LAMMPS mindlin_rescale/force",
+        "rigid body: slides, or rolls in the end",
+    ];
+    let mut series = vec![measured.styled(Style::BLACK)];
+    let curves = names.into_iter().zip(curves).enumerate();
+    series.extend(curves.map(|(i, (name, curve))| Series::bare(name, curve).styled(i)));
+    let axes = [
+        Axis::linear("Angle of impact from the normal", "deg"),
+        Axis::linear("Tangential restitution v_t'/v_t", "").between(0.5, 1.0),
+    ];
+    let chart = Chart::new("Oblique rebound of alumina from glass, 3.9 m/s, friction 0.092", axes, series);
+    Ok(("oblique-alumina-on-glass".to_owned(), chart))
+}
+
+/// A picture for every quantity of a file of the user, against the impact speed, or against the place in the file where
+/// there is none.
+fn experiments(of: &Experiment) -> impl Iterator<Item = Picture> {
+    of.quantities().map(|(what, mut rows)| {
+        rows.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let has_speed = rows.iter().all(|row| row.speed.is_finite());
+        #[allow(clippy::cast_precision_loss)] // lines of a file
+        let at = |row: &Row| if has_speed { row.speed } else { row.line as f64 };
+        let curve = |value: fn(&Row) -> f64| rows.iter().map(|row| (at(row), value(row))).collect::<Vec<_>>();
+        let bars = rows.iter().filter_map(|row| Some((at(row), row.measured, row.sd?)));
+        let series = vec![
+            Series::points("measured, with its sd", curve(|row| row.measured)),
+            Series::bars(bars).styled(0),
+            Series::marked_line("law", curve(|row| row.law)).styled(1),
+        ];
+        let x = if has_speed { Axis::log("Impact speed", "m/s") } else { Axis::linear("Line of the file", "") };
+        let y = Axis::engineering(&title_of(what.name()), what.quantity().dimension.si_unit());
+        let notes = (!of.source.is_empty()).then(|| of.source.clone());
+        (of.picture(what), Chart::new(&of.name, [x, y], series).with_notes(notes))
+    })
 }

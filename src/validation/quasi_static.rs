@@ -2,82 +2,77 @@
 //! the finite elements, and load cycles by the whole law.
 
 use super::cases::{Case, Cycle, cases};
-use super::check::{Check, Group, Known, MEAN, RMS, Tolerance, deviation, found, rms};
+use super::check::{self, Check, Group, Known, MEAN, RMS, Tolerance, deviation, found};
 use crate::error::Error;
 use crate::fit::LoadingPoint;
 use crate::law::{Law, Peak, PlmCoefficients, Unloading, UnloadingExponent};
 use crate::reference::STATIC;
 use crate::units::four_digits;
 
-/// A quantity along the loading curve, by the law and by the finite elements, in units of first yield.
-pub(super) struct Quantity {
-    pub name: &'static str,
-    pub of_law: fn(&Case, &Law, f64) -> f64,
-    pub of_point: fn(&Case, &LoadingPoint) -> Option<f64>,
-    /// Tolerance of the root mean square of the deviations along a curve.
-    rms: Tolerance,
-    /// Unit, and tolerance of the largest deviation along a curve, if there is a check of it.
-    largest: Option<(&'static str, Tolerance)>,
+/// A quantity along the loading curve, in units of first yield.
+struct OfLoading {
+    /// The root mean square of its deviations along a curve, and the largest if that is checked.
+    rms: Group,
+    largest: Option<Group>,
+    of_law: fn(&Case, &Law, f64) -> f64,
+    of_point: fn(&Case, &LoadingPoint) -> Option<f64>,
 }
 
-pub(super) const QUANTITIES: [Quantity; 4] = [
-    Quantity {
-        name: "force",
+const LOADING: [OfLoading; 4] = [
+    OfLoading {
+        rms: Group::of("loading: force, rms over the curve", STATIC, "", found(0.0144, 0.015)),
+        largest: Some(Group::of("loading: force, largest over the curve", STATIC, "F_Y", found(0.0347, 0.036))),
         of_law: |_, law, x| law.loading.force(x),
         of_point: |_, point| Some(point.force),
-        rms: found(0.0144, 0.015),
-        largest: Some(("F_Y", found(0.0347, 0.036))),
     },
-    Quantity {
-        name: "sphere indentation",
+    OfLoading {
+        rms: Group::of("loading: sphere indentation, rms over the curve", STATIC, "", found(0.0116, 0.013)),
+        largest: None,
         of_law: |case, law, x| case.sphere_compliance() * law.loaded_to(x).elastic_approach,
         of_point: |case, point| Some(case.sphere_compliance() * point.elastic_approach),
-        rms: found(0.0116, 0.013),
-        largest: None,
     },
-    Quantity {
-        name: "half-space indentation",
+    OfLoading {
+        rms: Group::of("loading: half-space indentation, rms over the curve", STATIC, "", found(0.0063, 0.013)),
+        largest: None,
         of_law: |case, law, x| x - case.sphere_compliance() * law.loaded_to(x).elastic_approach,
         of_point: |case, point| Some(point.indentation - case.sphere_compliance() * point.elastic_approach),
-        rms: found(0.0063, 0.013),
-        largest: None,
     },
-    Quantity {
-        name: "contact radius",
+    OfLoading {
+        rms: Group::of("loading: contact radius, rms over the curve", STATIC, "", found(0.0262, 0.027)),
+        largest: Some(Group::of(
+            "loading: contact radius, largest over the curve",
+            STATIC,
+            "a_Y",
+            found(0.0522, 0.053),
+        )),
         of_law: |_, law, x| law.contact_radius(&law.loaded_to(x)),
         of_point: |_, point| point.contact_radius,
-        rms: found(0.0262, 0.027),
-        largest: Some(("a_Y", found(0.0522, 0.053))),
     },
 ];
 
-/// x, and the expected and the computed value of a quantity, at all points from first yield on.
-pub(super) fn along(case: &Case, law: &Law, quantity: &Quantity) -> Vec<(f64, [f64; 2])> {
-    let pair = |point: &LoadingPoint| {
-        let expected = (quantity.of_point)(case, point)?;
-        Some((point.indentation, [expected, (quantity.of_law)(case, law, point.indentation)]))
-    };
-    case.plastic().filter_map(pair).collect()
-}
-
-/// Two checks for each curve: the root mean square of the deviations along it, and the largest.
+/// Checks of each curve from first yield on: the root mean square of the deviations along it, and the largest.
 pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let (mut checks, cases) = (Vec::new(), cases()?);
-    for quantity in &QUANTITIES {
-        let name = |what: &str| format!("loading: {}, {what} over the curve", quantity.name);
+    for OfLoading { rms, largest, of_law, of_point } in LOADING {
         let mut of_largest = Vec::new();
         for case in &cases {
-            let points = along(case, &case.law(coefficients, UnloadingExponent::Paper), quantity);
+            let law = case.law(coefficients, UnloadingExponent::Paper);
+            let plastic = case.loading.points.iter().filter(|point| point.indentation >= 1.0);
+            let pair = |point: &LoadingPoint| {
+                let x = point.indentation;
+                Some((x, [of_point(case, point)?, of_law(case, &law, x)]))
+            };
+            let points: Vec<(f64, [f64; 2])> = plastic.filter_map(pair).collect();
             let off = |(_, [expected, got]): &(f64, [f64; 2])| deviation(*expected, *got);
             let over = format!("{}, {} points", case.name, points.len());
-            let rms = rms(&points.iter().map(off).collect::<Vec<_>>());
-            checks.push(Check::mean(name("rms"), over, STATIC, rms, quantity.rms));
+            checks.push(rms.check_of(over, check::rms(&points.iter().map(off).collect::<Vec<_>>())));
             let worst = points.iter().max_by(|a, b| off(a).abs().total_cmp(&off(b).abs()));
-            if let (Some((x, numbers)), Some((unit, tolerance))) = (worst, quantity.largest) {
-                let check = Group::of("", STATIC, unit, tolerance);
-                let check = check.check(format!("{}, x = {}", case.name, four_digits(*x)), *numbers);
-                of_largest.push(Check { quantity: name("largest"), ..check });
-            }
+            let worst = largest.zip(worst);
+            of_largest.extend(
+                worst.map(|(group, (x, numbers))| {
+                    group.check(format!("{}, x = {}", case.name, four_digits(*x)), *numbers)
+                }),
+            );
         }
         checks.extend(of_largest);
     }
@@ -93,7 +88,7 @@ fn branch(law: &Law, cycle: &Cycle) -> Unloading {
 /// The expected and the computed force over the peak force, where they differ most during unloading.
 fn farthest(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
     let branch = branch(law, cycle);
-    let pairs = cycle.points.iter().map(|[x, f, _]| [f / cycle.row.f, branch.force(*x) / cycle.row.f]);
+    let pairs = cycle.points.iter().map(|(x, f)| [f / cycle.row.f, branch.force(*x) / cycle.row.f]);
     pairs.max_by(|a, b| (a[1] - a[0]).abs().total_cmp(&(b[1] - b[0]).abs()))
 }
 
@@ -110,85 +105,50 @@ pub(super) fn restitution(law: &Law, x: f64) -> f64 {
 
 /// A quantity of every cycle: its checks, the exponent of the law, and the expected and the computed number, if the
 /// reference has one.
-#[derive(Clone, Copy)]
-struct OfCycle {
-    group: Group,
-    exponent: UnloadingExponent,
-    numbers: fn(&Law, &Cycle) -> Option<[f64; 2]>,
-}
-
-const fn of_cycle(
-    quantity: &'static str,
-    unit: &'static str,
-    exponent: UnloadingExponent,
-    tolerance: Tolerance,
-    numbers: fn(&Law, &Cycle) -> Option<[f64; 2]>,
-) -> OfCycle {
-    OfCycle { group: Group::of(quantity, STATIC, unit, tolerance), exponent, numbers }
-}
+type OfCycle = (Group, UnloadingExponent, fn(&Law, &Cycle) -> Option<[f64; 2]>);
 
 const PAPER: UnloadingExponent = UnloadingExponent::Paper;
 const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 const EQ_23: &str = "unloading: residual indentation from the reference's peak (Eq. 23)";
+const FORCE: &str = "unloading: force, largest deviation over peak force, exponent 3/2";
+const FORCE_OF_SHAPE: &str = "unloading: force, largest deviation over peak force, pressure-shape";
 const EQ_25: &str = "unloading: residual radius from the reference's peak (Eq. 25)";
 const DENT: &str = "load cycle: residual indentation, deviation over peak indentation";
+const FIGURE_6: Tolerance =
+    Tolerance::stated(0.02, "Xie et al. 2024, Fig. 6: 3 % from 3 delta_Y on, 2 % from 6 delta_Y on");
+const TABLE_2: Tolerance = Tolerance::stated(
+    0.0139 + 0.002,
+    "Xie et al. 2024, Table 2: 1.39 %, 0.2 % for its digits, and the difference of fits within a and 0.7 a",
+);
 
 const CYCLES: [OfCycle; 7] = [
-    of_cycle(
-        EQ_23,
-        "delta_Y",
-        PAPER,
-        Tolerance::stated(0.02, "Xie et al. 2024, Fig. 6: 3 % from 3 delta_Y on, 2 % from 6 delta_Y on"),
-        |_, cycle| Some([cycle.residual(), cycle.peak.residual()]),
-    ),
-    differences(of_cycle(
-        "unloading: force, largest deviation over peak force, exponent 3/2",
-        "F_m",
-        PAPER,
-        found(0.0509, 0.052),
-        farthest,
-    )),
-    differences(of_cycle(
-        "unloading: force, largest deviation over peak force, pressure-shape",
-        "F_m",
-        SHAPE,
-        found(0.0307, 0.040),
-        farthest,
-    )),
-    of_cycle(
-        EQ_25,
-        "R",
-        PAPER,
-        Tolerance::stated(
-            TABLE_2,
-            "Xie et al. 2024, Table 2: 1.39 %, 0.2 % for its digits, and the difference of fits within a and 0.7 a",
-        ),
-        |_, cycle| cycle.is_resolved().then(|| [cycle.row.residual_radius, residual_radius(&cycle.peak)]),
-    ),
-    differences(of_cycle(DENT, "delta_m", PAPER, found(0.0182, 0.022), |law, cycle| {
+    (Group::of(EQ_23, STATIC, "delta_Y", FIGURE_6), PAPER, |_, cycle| Some([cycle.residual(), cycle.peak.residual()])),
+    (Group::of(FORCE, STATIC, "F_m", found(0.0509, 0.052)).of_differences(), PAPER, farthest),
+    (Group::of(FORCE_OF_SHAPE, STATIC, "F_m", found(0.0307, 0.040)).of_differences(), SHAPE, farthest),
+    (Group::of(EQ_25, STATIC, "R", TABLE_2), PAPER, |_, cycle| {
+        cycle.is_resolved().then(|| [cycle.row.residual_radius, residual_radius(&cycle.peak)])
+    }),
+    (Group::of(DENT, STATIC, "delta_m", found(0.0182, 0.022)).of_differences(), PAPER, |law, cycle| {
         let x = cycle.row.x;
         Some([cycle.residual() / x, law.loaded_to(x).residual() / x])
-    })),
-    OfCycle {
-        group: Group::of("load cycle: restitution, exponent 3/2", STATIC, "", found(0.0557, 0.057))
+    }),
+    (
+        Group::of("load cycle: restitution, exponent 3/2", STATIC, "", found(0.0557, 0.057))
             .with_overall(&[(MEAN, found(0.0294, 0.031)), (RMS, found(0.0308, 0.032))]),
-        exponent: PAPER,
-        numbers: |law, cycle| Some([cycle.row.restitution?, restitution(law, cycle.row.x)]),
-    },
-    OfCycle {
-        group: Group::of("load cycle: restitution, pressure-shape", STATIC, "", found(0.0253, 0.027))
+        PAPER,
+        of_restitution,
+    ),
+    (
+        Group::of("load cycle: restitution, pressure-shape", STATIC, "", found(0.0253, 0.027))
             .with_overall(&[(MEAN, found(0.0035, 0.006)), (RMS, found(0.0100, 0.0115))]),
-        exponent: SHAPE,
-        numbers: |law, cycle| Some([cycle.row.restitution?, restitution(law, cycle.row.x)]),
-    },
+        SHAPE,
+        of_restitution,
+    ),
 ];
 
-const fn differences(of: OfCycle) -> OfCycle {
-    OfCycle { group: of.group.of_differences(), ..of }
+fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
+    Some([cycle.row.restitution?, restitution(law, cycle.row.x)])
 }
-
-/// Largest error of Table 2 of the paper, and its digits.
-const TABLE_2: f64 = 0.0139 + 0.002;
 
 /// Known deviation of the dent depth, found by this validation.
 const UNFITTED: Known = Known {
@@ -199,16 +159,14 @@ const UNFITTED: Known = Known {
 /// Every cycle: the dent and the force from the peak of the finite elements; dent and restitution by the whole law.
 pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Check>, Error> {
     let (mut checks, cases) = (Vec::new(), cases()?);
-    for of in &CYCLES {
-        let laws: Vec<Law> = cases.iter().map(|case| case.law(coefficients, of.exponent)).collect();
+    for (group, exponent, numbers) in CYCLES {
+        let laws: Vec<Law> = cases.iter().map(|case| case.law(coefficients, exponent)).collect();
         let all =
             cases.iter().zip(&laws).flat_map(|(case, law)| case.cycles.iter().map(move |cycle| (case, law, cycle)));
-        let compared: Vec<_> =
-            all.filter_map(|(case, law, cycle)| Some((case, cycle, (of.numbers)(law, cycle)?))).collect();
-        let numbers = compared.iter().map(|(_, cycle, numbers)| (cycle.name(), *numbers));
-        let mut own = of.group.checks(numbers, "cycles");
+        let compared: Vec<_> = all.filter_map(|(case, law, cycle)| Some((case, cycle, numbers(law, cycle)?))).collect();
+        let mut own = group.checks(compared.iter().map(|(_, cycle, numbers)| (cycle.name(), *numbers)), "cycles");
         for (check, (case, cycle, _)) in own.iter_mut().zip(&compared) {
-            match of.group.quantity {
+            match group.quantity {
                 EQ_23 if cycle.row.x < 6.0 => check.tolerance.limit = 0.03,
                 // if the dent is not a circle, the fitted radius depends on the range of the fit
                 EQ_25 => {

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
-use crate::math::power::max_or_nan;
-use crate::units::aligned::aligned;
+use super::laws::{self, OfLaw};
+use crate::units::aligned::{aligned, markdown};
 
 /// The text of `validation.csv`, with a row for every check. Deviations and tolerances are shares, not per cent.
 pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
@@ -21,15 +21,15 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
         "tolerance_source",
         "verdict",
     ])?;
-    let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
     for check in checks {
+        let number = |i: usize| check.numbers.map_or_else(String::new, |numbers| numbers[i].to_string());
         writer.write_record([
-            &check.quantity,
+            &check.quantity(),
             &check.case,
-            check.reference,
-            check.unit,
-            &number(check.expected),
-            &number(check.got),
+            check.group.reference,
+            check.group.unit,
+            &number(0),
+            &number(1),
             &check.deviation.to_string(),
             &check.tolerance.limit.to_string(),
             &check.tolerance.source(),
@@ -39,51 +39,9 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| error.into_error().into())
 }
 
-/// The checks of one quantity.
-struct Group<'a> {
-    quantity: &'a str,
-    checks: Vec<&'a Check>,
-}
-
-impl Group<'_> {
-    fn deviations(&self) -> Vec<f64> {
-        self.checks.iter().map(|check| check.deviation).collect()
-    }
-
-    /// "pass", or the number of checks that do not pass.
-    fn verdict(&self) -> String {
-        let count = |verdict| self.checks.iter().filter(|check| check.verdict() == verdict).count();
-        match (count(Verdict::Miss), count(Verdict::Known)) {
-            (0, 0) => Verdict::Pass.name().to_owned(),
-            (0, known) => format!("{}: {known}", Verdict::Known.name()),
-            (missed, _) => format!("{}: {missed}", Verdict::Miss.name()),
-        }
-    }
-
-    /// The remark on known deviations, if a check has one.
-    fn remark(&self) -> Option<&'static str> {
-        let known = self.checks.iter().find(|check| check.verdict() == Verdict::Known);
-        known.and_then(|check| check.known).map(|known| known.remark)
-    }
-
-    /// The smallest and the largest tolerance.
-    fn tolerance(&self) -> String {
-        let limits = || self.checks.iter().map(|check| check.tolerance.limit);
-        let (low, high) = (limits().fold(f64::INFINITY, f64::min), limits().fold(0.0, max_or_nan));
-        if high / low > 1.005 { format!("{} to {}", share(low), share(high)) } else { share(high) }
-    }
-}
-
-/// The checks grouped by quantity, in the order in which the quantities first occur.
-fn groups(checks: &[Check]) -> Vec<Group<'_>> {
-    let mut groups: Vec<Group> = Vec::new();
-    for check in checks {
-        match groups.iter_mut().find(|group| group.quantity == check.quantity) {
-            Some(group) => group.checks.push(check),
-            None => groups.push(Group { quantity: &check.quantity, checks: vec![check] }),
-        }
-    }
-    groups
+/// The checks of each quantity, with those of its statistics.
+fn groups(checks: &[Check]) -> impl Iterator<Item = &[Check]> {
+    checks.chunk_by(|a, b| a.group.quantity == b.group.quantity)
 }
 
 /// A share in per cent; below 1e-4 as a plain number.
@@ -117,64 +75,73 @@ fn verdict(checks: &[Check]) -> String {
 
 /// The names of the columns, and a row for each quantity.
 fn summary(checks: &[Check]) -> Vec<[String; 7]> {
-    let mut rows = vec![["quantity", "checks", "mean", "rms", "largest", "tolerance", "verdict"].map(str::to_owned)];
-    rows.extend(groups(checks).iter().map(|group| {
-        let deviations = group.deviations();
-        let several = |text: String| if deviations.len() > 1 { text } else { String::new() };
+    let row = |group: &[Check]| {
+        let (single, overall): (Vec<&Check>, Vec<&Check>) = group.iter().partition(|check| check.statistic.is_none());
+        let deviations: Vec<f64> = single.iter().map(|check| check.deviation).collect();
+        // some tolerances differ from case to case
+        let limit = single.iter().map(|check| check.tolerance.limit).fold(0.0, f64::max);
+        let of_statistic = |check: &&Check| format!(", {} {}", check.statistic?, share(check.tolerance.limit)).into();
+        let overall: Vec<String> = overall.iter().filter_map(of_statistic).collect();
+        let verdict = match (count(group, Verdict::Miss), count(group, Verdict::Known)) {
+            (0, 0) => Verdict::Pass.name().to_owned(),
+            (0, known) => format!("{}: {known}", Verdict::Known.name()),
+            (missed, _) => format!("{}: {missed}", Verdict::Miss.name()),
+        };
         [
-            group.quantity.to_owned(),
+            group[0].group.quantity.to_owned(),
             deviations.len().to_string(),
-            several(signed(mean(&deviations))),
-            several(share(rms(&deviations))),
-            signed(largest(deviations.iter().copied())),
-            group.tolerance(),
-            group.verdict(),
+            signed(mean(&deviations)),
+            share(rms(&deviations)),
+            signed(largest(deviations)),
+            share(limit) + &overall.concat(),
+            verdict,
         ]
-    }));
-    rows
+    };
+    let names = ["quantity", "checks", "mean", "rms", "largest", "tolerance", "verdict"].map(str::to_owned);
+    std::iter::once(names).chain(groups(checks).map(row)).collect()
+}
+
+/// The remarks on known deviations, with their quantities.
+fn remarks(checks: &[Check]) -> impl Iterator<Item = String> {
+    let known = |group: &[Check]| {
+        let check = group.iter().find(|check| check.verdict() == Verdict::Known)?;
+        Some(format!("known of the built-in law: {}: {}", check.group.quantity, check.known?.remark))
+    };
+    groups(checks).filter_map(known)
 }
 
 /// The summary, the misses and the known deviations, for the terminal.
 pub fn table(checks: &[Check]) -> String {
     let mut text = aligned(&summary(checks), |column| column == 0 || column == 6);
     for check in checks.iter().filter(|check| check.verdict() == Verdict::Miss) {
-        let Check { quantity, case, tolerance, .. } = check;
-        let (off, limit) = (signed(check.deviation), share(tolerance.limit));
-        let _ = writeln!(text, "MISS: {quantity}: {case}: {off}, tolerance {limit} ({})", tolerance.source());
+        let Check { case, tolerance, deviation, .. } = check;
+        let (off, limit, source) = (signed(*deviation), share(tolerance.limit), tolerance.source());
+        let _ = writeln!(text, "MISS: {}: {case}: {off}, tolerance {limit} ({source})", check.quantity());
     }
-    for group in groups(checks) {
-        if let Some(remark) = group.remark() {
-            let _ = writeln!(text, "known of the built-in law: {}: {remark}", group.quantity);
-        }
+    for remark in remarks(checks) {
+        let _ = writeln!(text, "{remark}");
     }
     text + &verdict(checks) + "\n"
 }
 
-/// The page of the report: a table for every reference. For the built-in law it also says where the law deviates, and
-/// shows some of the pictures.
-pub fn page(checks: &[Check], law: &str, is_built_in: bool) -> String {
+/// The page of the report: the table of laws, and a table of all comparisons with every reference. For the built-in law it
+/// also says where the law deviates, and shows the pictures.
+pub fn page(checks: &[Check], laws: &[OfLaw], law: &str, is_built_in: bool) -> String {
     let mut tables = String::new();
-    let (groups, summary) = (groups(checks), summary(checks));
-    for (i, (group, row)) in groups.iter().zip(&summary[1..]).enumerate() {
-        let reference = group.checks[0].reference;
-        if i == 0 || groups[i - 1].checks[0].reference != reference {
-            let _ = writeln!(tables, "\n## Against {reference}\n\n{HEAD}\n|---|---|---|---|---|---|---|---|");
-        }
-        let source = group.checks[0].tolerance.source();
-        let [quantity, count, mean, rms, largest, tolerance, verdict] = row;
-        let _ = writeln!(
-            tables,
-            "| {quantity} | {count} | {mean} | {rms} | {largest} | {tolerance} | {source} | {verdict} |"
-        );
+    let rows = summary(checks);
+    let mut next = 1;
+    for of_reference in groups(checks).collect::<Vec<_>>().chunk_by(|a, b| a[0].group.reference == b[0].group.reference)
+    {
+        let end = next + of_reference.len();
+        let table: Vec<_> = rows[..1].iter().chain(&rows[next..end]).cloned().collect();
+        next = end;
+        let _ =
+            writeln!(tables, "\n### Against {}\n\n{}", of_reference[0][0].group.reference, markdown(&table).trim_end());
     }
-    for group in &groups {
-        if let Some(remark) = group.remark() {
-            let _ = writeln!(tables, "\nOn record for the built-in law: {}: {remark}.", group.quantity);
-        }
+    for remark in remarks(checks) {
+        let _ = writeln!(tables, "\n{remark}.");
     }
     let about = if is_built_in { include_str!("built_in_law.md") } else { "" };
-    format!(include_str!("page.md"), law = law, verdict = verdict(checks), tables = tables, about = about)
+    let (verdict, laws) = (verdict(checks), markdown(&laws::table(laws)));
+    format!(include_str!("page.md"), law = law, verdict = verdict, laws = laws, tables = tables, about = about)
 }
-
-/// The columns of the page.
-const HEAD: &str = "| quantity | checks | mean deviation | rms | largest | tolerance | from | verdict |";
