@@ -18,7 +18,6 @@
 //! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
 
 pub mod data;
-mod error;
 pub mod fit;
 mod found;
 pub mod identify;
@@ -42,12 +41,12 @@ use crate::units::csv_text::refused;
 use crate::units::four_digits;
 use crate::units::human;
 use data::Data;
-pub use error::NoAnswer;
 pub use fit::{Fit, Noise};
 use fit::{in_order, shifts};
 use found::OUTLIER;
 pub use found::{Calibration, Found, OfLaw};
 use identify::{Identifiability, identify};
+pub use problem::NoAnswer;
 use problem::Problem;
 use quantity::Measured;
 use statistics::{chance, chance_of_runs};

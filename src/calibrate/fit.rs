@@ -2,9 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::error::NoAnswer;
 use super::minimum::{Grid, Place, minima};
-use super::problem::{Problem, TAILS};
+use super::problem::{NoAnswer, Problem, TAILS};
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
 const NO_SCATTER: f64 = 1e-6;

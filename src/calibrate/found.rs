@@ -2,9 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use super::error::NoAnswer;
 use super::fit::{Fit, Noise};
 use super::identify::{Identifiability, LAW};
+use super::problem::NoAnswer;
 use super::profile::{Ends, Sheet};
 use super::statistics::{Runs, chance};
 use crate::plan::free::Free;

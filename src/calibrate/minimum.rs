@@ -11,7 +11,7 @@ use crate::math::least_squares::least_squares;
 const ENOUGH: usize = 1000;
 /// Number of finer grids on which the edge of a plateau is searched, and cells along their sides.
 const ZOOMS: u32 = 4;
-const FINER: usize = 32;
+const FINER: u32 = 32;
 /// With more values than this the kinks of single values are too small to matter.
 const MOST_KINKS: usize = 20_000;
 /// Largest number of basins whose minimum is computed.
@@ -28,61 +28,46 @@ pub struct Place {
     pub sum: f64,
 }
 
-/// The sums of the thinned data on a grid of cells, with `side` cells along the range of each key, or along a part of it.
+/// The sums of the thinned data in the middles of cells, along the range of each key or along a part of it.
 #[derive(Debug, Clone)]
 pub struct Grid {
-    side: usize,
-    sums: Vec<f64>,
-    /// Lower ends of the parts of the ranges, as shares.
-    low: Vec<f64>,
-    /// Width of these parts.
-    width: f64,
+    places: Vec<Place>,
+    /// Width of a cell, as a share of the range.
+    cell: f64,
 }
 
 impl Grid {
     /// Computes the sums over the whole ranges.
     pub fn of(problem: &Problem) -> Self {
         let n_keys = problem.free.len();
-        Self::over(&problem.thinned(ENOUGH), vec![0.0; n_keys], 1.0, if n_keys == 1 { 64 } else { 32 })
+        Self::over(&problem.thinned(ENOUGH), &vec![0.0; n_keys], 1.0, if n_keys == 1 { 64 } else { 32 })
     }
 
-    fn over(problem: &Problem, low: Vec<f64>, width: f64, side: usize) -> Self {
-        let cells = if low.len() == 1 { side } else { side * side };
-        let mut grid = Self { side, sums: Vec::new(), low, width };
-        grid.sums = (0..cells).map(|at| problem.sum(&grid.shares(at))).collect();
-        grid
-    }
-
-    fn cell(&self) -> f64 {
-        #[allow(clippy::cast_precision_loss)] // a few cells
-        let side = self.side as f64;
-        self.width / side
-    }
-
-    /// The shares at the middle of a cell.
-    #[allow(clippy::cast_precision_loss)] // a few cells
-    fn shares(&self, at: usize) -> Vec<f64> {
-        let places = if self.low.len() == 1 { vec![at] } else { vec![at / self.side, at % self.side] };
-        self.low.iter().zip(places).map(|(low, place)| low + (place as f64 + 0.5) * self.cell()).collect()
+    /// The grid over parts of the ranges, with their lower ends and their common width.
+    fn over(problem: &Problem, low: &[f64], width: f64, side: u32) -> Self {
+        let cell = width / f64::from(side);
+        let mut all = vec![Vec::new()];
+        for low in low {
+            let middles = (0..side).map(|i| low + (f64::from(i) + 0.5) * cell);
+            all = all.iter().flat_map(|shares| middles.clone().map(move |at| [&shares[..], &[at]].concat())).collect();
+        }
+        let place = |shares: Vec<f64>| Place { sum: problem.sum(&shares), shares };
+        Self { places: all.into_iter().map(place).collect(), cell }
     }
 
     /// The sums of the cells around a cell.
-    fn around(&self, at: usize) -> impl Iterator<Item = f64> {
-        let side = self.side.cast_signed();
-        let rows = if self.low.len() == 1 { 1 } else { side };
-        let (row, column) = (at.cast_signed() / side, at.cast_signed() % side);
-        let inside = move |&(row, column): &(isize, isize)| (0..rows).contains(&row) && (0..side).contains(&column);
-        let around = (-1..=1).flat_map(move |i| (-1..=1).map(move |j| (row + i, column + j)));
-        let around = around.filter(move |place| *place != (row, column)).filter(inside);
-        around.map(move |(row, column)| self.sums[(row * side + column).cast_unsigned()])
+    fn around(&self, middle: &Place) -> impl Iterator<Item = f64> {
+        let reach = 1.5 * self.cell;
+        let near = move |(a, b): (&f64, &f64)| (a - b).abs() < reach;
+        let others = self.places.iter().filter(|other| other.shares != middle.shares);
+        others.filter(move |other| other.shares.iter().zip(&middle.shares).all(near)).map(|other| other.sum)
     }
 
     /// The cells that are not higher than any neighbour, the lowest first. Cells inside of a plateau do not count.
-    fn lowest(&self) -> Vec<usize> {
-        let is_lowest = |at: &usize| {
-            let own = self.sums[*at];
-            let mut has_higher = false;
-            let mut around = self.around(*at);
+    fn lowest(&self) -> Vec<&Place> {
+        let is_lowest = |place: &&Place| {
+            let (own, mut has_higher) = (place.sum, false);
+            let mut around = self.around(place);
             own.is_finite()
                 && around.all(|other| {
                     has_higher |= !is_same(other, own);
@@ -90,12 +75,12 @@ impl Grid {
                 })
                 && has_higher
         };
-        let mut lowest: Vec<usize> = (0..self.sums.len()).filter(is_lowest).collect();
+        let mut lowest: Vec<&Place> = self.places.iter().filter(is_lowest).collect();
         if lowest.is_empty() {
             // one plateau is everywhere
-            lowest.extend(self.sums.iter().position(|sum| sum.is_finite()));
+            lowest.extend(self.places.iter().find(|place| place.sum.is_finite()));
         }
-        lowest.sort_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
+        lowest.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         lowest
     }
 
@@ -103,38 +88,38 @@ impl Grid {
     /// beside it may be narrower than a cell, so the edge of the plateau is searched on finer grids.
     fn basins(&self, problem: &Problem) -> Vec<Vec<f64>> {
         let problem = problem.thinned(ENOUGH);
-        let start = |at: usize| {
-            let (mut finer, mut at) = (self.clone(), at);
+        let start = |lowest: &Place| {
+            let (mut finer, mut place) = (self.clone(), lowest.clone());
             for _ in 0..ZOOMS {
-                if !finer.around(at).any(|other| is_same(other, finer.sums[at])) {
+                if !finer.around(&place).any(|other| is_same(other, place.sum)) {
                     break;
                 }
-                let width = 4.0 * finer.cell();
-                let low = finer.shares(at).into_iter().map(|share| (share - 0.5 * width).clamp(0.0, 1.0 - width));
-                finer = Self::over(&problem, low.collect(), width, FINER);
+                let width = 4.0 * finer.cell;
+                let low = place.shares.iter().map(|share| (share - 0.5 * width).clamp(0.0, 1.0 - width));
+                finer = Self::over(&problem, &low.collect::<Vec<_>>(), width, FINER);
                 let Some(lowest) = finer.lowest().first().copied() else { break };
-                at = lowest;
+                place = lowest.clone();
             }
-            finer.shares(at)
+            place.shares
         };
         self.lowest().into_iter().take(MOST_BASINS).map(start).collect()
     }
 
     /// The cell with the lowest sum among those that contain this share of the key `held`.
     pub(super) fn best_beside(&self, held: usize, share: f64) -> Option<Vec<f64>> {
-        let near = |at: &usize| (self.shares(*at)[held] - share).abs() <= 0.5 * self.cell() + 1e-12;
-        let best = (0..self.sums.len()).filter(near).min_by(|a, b| self.sums[*a].total_cmp(&self.sums[*b]));
-        best.map(|at| self.shares(at))
+        let near = |place: &&Place| (place.shares[held] - share).abs() <= 0.5 * self.cell + 1e-12;
+        let best = self.places.iter().filter(near).min_by(|a, b| a.sum.total_cmp(&b.sum));
+        best.map(|place| place.shares.clone())
     }
 
     /// The range of shares around `place` of the only key in which the sum is the same; `None` if it is one point.
     pub(super) fn plateau(&self, problem: &Problem, place: &Place) -> Option<[f64; 2]> {
         let [best] = place.shares[..] else { return None };
         let is_level = |share: &f64| is_same(problem.sum(&[*share]), place.sum);
-        let cells: Vec<f64> = (0..self.side).map(|at| self.shares(at)[0]).collect();
+        let cells: Vec<f64> = self.places.iter().map(|place| place.shares[0]).collect();
         let level = |end: f64, cells: &mut dyn Iterator<Item = f64>| {
             let last = cells.take_while(is_level).last();
-            last.map(|last| if (last - end).abs() < self.cell() && is_level(&end) { end } else { last })
+            last.map(|last| if (last - end).abs() < self.cell && is_level(&end) { end } else { last })
         };
         let above = level(1.0, &mut cells.iter().copied().filter(|cell| *cell > best));
         let below = level(0.0, &mut cells.iter().rev().copied().filter(|cell| *cell < best));

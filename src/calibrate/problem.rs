@@ -6,12 +6,26 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{Data, Value};
-use super::error::NoAnswer;
-use crate::indentation::{Indenter, StaticContact, Target};
+use crate::impact::ImpactError;
+use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
 use crate::plan::axis::keeps_contact;
 use crate::plan::free::Free;
 use crate::scene::{Input, Scene};
+
+/// Why the law predicts nothing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoAnswer {
+    /// An impact has no result.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
+    /// An indentation has no result.
+    #[error(transparent)]
+    Indentation(#[from] IndentationError),
+    /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
+    #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
+    Captured,
+}
 
 /// Degrees of freedom of the likelihood with long tails.
 pub const TAILS: f64 = 4.0;

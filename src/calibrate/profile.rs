@@ -1,10 +1,10 @@
 //! Intervals by the profile likelihood, and the posterior of two keys on a grid.
 
-use super::error::NoAnswer;
 use super::fit::Fit;
 use super::minimum::{Place, polished};
+use super::problem::NoAnswer;
 use super::statistics::{LEVELS, reach};
-use crate::math::functions::{exp, hypot, ln, ln_1p, sinh};
+use crate::math::functions::{exp, hypot, ln, ln_1p, pow, sinh};
 use crate::math::root::bracketed;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
@@ -102,6 +102,14 @@ impl Fit<'_> {
         #[allow(clippy::cast_precision_loss)] // counts of measurements
         let values = self.problem.counted.len() as f64;
         exp(self.freedom().map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
+    }
+
+    /// The density of the posterior of two keys around the region of this probability, over its largest value: that of a normal
+    /// distribution, or of Student's if the noise is estimated.
+    pub fn density_around(&self, probability: f64) -> f64 {
+        #[allow(clippy::cast_precision_loss)] // counts of measurements
+        let values = self.problem.counted.len() as f64;
+        pow(1.0 - probability, self.freedom().map_or(1.0, |freedom| values / freedom))
     }
 
     /// The posterior of both keys. If the measurements determine a combination of the keys, it is a narrow ridge. So for

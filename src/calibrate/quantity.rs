@@ -4,73 +4,60 @@ use crate::impact::Essentials;
 use crate::scene::Scene;
 use crate::scene::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
 
-/// A measured quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Measured {
+macro_rules! measured {
+    ($($(#[$about:meta])+ $variant:ident = $name:literal, $quantity:ident;)+) => {
+        /// A measured quantity.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+        pub enum Measured {
+            $($(#[$about])+ $variant,)+
+        }
+
+        impl Measured {
+            /// All measured quantities.
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$variant),+];
+
+            /// The name, without the unit.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
+
+            /// Dimension and allowed range.
+            pub fn quantity(self) -> &'static Quantity {
+                match self {
+                    $(Self::$variant => &$quantity,)+
+                }
+            }
+        }
+    };
+}
+
+measured! {
     /// Rebound speed over impact speed.
-    Restitution,
+    Restitution = "restitution", RESTITUTION;
     /// Speed of the rebound.
-    ReboundSpeed,
+    ReboundSpeed = "rebound_speed", SPEED;
     /// Height of the rebound under gravity.
-    ReboundHeight,
+    ReboundHeight = "rebound_height", LENGTH;
     /// Leeb hardness: 1000 times the restitution.
-    Leeb,
+    Leeb = "leeb", LEEB;
     /// Diameter of the dent's rim.
-    DentDiameter,
+    DentDiameter = "dent_diameter", LENGTH;
     /// Depth of the dent.
-    DentDepth,
+    DentDepth = "dent_depth", LENGTH;
     /// Time in contact.
-    ContactTime,
+    ContactTime = "contact_time", TIME;
     /// Largest force.
-    PeakForce,
+    PeakForce = "peak_force", FORCE;
     /// Force of an indentation curve. All others are quantities of an impact.
-    Force,
+    Force = "force", FORCE;
 }
 
 impl Measured {
-    /// All measured quantities.
-    pub const ALL: [Self; 9] = [
-        Self::Restitution,
-        Self::ReboundSpeed,
-        Self::ReboundHeight,
-        Self::Leeb,
-        Self::DentDiameter,
-        Self::DentDepth,
-        Self::ContactTime,
-        Self::PeakForce,
-        Self::Force,
-    ];
-
-    /// The name, without the unit.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Restitution => "restitution",
-            Self::ReboundSpeed => "rebound_speed",
-            Self::ReboundHeight => "rebound_height",
-            Self::Leeb => "leeb",
-            Self::DentDiameter => "dent_diameter",
-            Self::DentDepth => "dent_depth",
-            Self::ContactTime => "contact_time",
-            Self::PeakForce => "peak_force",
-            Self::Force => "force",
-        }
-    }
-
     /// The quantity of this name.
     pub fn find(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|measured| measured.name() == name)
-    }
-
-    /// Dimension and allowed range.
-    pub fn quantity(self) -> &'static Quantity {
-        match self {
-            Self::Restitution => &RESTITUTION,
-            Self::ReboundSpeed => &SPEED,
-            Self::Leeb => &LEEB,
-            Self::ReboundHeight | Self::DentDiameter | Self::DentDepth => &LENGTH,
-            Self::ContactTime => &TIME,
-            Self::PeakForce | Self::Force => &FORCE,
-        }
     }
 
     /// Whether the quantity depends only on the restitution and known keys.

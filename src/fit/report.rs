@@ -19,23 +19,11 @@ fn percent(share: f64) -> String {
 /// force and approach it also has the rms from a law fitted to the other curves, and from the built-in table
 /// (`built_in`).
 pub fn table(fit: &Fit, built_in: &[CaseFit]) -> String {
-    let header = [
-        "curve",
-        "E*/E_s*",
-        "F: rms %",
-        "largest",
-        "left out",
-        "built-in",
-        "delta_e: rms %",
-        "largest",
-        "left out",
-        "built-in",
-        "a: rms %",
-    ];
-    let mut rows = vec![header.map(str::to_owned)];
+    let header = "curve|E*/E_s*|F: rms %|largest|left out|built-in|delta_e: rms %|largest|left out|built-in|a: rms %";
+    let mut rows = vec![header.split('|').map(str::to_owned).collect::<Vec<_>>()];
     for (case, built_in) in fit.cases.iter().zip(built_in) {
         let or_none = |rms: Option<f64>| rms.map_or_else(|| "-".to_owned(), percent);
-        rows.push([
+        rows.push(vec![
             case.curve.name.clone(),
             format!("{:.4}", case.curve.pair.sphere_compliance),
             percent(case.force.rms),

@@ -15,17 +15,22 @@ use crate::units::four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.
 const MOST_POINTS: usize = 2000;
+/// Largest number of points with error bars.
+const MOST_BARS: usize = 200;
 /// Number of pieces of a fitted line.
 const PLACES: u32 = 120;
 /// If the largest value is more than this multiple of the smallest, the axis is logarithmic.
 const WIDE: f64 = 5.0;
 
+type Points = Vec<(f64, f64)>;
+
 /// The pictures with their names.
 pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
     let mut pictures = Vec::new();
+    let data = of.fit.problem.data;
     let has_lines = of.residuals.len() > of.keys.len();
-    for what in of.fit.problem.data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", what.name()), fitted(of, what)));
+    for what in data.measured().into_iter().filter(|_| has_lines) {
+        pictures.push((format!("fit_{}", what.name()), Measurement::of(of, what).fitted()));
     }
     if has_lines {
         pictures.push(("residuals".to_owned(), residuals(of)));
@@ -34,13 +39,13 @@ pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
         pictures.push(("posterior".to_owned(), posterior::map(of, [first, second], sheet)));
     }
     if !of.laws.is_empty() && has_lines {
-        pictures.push(("laws".to_owned(), laws(of)));
+        pictures.push(("laws".to_owned(), Measurement::of(of, data.values[0].what).laws()));
     }
     pictures
 }
 
-fn is_wide(values: impl Iterator<Item = f64>) -> bool {
-    let (low, high) = extremes(values);
+fn is_wide(points: &[(f64, f64)]) -> bool {
+    let (low, high) = extremes(points.iter().map(|point| point.0));
     low > 0.0 && high > WIDE * low
 }
 
@@ -72,17 +77,16 @@ impl Over {
     /// The axis for these points of a quantity.
     fn axis(&self, what: Measured, points: &[(f64, f64)]) -> Axis {
         match self {
-            Self::Key(key) => axis_of(key, is_wide(points.iter().map(|point| point.0))),
+            Self::Key(key) => axis_of(key, is_wide(points)),
             Self::Indentation => Axis::engineering("Indentation", "m"),
-            Self::Prediction => of_quantity(what, "predicted"),
+            Self::Prediction => of_quantity(what, " predicted"),
         }
     }
 }
 
 /// The axis of a measured quantity.
 fn of_quantity(what: Measured, how: &str) -> Axis {
-    let title = format!("{} {how}", title_of(what.name()));
-    Axis::engineering(title.trim_end(), what.quantity().dimension.si_unit())
+    Axis::engineering(&(title_of(what.name()) + how), what.quantity().dimension.si_unit())
 }
 
 /// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
@@ -93,85 +97,99 @@ fn shown(of: &Calibration, what: Measured) -> Vec<usize> {
     all.into_iter().step_by(step).collect()
 }
 
-fn fitted(of: &Calibration, what: Measured) -> Chart {
-    let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
-    let shown = shown(of, what);
-    let at = |value: &usize| over.at(of, *value);
-    let points: Vec<(f64, f64)> = shown.iter().map(|value| (at(value), data.values[*value].value)).collect();
-    let bars = shown.iter().flat_map(|value| {
-        let (x, y, sd) = (at(value), data.values[*value].value, of.fit.problem.deviations[*value]);
-        [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]
-    });
-    let bars = if shown.len() > 200 { Vec::new() } else { bars.collect() };
-    let line = match over {
-        Over::Prediction => {
+/// The values of a quantity over the quantity on the horizontal axis.
+struct Measurement<'a> {
+    of: &'a Calibration<'a>,
+    what: Measured,
+    over: Over,
+    shown: Vec<usize>,
+    points: Points,
+    axes: [Axis; 2],
+}
+
+impl<'a> Measurement<'a> {
+    fn of(of: &'a Calibration, what: Measured) -> Self {
+        let data = of.fit.problem.data;
+        let (over, shown) = (Over::of(data), shown(of, what));
+        let points: Points = shown.iter().map(|value| (over.at(of, *value), data.values[*value].value)).collect();
+        let axes = [over.axis(what, &points), of_quantity(what, "")];
+        Self { of, what, over, shown, points, axes }
+    }
+
+    fn fitted(self) -> Chart {
+        let Self { of, what, shown, points, .. } = &self;
+        let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, of.fit.problem.deviations[*value]));
+        let line = if let Over::Prediction = self.over {
             let (low, high) = extremes(points.iter().map(|point| point.0));
             vec![(low, low), (high, high)]
+        } else {
+            self.line(&of.fit)
+        };
+        let mut series: Vec<Series> =
+            self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
+        series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
+        series.push(Series::bars(bars.filter(|_| shown.len() <= MOST_BARS)).styled(0));
+        series.push(Series::points("measured, with its sd", points.clone()).styled(0));
+        let notes = of.keys.iter().flat_map(|Found { free, estimate, sd, .. }| {
+            let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
+            [title_of(free.key.path), free.say(*estimate, 4) + &sd]
+        });
+        let title = format!("{} and the law with the best keys", title_of(what.name()));
+        Chart::new(title, self.axes.clone(), series).with_notes(notes)
+    }
+
+    /// The predictions of every law with its best keys, with the measurements.
+    fn laws(self) -> Chart {
+        let fits = self.of.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
+        let named = |name: &str, fit: &Fit| format!("{name}  +{:.1}", fit.aic - self.of.least_aic());
+        let mut series: Vec<Series> = fits.map(|(name, fit)| Series::line(named(name, fit), self.line(fit))).collect();
+        series.push(Series::points("measured", self.points).styled(Style::BLACK));
+        Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
+    }
+
+    /// What a law with its best keys predicts.
+    fn line(&self, fit: &Fit) -> Points {
+        let shares = &fit.best().shares;
+        if let Over::Key(key) = self.over {
+            let (data, at) = self.along(key);
+            let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
+            return at.into_iter().zip(predicted).collect();
         }
-        _ => line(of, &over, &of.fit, what, &points),
-    };
-    let mut series = Vec::new();
-    if let Over::Key(key) = over {
-        series.extend(band(of, key, what, &points).map(|band| Series::band("95 % band of the line", band).styled(5)));
+        let predicted = fit.problem.predict(shares).unwrap_or_default();
+        self.shown.iter().zip(&self.points).filter_map(|(value, (x, _))| Some((*x, *predicted.get(*value)?))).collect()
     }
-    series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
-    series.push(Series::bare("", bars).styled(0));
-    let axes = [over.axis(what, &points), of_quantity(what, "")];
-    series.push(Series::points("measured, with its sd", points).styled(0));
-    let notes = of.keys.iter().flat_map(|Found { free, estimate, sd, .. }| {
-        let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
-        [title_of(free.key.path), free.say(*estimate, 4) + &sd]
-    });
-    let title = format!("{} and the law with the best keys", title_of(what.name()));
-    Chart::new(title, axes, series).with_notes(notes)
-}
 
-type Points = Vec<(f64, f64)>;
-
-/// What a law with its best keys predicts of a quantity.
-fn line(of: &Calibration, over: &Over, fit: &Fit, what: Measured, points: &[(f64, f64)]) -> Points {
-    let shares = &fit.best().shares;
-    if let Over::Key(key) = over {
-        let (data, at) = line_data(key, what, points);
-        let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
-        return at.into_iter().zip(predicted).collect();
+    /// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
+    fn band(&self) -> Option<Points> {
+        let Over::Key(key) = self.over else { return None };
+        let (data, at) = self.along(key);
+        let fit = &self.of.fit;
+        let (line, shares) = (fit.problem.predicting(&data), &fit.best().shares);
+        let (covariance, matrix) = (fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
+        let predicted = line.predict(shares).ok()?;
+        let reach = reach(LEVELS[1], fit.freedom());
+        let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
+        let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
+        let upper: Points = edge(1.0).collect();
+        Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
     }
-    let predicted = fit.problem.predict(shares).unwrap_or_default();
-    shown(of, what).into_iter().filter_map(|value| Some((over.at(of, value), *predicted.get(value)?))).collect()
-}
 
-/// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
-fn band(of: &Calibration, key: &'static Key, what: Measured, points: &[(f64, f64)]) -> Option<Points> {
-    let (data, at) = line_data(key, what, points);
-    let (line, shares) = (of.fit.problem.predicting(&data), &of.fit.best().shares);
-    let (covariance, matrix) = (of.fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
-    let predicted = line.predict(shares).ok()?;
-    let reach = reach(LEVELS[1], of.fit.freedom());
-    let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
-    let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
-    let upper: Points = edge(1.0).collect();
-    Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
-}
-
-/// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-fn line_data(key: &'static Key, what: Measured, points: &[(f64, f64)]) -> (Data, Vec<f64>) {
-    let values = || points.iter().map(|point| point.0);
-    let (from, to) = extremes(values());
-    let range = Free { key, from, to, is_logarithmic: is_wide(values()) };
-    let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
-    let rows = at.iter().map(|value| Row { line: 0, keys: vec![*value], indentation: None }).collect();
-    let values = (0..at.len()).map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
-    (Data { name: String::new(), keys: vec![key], rows, values }, at)
+    /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
+    fn along(&self, key: &'static Key) -> (Data, Vec<f64>) {
+        let (from, to) = extremes(self.points.iter().map(|point| point.0));
+        let range = Free { key, from, to, is_logarithmic: is_wide(&self.points) };
+        let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
+        let rows = at.iter().map(|value| Row { line: 0, keys: vec![*value], indentation: None }).collect();
+        let values = (0..at.len()).map(|row| Value { row, what: self.what, value: 1.0, deviation: None }).collect();
+        (Data { name: String::new(), keys: vec![key], rows, values }, at)
+    }
 }
 
 fn residuals(of: &Calibration) -> Chart {
     let data = of.fit.problem.data;
     let measured = data.measured();
-    let over = match Over::of(data) {
-        // predictions of several quantities have no common axis
-        Over::Prediction if measured.len() > 1 => None,
-        over => Some(over),
-    };
+    // predictions of several quantities have no common axis
+    let over = Some(Over::of(data)).filter(|over| !matches!(over, Over::Prediction) || measured.len() == 1);
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(of, value));
     let points = |what: Measured| shown(of, what).into_iter().map(|value| (at(value), of.residuals[value])).collect();
@@ -181,28 +199,11 @@ fn residuals(of: &Calibration) -> Chart {
     let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = reach(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
-    let guides = guides.map(|(at, label)| Guide::horizontal(at, label)).to_vec();
     let largest = of.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
     let notes = [("chi-square", of.p), ("runs of signs", of.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
-    Chart::new("Residuals", [x, y], series).with_guides(guides).with_notes(notes)
-}
-
-/// The predictions of every law with its best keys, with the measurements of the first quantity.
-fn laws(of: &Calibration) -> Chart {
-    let (data, over) = (of.fit.problem.data, Over::of(of.fit.problem.data));
-    let what = data.values[0].what;
-    let points: Points =
-        shown(of, what).into_iter().map(|value| (over.at(of, value), data.values[value].value)).collect();
-    let fits = of.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
-    let least = of.least_aic();
-    let lines = fits.map(|(name, fit)| {
-        Series::line(format!("{name}  +{:.1}", fit.aic - least), line(of, &over, fit, what, &points))
-    });
-    let mut series: Vec<Series> = lines.collect();
-    let axes = [over.axis(what, &points), of_quantity(what, "")];
-    series.push(Series::points("measured", points).styled(Style::BLACK));
-    Chart::new("Laws with their best keys, and how far their AIC is above the least", axes, series)
+    let chart = Chart::new("Residuals", [x, y], series);
+    chart.with_guides(guides.map(|(at, label)| Guide::horizontal(at, label))).with_notes(notes)
 }

@@ -4,11 +4,11 @@
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use super::axis::{Axis, FittedAxis};
+use super::axis::Axis;
 use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP};
-use super::key::{self, Entry};
+use super::key::Key;
 use super::pen::{self, Pen};
-use super::series::{Guide, Look, Series};
+use super::series::{Look, Series};
 use super::style::{GREY, Style};
 use super::{PlotError, SIZE};
 
@@ -30,9 +30,9 @@ pub struct Chart {
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
     /// Entries of the key after those of the series, before those of the guides.
-    pub(super) entries: Vec<Entry>,
+    pub(super) entries: Vec<Series>,
     /// Texts at the end of the key.
-    pub notes: Vec<String>,
+    pub notes: Vec<Series>,
     /// The axis of the colours of a map, with their scale.
     pub(super) colors: Option<(Axis, Shade)>,
 }
@@ -48,7 +48,7 @@ pub struct Panel {
     pub share: f64,
     /// If a series has no style, its style is that of its place among all series of the picture.
     pub series: Vec<Series>,
-    pub guides: Vec<Guide>,
+    pub guides: Vec<Series>,
     /// Coloured rectangles below all else.
     pub(super) cells: Vec<Cell>,
 }
@@ -84,7 +84,7 @@ impl Chart {
 
     /// The same picture with these guides in every box.
     #[must_use]
-    pub fn with_guides(mut self, guides: impl Into<Vec<Guide>>) -> Self {
+    pub fn with_guides(mut self, guides: impl Into<Vec<Series>>) -> Self {
         let guides = guides.into();
         for panel in &mut self.panels {
             panel.guides.extend_from_slice(&guides);
@@ -94,11 +94,11 @@ impl Chart {
 
     #[must_use]
     pub fn with_notes<T: Into<String>>(mut self, notes: impl IntoIterator<Item = T>) -> Self {
-        self.notes.extend(notes.into_iter().map(Into::into));
+        self.notes.extend(notes.into_iter().map(Series::text));
         self
     }
 
-    pub(super) fn with_entries(mut self, entries: impl IntoIterator<Item = Entry>) -> Self {
+    pub(super) fn with_entries(mut self, entries: impl IntoIterator<Item = Series>) -> Self {
         self.entries.extend(entries);
         self
     }
@@ -107,7 +107,9 @@ impl Chart {
     /// lines, the second of dashed ones ([`Style::branch`]).
     #[must_use]
     pub fn with_branches(self, names: &[&str]) -> Self {
-        let entry = |(which, name): (usize, &&str)| Entry::line(name, Style::line(GREY, 3.0).branch(which));
+        let entry = |(which, name): (usize, &&str)| {
+            Series::bare(*name, Vec::new()).styled(Style::line(GREY, 3.0).branch(which))
+        };
         self.with_entries(names.iter().enumerate().map(entry))
     }
 
@@ -129,28 +131,32 @@ impl Chart {
 
     fn paint<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), PlotError> {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
-        let fitted = |panel: &Panel| panel.y.fitted(panel.points().map(|(_, y)| y));
-        let ys: Vec<FittedAxis> = self.panels.iter().map(fitted).collect();
-        let entries = self.key(&x, &ys);
         let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
-        let room = if self.colors.is_some() { BAR_ROOM } else { key::width(&entries)? };
-        let all = Bounds { left: LEFT, top: TOP, right: width - room, bottom: height - BOTTOM };
+        let all = Bounds { left: LEFT, top: TOP, right: width, bottom: height - BOTTOM };
         #[allow(clippy::cast_precision_loss)] // a handful
         let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
         let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
-        let (mut top, mut number) = (all.top, 0);
-        for (i, (panel, y)) in self.panels.iter().zip(ys).enumerate() {
-            let bottom = top + room * panel.share / shares;
-            let frame = Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y };
+        let mut bottom = all.top - GAP;
+        let mut frames: Vec<Frame> = Vec::new();
+        for panel in &self.panels {
+            let top = bottom + GAP;
+            bottom = top + room * panel.share / shares;
+            let y = panel.y.fitted(panel.points().map(|(_, y)| y));
+            frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
+        }
+        let key = Key::of(&self.key(&frames))?;
+        let right = width - if self.colors.is_some() { BAR_ROOM } else { key.width()? };
+        let mut number = 0;
+        for (i, (panel, frame)) in self.panels.iter().zip(&mut frames).enumerate() {
+            frame.bounds.right = right;
             frame.draw_x(pen, i + 1 == self.panels.len())?;
             frame.draw_y(pen)?;
-            self.fill(panel, &frame, number, pen)?;
+            self.fill(panel, frame, number, pen)?;
             number += panel.series.len();
             if i == 0 {
                 frame.draw_title(pen, &self.title)?;
-                key::draw(pen, &entries, &frame)?;
+                key.draw(pen, frame)?;
             }
-            top = bottom + GAP;
         }
         self.draw_colors(pen, all)
     }
@@ -177,7 +183,7 @@ impl Chart {
             pen.polygon(&corners, style.pale())?;
         }
         for guide in &panel.guides {
-            frame.curve(pen, &guide.points(&frame.x, &frame.y), guide.style)?;
+            frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
         }
         frame.draw_outline(pen)?;
         let count: usize = self.panels.iter().map(|panel| panel.series.len()).sum();
@@ -194,25 +200,27 @@ impl Chart {
         Ok(())
     }
 
-    /// All entries of the key. Guides with the same texts have one entry, in grey if their colours differ.
-    fn key(&self, x: &FittedAxis, ys: &[FittedAxis]) -> Vec<Entry> {
-        let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
-        let mut entries: Vec<Entry> = series.filter_map(|(i, one)| one.entry(one.style(i))).collect();
-        entries.extend(self.entries.iter().cloned());
-        let panels = self.panels.iter().zip(ys);
-        let seen: Vec<&Guide> =
-            panels.flat_map(|(panel, y)| panel.guides.iter().filter(|guide| guide.is_visible(x, y))).collect();
-        for (i, guide) in seen.iter().enumerate() {
-            let same = |other: &&Guide| other.texts == guide.texts;
-            if guide.texts[0].is_empty() || seen[..i].iter().any(same) {
-                continue;
-            }
-            let is_shared = seen.iter().any(|other| same(other) && other.style.color != guide.style.color);
-            let color = if is_shared { GREY } else { guide.style.color };
-            entries.push(Entry { line: Some(Style { color, ..guide.style }), mark: None, texts: guide.texts.clone() });
+    /// What the key shows. Guides with the same texts have one entry, in grey if their colours differ.
+    fn key(&self, frames: &[Frame]) -> Vec<(&Series, Style)> {
+        fn styled((number, one): (usize, &Series)) -> (&Series, Style) {
+            (one, one.style(number))
         }
-        entries.extend(self.notes.iter().map(|note| Entry::text(note)));
-        entries
+        let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
+        let mut named: Vec<(&Series, Style)> = series.chain(self.entries.iter().enumerate()).map(styled).collect();
+        let panels = self.panels.iter().zip(frames);
+        let seen = panels.flat_map(|(panel, frame)| panel.guides.iter().filter(|guide| guide.is_visible(frame)));
+        let first = named.len();
+        for guide in seen {
+            let style = guide.style(0);
+            match named[first..].iter_mut().find(|(other, _)| other.texts == guide.texts) {
+                Some((_, other)) if other.color != style.color => other.color = GREY,
+                Some(_) => {}
+                None => named.push((guide, style)),
+            }
+        }
+        named.extend(self.notes.iter().enumerate().map(styled));
+        named.retain(|(series, _)| !series.texts.is_empty());
+        named
     }
 
     /// The colour bar of a map.

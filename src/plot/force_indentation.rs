@@ -22,27 +22,21 @@ pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
 /// [`PlotError::Data`] for an impact without a trace.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let trace = &impact.trace;
-    // a sphere that creeps to rest has no turning point; its last row is the deepest
-    let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
-    let Some(turn) = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1))) else {
-        return Err(PlotError::Data("force against indentation needs a trace: run the impact with samples".into()));
-    };
-    let branches = [(true, &trace[..=turn]), (false, &trace[turn..])];
     let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
     let ink = |mark| Style::marker(mark, INK);
     let to_peak = Style::line(GREY, 2.0).dashed(DOTTED);
     let mut series = vec![Series::bare("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
     for (i, (name, width)) in loops::INDENTATIONS.into_iter().enumerate() {
-        let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentations(row)[i], row.force)).collect();
-        let branches = branches.map(|(is_loading, rows)| (is_loading, points(rows)));
-        series.extend(loops::series(Series::line(name, Vec::new()), loops::style(i, width), branches));
+        let first = Series::line(name, Vec::new());
+        let drawn = loops::of_impact(impact, first, loops::style(i, width), |row| indentations(row)[i]);
+        series.extend(drawn.ok_or_else(|| {
+            PlotError::Data("force against indentation needs a trace: run the impact with samples".into())
+        })?);
     }
     if is_damped(impact) {
-        let of_law = branches.map(|(_, rows)| {
-            rows.iter().filter_map(|row| Some((row.indentation, row.elastic_force?))).collect::<Vec<_>>()
-        });
+        let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
         // the other curves include the damping
-        let name = Series::bare("force of the law", of_law.concat()).and("without damping, against δ");
+        let name = Series::bare("force of the law", of_law.collect()).and("without damping, against δ");
         series.push(name.styled(Style::line(INK, 2.0).dashed(DOTTED)));
     }
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));

@@ -2,11 +2,11 @@
 
 use plotters::prelude::DrawingBackend;
 
+use super::PlotError;
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
 use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, Style, TITLE_SIZE};
-use super::text::{text_width, wrapped};
-use super::{PlotError, SIZE};
+use super::text::text_width;
 
 /// Margins around the boxes for labels and titles \[px\].
 pub const LEFT: f64 = 165.0;
@@ -20,11 +20,8 @@ const LABELS: (f64, f64) = (18.0, 32.0);
 const X_TITLE: f64 = 82.0;
 /// Distance of the title of the vertical axis from its labels, and its least distance from the edge \[px\].
 const Y_TITLE: (f64, f64) = (34.0, 24.0);
-/// Height of the middle of the title above the box, and half the distance of its two lines \[px\].
-const TITLE: (f64, f64) = (42.0, 18.0);
-/// Largest length of a line of the title \[px\], and the text size of a title in two lines.
-const TITLE_ROOM: f64 = SIZE.0 as f64 - 40.0;
-const TWO_LINES: f64 = 30.0;
+/// Height of the middle of the title above the box \[px\].
+const TITLE: f64 = 42.0;
 /// Smallest number of labels that a vertical axis aims at, even in a low box.
 const FEWEST: f64 = 4.0;
 
@@ -89,7 +86,7 @@ impl Frame {
             }
         }
         let title_at = (left - LABELS.0 - widest - Y_TITLE.0).max(Y_TITLE.1);
-        pen.text_upward(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK)
+        pen.text(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK, Anchor::Upward)
     }
 
     /// Draws the outline, over the ends of the curves.
@@ -99,22 +96,10 @@ impl Frame {
         pen.polyline(&corners, Style::line(INK, 2.0))
     }
 
-    /// Draws the title above the box. A long title is drawn in two lines, and smaller if needed.
+    /// Draws the title above the box; a long title is drawn smaller.
     pub fn draw_title<B: DrawingBackend>(&self, pen: &mut Pen<B>, title: &str) -> Result<(), PlotError> {
-        let (middle, height) = (0.5 * (self.bounds.left + self.bounds.right), self.bounds.top - TITLE.0);
-        if text_width(title, TITLE_SIZE)? <= TITLE_ROOM {
-            return pen.text(title, (middle, height), TITLE_SIZE, INK, Anchor::Middle);
-        }
-        let mut size = TWO_LINES;
-        let mut lines = wrapped(title, size, TITLE_ROOM)?;
-        while lines.len() > 2 && size > 1.0 {
-            size *= 0.95;
-            lines = wrapped(title, size, TITLE_ROOM)?;
-        }
-        for (line, shift) in lines.iter().zip([-TITLE.1, TITLE.1]) {
-            pen.text(line, (middle, height + shift), size, INK, Anchor::Middle)?;
-        }
-        Ok(())
+        let at = (0.5 * (self.bounds.left + self.bounds.right), self.bounds.top - TITLE);
+        pen.text(title, at, TITLE_SIZE, INK, Anchor::Middle)
     }
 
     /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it.

@@ -30,7 +30,7 @@ pub fn histogram(
     // black, vermillion, reddish purple and green over sky blue, each with its own dash
     let guides = lines.into_iter().enumerate().map(|(i, (at, label))| {
         let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][i % 4];
-        Guide::vertical(at, label).drawn(Style { color, ..Style::of(i).wide(3.5) })
+        Guide::vertical(at, label).styled(Style { color, ..Style::of(i).wide(3.5) })
     });
     let axes = [x.between(first, last), Axis::linear("Count", "").between(0.0, 1.06 * highest)];
     Ok(Chart::new(title, axes, vec![Series::band("", outline).styled(5)]).with_guides(guides.collect::<Vec<_>>()))

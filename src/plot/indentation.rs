@@ -4,7 +4,6 @@
 
 use super::axis::Axis;
 use super::chart::Chart;
-use super::key::Entry;
 use super::loops;
 use super::series::Series;
 use super::style::Style;
@@ -50,7 +49,7 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     {
         let memory = &step.memory;
         entries.push(
-            Entry::text("Largest load")
+            Series::text("Largest load")
                 .and(format!("Fₘ = {}", quantity(memory.force, "N")))
                 .and(format!("δₘ = {}", quantity(memory.indentation, "m")))
                 .and(format!("δᵣ = {}", quantity(memory.residual_indentation, "m"))),
@@ -58,7 +57,7 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     }
     let bars: Vec<Series> = spans(tested).map(|(ends, force, i)| bar(ends, force, strongest, i)).collect();
     if !bars.is_empty() {
-        entries.push(Entry::text("Bars: uncertain inputs").and("at the ends of steps"));
+        entries.push(Series::text("Bars: uncertain inputs").and("at the ends of steps"));
     }
     let room = if bars.is_empty() { 1.08 } else { 1.16 };
     series.extend(bars);

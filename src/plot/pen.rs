@@ -71,6 +71,8 @@ pub enum Anchor {
     Start,
     Middle,
     End,
+    /// Centred, and reading upwards.
+    Upward,
 }
 
 /// Draws on a back end of plotters, in pixels of the picture.
@@ -159,42 +161,25 @@ impl<B: DrawingBackend> Pen<'_, B> {
         }
     }
 
-    /// Text whose capital letters are centred on the height of `at`. A text that would go beyond the picture is moved
-    /// inward, and a text that is longer than the picture is made smaller.
+    /// Text whose capital letters are centred on `at`, across its direction. A text that would go beyond the picture is
+    /// moved inward, and a text that is longer than the picture is made smaller.
     pub fn text(&mut self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) -> Result<(), PlotError> {
-        let size = fitting(text, size, f64::from(SIZE.0) - 2.0 * EDGE)?;
+        let turned = |(x, y)| if anchor == Anchor::Upward { (y, x) } else { (x, y) };
+        let (length_of_sheet, height_of_sheet) = turned((f64::from(SIZE.0), f64::from(SIZE.1)));
         let (before, horizontal) = match anchor {
             Anchor::Start => (0.0, HPos::Left),
-            Anchor::Middle => (0.5, HPos::Center),
+            Anchor::Middle | Anchor::Upward => (0.5, HPos::Center),
             Anchor::End => (1.0, HPos::Right),
         };
-        let length = text_width(text, size)?;
-        let at = (within(at.0, before * length, length, SIZE.0), within(at.1, 0.5 * size, size, SIZE.1));
-        let at = (at.0, at.1 + self.format.rise * size);
-        self.letters(text, at, size, color, (horizontal, FontTransform::None))
-    }
-
-    /// Text that reads upwards and is centred on `at`.
-    pub fn text_upward(&mut self, text: &str, at: Point, size: f64, color: RGBColor) -> Result<(), PlotError> {
-        let size = fitting(text, size, f64::from(SIZE.1) - 2.0 * EDGE)?;
-        let length = text_width(text, size)?;
-        let at = (within(at.0, 0.5 * size, size, SIZE.0), within(at.1, 0.5 * length, length, SIZE.1));
-        let at = (at.0 + self.format.rise * size, at.1);
-        self.letters(text, at, size, color, (HPos::Center, FontTransform::Rotate270))
-    }
-
-    fn letters(
-        &mut self,
-        text: &str,
-        at: Point,
-        size: f64,
-        color: RGBColor,
-        (horizontal, transform): (HPos, FontTransform),
-    ) -> Result<(), PlotError> {
-        let Format { units, letters, fonts, .. } = self.format;
+        let Format { units, letters, rise, fonts, .. } = self.format;
+        let size = fitting(text, size, length_of_sheet - 2.0 * EDGE)?;
+        let (length, (along, across)) = (text_width(text, size)?, turned(at));
+        let along = within(along, before * length, length, length_of_sheet);
+        let at = turned((along, within(across, 0.5 * size, size, height_of_sheet) + rise * size));
         let font = FontDesc::new(FontFamily::Name(fonts), units * letters * size, FontStyle::Normal);
+        let turn = if anchor == Anchor::Upward { FontTransform::Rotate270 } else { FontTransform::None };
         let pos = Pos::new(horizontal, VPos::Center);
-        let style = TextStyle { font: font.transform(transform), color: color.to_backend_color(), pos };
+        let style = TextStyle { font: font.transform(turn), color: color.to_backend_color(), pos };
         // control characters are not allowed in XML
         let text: String = text.chars().filter(|c| !c.is_control()).collect();
         let at = self.device(at);
@@ -214,8 +199,8 @@ fn whole_length(length: f64, units: f64) -> u32 {
 }
 
 /// A place, moved so that a text of this length around it stays within a picture with sides of `sheet`.
-fn within(at: f64, before: f64, length: f64, sheet: u32) -> f64 {
-    at.min(f64::from(sheet) - EDGE - length + before).max(EDGE + before)
+fn within(at: f64, before: f64, length: f64, sheet: f64) -> f64 {
+    at.min(sheet - EDGE - length + before).max(EDGE + before)
 }
 
 fn failed(error: impl Display) -> PlotError {

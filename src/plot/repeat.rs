@@ -7,7 +7,7 @@ use super::chart::{Chart, Panel};
 use super::loops;
 use super::series::Series;
 use super::style::{GREY, Style};
-use crate::impact::{Event, Impact, TraceRow};
+use crate::impact::Impact;
 use crate::math::functions::pow;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Hit, Place, Repeat, Sequence};
@@ -106,22 +106,28 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     if traced.is_empty() {
         return Err(PlotError::Data("loops need traces: run the series with samples".into()));
     }
-    let groups = groups(traced);
-    let named: Vec<(usize, usize)> = spread(groups.len(), NAMED).into_iter().map(|i| groups[i]).collect();
+    // identical impacts have one loop
+    let same = |a: &Impact, b: &Impact| {
+        let of = |one: &Impact| (one.speed, one.restitution, one.peak_indentation);
+        of(a) == of(b)
+    };
+    let groups: Vec<&[Impact]> = traced.chunk_by(same).collect();
+    let named = spread(groups.len(), NAMED);
+    let one_loop = |impact, name: String, style| {
+        loops::of_impact(impact, Series::bare(name, Vec::new()), style, |row| row.indentation).unwrap_or_default()
+    };
     let grey = Style::line(GREY, 1.5);
     let mut series: Vec<Series> =
-        spread(traced.len(), DRAWN).into_iter().flat_map(|i| one_loop(&traced[i], "", grey)).collect();
+        spread(traced.len(), DRAWN).into_iter().flat_map(|i| one_loop(&traced[i], String::new(), grey)).collect();
     // loops lie on each other where they follow the same branch, so each is narrower than the one before
-    for (i, (first, last)) in named.iter().enumerate() {
-        let impact = &traced[*first];
-        let name = if first == last {
-            format!("Impact {}", first + 1)
-        } else {
-            format!("Impacts {} to {}", first + 1, last + 1)
-        };
-        let mut drawn = one_loop(impact, &name, loops::style(i, width(i, named.len())));
+    for (i, number) in named.iter().enumerate() {
+        let first = 1 + groups[..*number].iter().map(|group| group.len()).sum::<usize>();
+        let (impact, count) = (&groups[*number][0], groups[*number].len());
+        let name =
+            if count == 1 { format!("Impact {first}") } else { format!("Impacts {first} to {}", first + count - 1) };
+        let mut drawn = one_loop(impact, name, loops::style(i, width(i, named.len())));
         let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), four_digits(impact.restitution));
-        drawn[0].texts.push(about);
+        drawn.iter_mut().take(1).for_each(|first| first.texts.push(about.clone()));
         series.extend(drawn);
     }
     let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
@@ -131,33 +137,9 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     Ok(Chart::new(title(repeat, sequence), [x, y], series).with_branches(&["loading", "unloading"]))
 }
 
-/// Groups of consecutive impacts that are identical, so that their loops coincide: the first and the last of each
-/// group.
-fn groups(traced: &[Impact]) -> Vec<(usize, usize)> {
-    let mut groups: Vec<(usize, usize)> = Vec::new();
-    for (i, impact) in traced.iter().enumerate() {
-        let is_same = |other: &Impact| {
-            (other.speed, other.restitution, other.peak_indentation)
-                == (impact.speed, impact.restitution, impact.peak_indentation)
-        };
-        match groups.last_mut() {
-            Some((first, last)) if is_same(&traced[*first]) => *last = i,
-            _ => groups.push((i, i)),
-        }
-    }
-    groups
-}
-
 #[allow(clippy::cast_precision_loss)] // a handful
 fn width(index: usize, count: usize) -> f64 {
     if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
-}
-
-fn one_loop(impact: &Impact, name: &str, style: Style) -> Vec<Series> {
-    let turn = impact.trace.iter().position(|row| row.event == Some(Event::Peak)).unwrap_or(0);
-    let parts = [(true, &impact.trace[..=turn]), (false, &impact.trace[turn..])];
-    let points = |rows: &[TraceRow]| rows.iter().map(|row| (row.indentation, row.force)).collect();
-    loops::series(Series::bare(name, Vec::new()), style, parts.map(|(loads, rows)| (loads, points(rows))))
 }
 
 /// At most `wanted` of the indices below `count`: all of them, or from the first to the last with equal ratios.

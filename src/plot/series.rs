@@ -1,8 +1,8 @@
 //! What lies on the axes of a picture: series of points, and guides that are not data.
 
-use super::axis::FittedAxis;
+use std::borrow::Cow;
+
 use super::frame::Frame;
-use super::key::Entry;
 use super::style::{Dash, GREY, MARK, Mark, Style};
 use crate::math::functions::{hypot, pow};
 
@@ -23,7 +23,7 @@ pub struct Series {
 }
 
 /// How a series is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Look {
     /// A line with a few markers along it.
     Line,
@@ -35,6 +35,14 @@ pub enum Look {
     Bare,
     /// The area inside a closed line, in a pale colour.
     Band,
+    /// Not drawn: texts in the key.
+    Text,
+    /// A guide at this value of the horizontal axis.
+    Vertical(f64),
+    /// A guide at this value of the vertical axis.
+    Horizontal(f64),
+    /// A guide along y = y_0 (x/x_0)^slope through (x_0, y_0), which is straight if both axes are logarithmic.
+    Power((f64, f64), f64),
 }
 
 impl Series {
@@ -61,6 +69,11 @@ impl Series {
         Self::bare("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
     }
 
+    /// Texts in the key.
+    pub fn text(text: impl Into<String>) -> Self {
+        Self::new(text, Vec::new(), Look::Text)
+    }
+
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, points, Look::MarkedLine)
     }
@@ -75,6 +88,13 @@ impl Series {
         Self { style: Some(style.into()), ..self }
     }
 
+    /// The same series in this colour, with its width and dash.
+    #[must_use]
+    pub(super) fn colored(self, style: impl Into<Style>) -> Self {
+        let own = self.style.unwrap_or(Style::BLACK);
+        Self { style: Some(Style { color: style.into().color, ..own }), ..self }
+    }
+
     /// The same series with one more text in the key.
     #[must_use]
     pub fn and(mut self, text: impl Into<String>) -> Self {
@@ -87,16 +107,15 @@ impl Series {
         self.style.unwrap_or_else(|| Style::of(number))
     }
 
-    /// The entry in the key.
-    pub(super) fn entry(&self, style: Style) -> Option<Entry> {
-        let is_line = matches!(self.look, Look::Line | Look::MarkedLine | Look::Bare);
-        let mark = match self.look {
-            Look::Line | Look::MarkedLine | Look::Points => Some(style),
-            Look::Bare => None,
-            Look::Band => Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) }),
-        };
-        let entry = Entry { line: is_line.then_some(style), mark, texts: self.texts.clone() };
-        (!self.texts.is_empty()).then_some(entry)
+    /// The line and the marker that stand for it in the key.
+    pub(super) fn sample(&self, style: Style) -> [Option<Style>; 2] {
+        match self.look {
+            Look::Line | Look::MarkedLine => [Some(style); 2],
+            Look::Points => [None, Some(style)],
+            Look::Band => [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })],
+            Look::Text => [None; 2],
+            Look::Bare | Look::Vertical(_) | Look::Horizontal(_) | Look::Power(..) => [Some(style), None],
+        }
     }
 
     /// The points with a marker, and its radius. Points that are close together have smaller markers or none.
@@ -104,12 +123,12 @@ impl Series {
         #[allow(clippy::cast_precision_loss)] // counts of points
         let room = (frame.bounds.right - frame.bounds.left) / self.points.len().max(1) as f64;
         match self.look {
-            Look::Bare | Look::Band => (Vec::new(), 0.0),
             Look::Line => (self.sparse_marks(frame, shift), style.radius),
             Look::MarkedLine if room <= 4.0 => (Vec::new(), 0.0),
             Look::MarkedLine if room <= 3.0 * style.radius => (self.points.clone(), 3.0),
             Look::Points if room <= 4.0 => (self.points.clone(), 4.0),
             Look::MarkedLine | Look::Points => (self.points.clone(), style.radius),
+            _ => (Vec::new(), 0.0),
         }
     }
 
@@ -130,75 +149,50 @@ impl Series {
             .filter_map(|at| self.points.get(lengths.partition_point(|length| *length < at)).copied())
             .collect()
     }
-}
 
-/// A line that is not data. It does not extend the axes. If it is inside the box, its texts are in the key; guides with
-/// the same texts have one entry.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Guide {
-    way: Way,
-    pub(super) texts: Vec<String>,
-    pub(super) style: Style,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Way {
-    Vertical(f64),
-    Horizontal(f64),
-    Power { through: (f64, f64), slope: f64 },
-}
-
-impl Guide {
-    fn new(way: Way, label: impl Into<String>, dash: Dash) -> Self {
-        Self { way, texts: vec![label.into()], style: Style::line(GREY, 2.0).dashed(dash) }
-    }
-
-    /// A vertical line at this value of the horizontal axis.
-    pub fn vertical(at: f64, label: impl Into<String>) -> Self {
-        Self::new(Way::Vertical(at), label, &[4.0, 6.0])
-    }
-
-    /// A horizontal line at this value of the vertical axis.
-    pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
-        Self::new(Way::Horizontal(at), label, &[22.0, 8.0])
-    }
-
-    /// The curve y = y_0 (x/x_0)^slope through (x_0, y_0), which is straight if both axes are logarithmic.
-    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
-        Self::new(Way::Power { through, slope }, label, &[12.0, 6.0, 2.0, 6.0])
-    }
-
-    /// The same line in the colour of this style.
-    #[must_use]
-    pub fn styled(self, style: impl Into<Style>) -> Self {
-        Self { style: Style { color: style.into().color, ..self.style }, ..self }
-    }
-
-    /// The same line with this width, colour and dash.
-    pub(super) fn drawn(self, style: Style) -> Self {
-        Self { style, ..self }
-    }
-
-    /// The same line with one more text in the key.
-    pub(super) fn and(mut self, text: impl Into<String>) -> Self {
-        self.texts.push(text.into());
-        self
-    }
-
-    pub(super) fn points(&self, x: &FittedAxis, y: &FittedAxis) -> Vec<(f64, f64)> {
-        let (x, y) = (|share| x.value_at(share), |share| y.value_at(share));
-        match self.way {
-            Way::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))],
-            Way::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)],
-            Way::Power { through, slope } => {
-                (0..=100).map(|i| x(f64::from(i) / 100.0)).map(|x| (x, through.1 * pow(x / through.0, slope))).collect()
+    /// The points of the line. That of a guide crosses the box.
+    pub(super) fn drawn(&self, frame: &Frame) -> Cow<'_, [(f64, f64)]> {
+        let (x, y) = (|share| frame.x.value_at(share), |share| frame.y.value_at(share));
+        match self.look {
+            Look::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))].into(),
+            Look::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)].into(),
+            Look::Power(through, slope) => {
+                let at = (0..=100).map(|i| x(f64::from(i) / 100.0));
+                at.map(|x| (x, through.1 * pow(x / through.0, slope))).collect::<Vec<_>>().into()
             }
+            _ => (&self.points).into(),
         }
     }
 
-    /// Whether a part of the line is inside the box, with an allowance for rounding.
-    pub(super) fn is_visible(&self, x: &FittedAxis, y: &FittedAxis) -> bool {
+    /// Whether a part of a guide is inside the box, with an allowance for rounding.
+    pub(super) fn is_visible(&self, frame: &Frame) -> bool {
         let is_share = |at: f64| (-1e-9..=1.0 + 1e-9).contains(&at);
-        self.points(x, y).into_iter().any(|point| is_share(x.at(point.0)) && is_share(y.at(point.1)))
+        self.drawn(frame).iter().any(|point| is_share(frame.x.at(point.0)) && is_share(frame.y.at(point.1)))
+    }
+}
+
+/// Makes guides: lines that are not data. They do not extend the axes. A guide has an entry in the key if it crosses the
+/// box; guides with the same texts have one entry.
+#[derive(Debug)]
+pub struct Guide;
+
+impl Guide {
+    fn with(look: Look, label: impl Into<String>, dash: Dash) -> Series {
+        Series::new(label, Vec::new(), look).styled(Style::line(GREY, 2.0).dashed(dash))
+    }
+
+    /// A vertical line at this value of the horizontal axis.
+    pub fn vertical(at: f64, label: impl Into<String>) -> Series {
+        Self::with(Look::Vertical(at), label, &[4.0, 6.0])
+    }
+
+    /// A horizontal line at this value of the vertical axis.
+    pub fn horizontal(at: f64, label: impl Into<String>) -> Series {
+        Self::with(Look::Horizontal(at), label, &[22.0, 8.0])
+    }
+
+    /// The curve y = y_0 (x/x_0)^slope through (x_0, y_0).
+    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Series {
+        Self::with(Look::Power(through, slope), label, &[12.0, 6.0, 2.0, 6.0])
     }
 }

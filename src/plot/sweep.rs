@@ -138,7 +138,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| second.label(*curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
             let guide = yield_speed(plan, axes, *curve).map(|at| Guide::vertical(at, "yield speed"));
-            guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.styled(number) }));
+            guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.colored(number) }));
         }
         let look = if at.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
         series.push(Series { look, ..Series::line(name, points) });

@@ -73,31 +73,24 @@ const TABLES: [&str; 5] = ["sphere.", "half_space.", "law.", "gravity.", "dampin
 /// # Errors
 /// [`Error`] with the file, the line, what is wrong and what is needed.
 pub fn load(directory: &Path, coefficients: &PlmCoefficients) -> Result<Vec<Experiment>, Error> {
-    let refuse = |message: String| refusal(directory, (None, message));
-    let entries = fs::read_dir(directory).map_err(|error| refuse(format!("cannot be read: {error}")))?;
-    let paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<PathBuf>, std::io::Error>>();
-    let mut paths = paths.map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    let refuse = |message: String| refused(&directory.display().to_string())((None, message));
+    let entries = fs::read_dir(directory).and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect());
+    let mut paths: Vec<PathBuf> = entries.map_err(|error| refuse(format!("cannot be read: {error}")))?;
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "csv"));
     paths.sort();
     if paths.is_empty() {
-        return Err(refuse(
-            "has no file of measurements: a CSV file with columns such as speed_m_per_s, restitution, restitution_sd"
-                .to_owned(),
-        ));
+        let columns = "columns such as speed_m_per_s, restitution, restitution_sd";
+        return Err(refuse(format!("has no file of measurements: a CSV file with {columns}")));
     }
     paths.iter().map(|path| experiment(path, coefficients)).collect()
 }
 
-fn refusal(path: &Path, refusal: (Option<u64>, String)) -> Error {
-    refused(&path.display().to_string())(refusal)
-}
-
 fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment, Error> {
     let (text, name) = (read_text(path, LARGEST_DATA)?, path.display().to_string());
-    let keys: Vec<&str> = every_key().map(|key| key.path).collect();
-    let of_tables = keys.into_iter().filter(|key| TABLES.iter().any(|table| key.starts_with(table)));
+    let refused = refused(&name);
+    let of_tables = every_key().map(|key| key.path).filter(|key| TABLES.iter().any(|table| key.starts_with(table)));
     let known: Vec<&str> = of_tables.chain(["law", "source"]).collect();
-    let given = keys_in_comments(&text, &known).map_err(|fault| refusal(path, fault))?;
+    let given = keys_in_comments(&text, &known).map_err(refused)?;
     // a scenario in which every key has the line number that it has in the file
     let mut lines = vec![String::new(); text.lines().count()];
     let (mut settings, mut source) =
@@ -109,7 +102,7 @@ fn experiment(path: &Path, coefficients: &PlmCoefficients) -> Result<Experiment,
                 let laws = (LAWS.known)();
                 let hint =
                     did_you_mean(value, laws.iter().map(String::as_str), '`', &format!("laws are {}", laws.join(", ")));
-                return Err(refusal(path, (Some(line as u64), format!("unknown law `{value}`{hint}"))));
+                return Err(refused((Some(line as u64), format!("unknown law `{value}`{hint}"))));
             }
             "law" => settings.push(format!("law={}", toml::Value::from(value))),
             key => {
@@ -146,6 +139,11 @@ impl Experiment {
     pub fn quantities(&self) -> impl Iterator<Item = (Measured, Vec<&Row>)> {
         let of = |what: Measured| (what, self.rows.iter().filter(|row| row.what == what).collect::<Vec<_>>());
         Measured::ALL.into_iter().map(of).filter(|(_, rows)| !rows.is_empty())
+    }
+
+    /// The name of a picture.
+    pub fn picture(&self, what: Measured) -> String {
+        format!("experiment-{}-{}", self.name, what.name())
     }
 }
 
@@ -203,11 +201,4 @@ pub fn section(experiments: &[Experiment]) -> String {
         }
     }
     text
-}
-
-impl Experiment {
-    /// The name of a picture.
-    pub fn picture(&self, what: Measured) -> String {
-        format!("experiment-{}-{}", self.name, what.name())
-    }
 }

@@ -19,7 +19,6 @@ use crate::impact::{ImpactError, TraceRow};
 use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
-use crate::plot::axis::extremes;
 use crate::plot::of_key::title_of;
 use crate::plot::{Axis, Chart, Guide, Pictures, PlotError, Series, Style};
 use crate::progress::Counter;
@@ -31,14 +30,9 @@ use crate::reference::oblique::rebounds;
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
 
-/// A curve of `n` equal pieces from `low` to `high`.
-fn sampled(low: f64, high: f64, n: u32, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
-    (0..=n).map(|i| point(low + (high - low) * f64::from(i) / f64::from(n))).collect()
-}
-
 /// A curve of 300 pieces from 1 to `high`, with equal ratios.
 fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
-    sampled(0.0, ln(high), 300, |at| point(exp(at)))
+    (0..=300).map(|i| point(exp(ln(high) * f64::from(i) / 300.0))).collect()
 }
 
 /// All pictures; those of the user's measurements come last. `progress` counts the pictures.
@@ -166,32 +160,17 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     Ok(("hardening-restitution".to_owned(), chart))
 }
 
-/// The outline of the band between the lowest and the highest hardness of all steels, whose hardness is linear in the
-/// tensile strength.
-fn band(steels: &[Steel]) -> Vec<(f64, f64)> {
-    let (weakest, strongest) = extremes(steels.iter().flat_map(Steel::ends).map(|(strength, _)| strength));
-    let at = |tensile: f64| {
-        let hardnesses = steels.iter().filter_map(move |steel| {
-            let [(low, low_hardness), (high, high_hardness)] = steel.ends();
-            let share = (tensile - low) / (high - low);
-            (0.0..=1.0).contains(&share).then_some(low_hardness + share * (high_hardness - low_hardness))
-        });
-        extremes(hardnesses)
-    };
-    let lower = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).0));
-    let upper = sampled(weakest, strongest, 400, |tensile| (tensile, at(tensile).1));
-    lower.into_iter().chain(upper.into_iter().rev()).collect()
-}
-
 /// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
 /// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
 fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let steels = steels()?;
-    let ends = steels.iter().flat_map(Steel::ends).collect();
+    let ends = || steels.iter().map(Steel::ends);
+    // a point of NaN separates the steels
+    let ranges = ends().flat_map(|[low, high]| [low, high, (f64::NAN, f64::NAN)]).collect();
     let mut series = vec![
-        Series::points("measured, ten steels", ends).and("ends of their ranges"),
-        Series::bare("between them", band(&steels)).and("lowest and highest").styled(0),
+        Series::points("measured, ten steels", ends().flatten().collect()).and("ends of their ranges"),
+        Series::bare("", ranges).styled(0),
     ];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
     for (device, (i, (share, name, taken))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate()) {

@@ -9,18 +9,8 @@ use crate::units::aligned::{aligned, markdown};
 /// The text of `validation.csv`, with a row for every check. Deviations and tolerances are shares, not per cent.
 pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "quantity",
-        "case",
-        "reference",
-        "unit",
-        "expected",
-        "got",
-        "deviation",
-        "tolerance",
-        "tolerance_source",
-        "verdict",
-    ])?;
+    let columns = "quantity,case,reference,unit,expected,got,deviation,tolerance,tolerance_source,verdict";
+    writer.write_record(columns.split(','))?;
     for check in checks {
         let number = |i: usize| check.numbers.map_or_else(String::new, |numbers| numbers[i].to_string());
         writer.write_record([
@@ -78,8 +68,9 @@ fn summary(checks: &[Check]) -> Vec<[String; 7]> {
     let row = |group: &[Check]| {
         let (single, overall): (Vec<&Check>, Vec<&Check>) = group.iter().partition(|check| check.statistic.is_none());
         let deviations: Vec<f64> = single.iter().map(|check| check.deviation).collect();
-        // some tolerances differ from case to case
-        let limit = single.iter().map(|check| check.tolerance.limit).fold(0.0, f64::max);
+        let limits = || single.iter().map(|check| check.tolerance.limit);
+        let (low, high) = (limits().fold(f64::INFINITY, f64::min), limits().fold(0.0, f64::max));
+        let limit = if high / low > 1.005 { format!("{} to {}", share(low), share(high)) } else { share(high) };
         let of_statistic = |check: &&Check| format!(", {} {}", check.statistic?, share(check.tolerance.limit)).into();
         let overall: Vec<String> = overall.iter().filter_map(of_statistic).collect();
         let verdict = match (count(group, Verdict::Miss), count(group, Verdict::Known)) {
@@ -93,7 +84,7 @@ fn summary(checks: &[Check]) -> Vec<[String; 7]> {
             signed(mean(&deviations)),
             share(rms(&deviations)),
             signed(largest(deviations)),
-            share(limit) + &overall.concat(),
+            limit + &overall.concat(),
             verdict,
         ]
     };

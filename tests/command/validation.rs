@@ -347,8 +347,9 @@ fn rows_of_loading_follow_from_a_second_implementation() {
         }
         for (quantity, square) in ["force", "sphere indentation", "contact radius"].into_iter().zip(squares) {
             let name = format!("loading: {quantity}, rms over the curve");
-            let check =
-                checks.iter().find(|check| check.quantity() == name && check.case.starts_with(&format!("case {case},")));
+            let check = checks
+                .iter()
+                .find(|check| check.quantity() == name && check.case.starts_with(&format!("case {case},")));
             assert_relative_eq!(check.unwrap().deviation, (square / n).sqrt(), max_relative = 1e-5);
         }
     }
