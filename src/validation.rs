@@ -20,15 +20,11 @@ pub mod report;
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::ImpactError;
-use crate::law::{PlmCoefficients, UnloadingExponent};
+use crate::law::PlmCoefficients;
 use crate::material::OutOfFloatRange;
 use crate::progress::Counter;
 pub use check::{Check, Group, Known, Tolerance, Verdict};
 pub use pictures::pictures;
-
-/// The exponents that are compared, with their names in tables and pictures.
-pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
-    [(UnloadingExponent::Paper, "exponent 3/2"), (UnloadingExponent::PressureShape, "pressure-shape")];
 
 impl From<ImpactError> for Error {
     fn from(error: ImpactError) -> Self {

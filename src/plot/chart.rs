@@ -29,10 +29,8 @@ pub struct Chart {
     pub x: Axis,
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
-    /// Entries of the key after those of the series, before those of the guides.
+    /// Entries at the end of the key.
     pub(super) entries: Vec<Series>,
-    /// Texts at the end of the key.
-    pub notes: Vec<Series>,
     /// The axis of the colours of a map, with their scale.
     pub(super) colors: Option<(Axis, Shade)>,
 }
@@ -79,7 +77,7 @@ impl Chart {
 
     /// A picture of several boxes one above the other.
     pub fn stacked(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
-        Self { title: title.into(), x, panels, entries: Vec::new(), notes: Vec::new(), colors: None }
+        Self { title: title.into(), x, panels, entries: Vec::new(), colors: None }
     }
 
     /// The same picture with these guides in every box.
@@ -92,10 +90,10 @@ impl Chart {
         self
     }
 
+    /// The same picture with these texts at the end of the key.
     #[must_use]
-    pub fn with_notes<T: Into<String>>(mut self, notes: impl IntoIterator<Item = T>) -> Self {
-        self.notes.extend(notes.into_iter().map(Series::text));
-        self
+    pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
+        self.with_entries(notes.into_iter().map(Series::text))
     }
 
     pub(super) fn with_entries(mut self, entries: impl IntoIterator<Item = Series>) -> Self {
@@ -206,7 +204,7 @@ impl Chart {
             (one, one.style(number))
         }
         let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
-        let mut named: Vec<(&Series, Style)> = series.chain(self.entries.iter().enumerate()).map(styled).collect();
+        let mut named: Vec<(&Series, Style)> = series.map(styled).collect();
         let panels = self.panels.iter().zip(frames);
         let seen = panels.flat_map(|(panel, frame)| panel.guides.iter().filter(|guide| guide.is_visible(frame)));
         let first = named.len();
@@ -218,7 +216,7 @@ impl Chart {
                 None => named.push((guide, style)),
             }
         }
-        named.extend(self.notes.iter().enumerate().map(styled));
+        named.extend(self.entries.iter().enumerate().map(styled));
         named.retain(|(series, _)| !series.texts.is_empty());
         named
     }

@@ -209,17 +209,10 @@ fn failed(error: impl Display) -> PlotError {
 
 /// The points without those that are not finite, and without steps that are too small to see. The last point stays.
 fn thinned(points: &[Point]) -> Vec<Point> {
-    let mut kept: Vec<Point> = Vec::new();
-    let mut skipped = None;
-    for &point in points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-        if kept.last().is_none_or(|last| hypot(point.0 - last.0, point.1 - last.1) >= RESOLUTION) {
-            kept.push(point);
-            skipped = None;
-        } else {
-            skipped = Some(point);
-        }
-    }
-    kept.extend(skipped);
+    let mut kept: Vec<Point> = points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    let last = kept.last().copied();
+    kept.dedup_by(|point, before| hypot(point.0 - before.0, point.1 - before.1) < RESOLUTION);
+    kept.extend(last.filter(|last| kept.last() != Some(last)));
     kept
 }
 

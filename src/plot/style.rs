@@ -111,9 +111,12 @@ impl Style {
         Self { width, ..self }
     }
 
-    /// The pale colour of a band.
+    /// The pale colour of a band: its colour mixed with that of the paper.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
     pub(super) fn pale(self) -> RGBColor {
-        tinted(self.color, 0.35)
+        let mixed = |paper: u8, ink: u8| (f64::from(paper) + 0.35 * (f64::from(ink) - f64::from(paper))).round() as u8;
+        let RGBColor(red, green, blue) = self.color;
+        RGBColor(mixed(PAPER.0, red), mixed(PAPER.1, green), mixed(PAPER.2, blue))
     }
 }
 
@@ -121,11 +124,4 @@ impl From<usize> for Style {
     fn from(number: usize) -> Self {
         Self::of(number)
     }
-}
-
-/// A mixture of this share of a colour with the colour of the paper.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
-pub fn tinted(color: RGBColor, share: f64) -> RGBColor {
-    let mixed = |paper: u8, ink: u8| (f64::from(paper) + share * (f64::from(ink) - f64::from(paper))).round() as u8;
-    RGBColor(mixed(PAPER.0, color.0), mixed(PAPER.1, color.1), mixed(PAPER.2, color.2))
 }

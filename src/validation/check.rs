@@ -1,6 +1,11 @@
 //! One comparison: expected and computed number, deviation, tolerance and verdict.
 
+use crate::law::UnloadingExponent;
 use crate::math::power::farther_or_nan;
+
+/// The exponents that are compared, with their names in tables and pictures.
+pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
+    [(UnloadingExponent::Paper, "exponent 3/2"), (UnloadingExponent::PressureShape, "pressure-shape")];
 
 /// Largest deviation that passes, in either direction.
 #[derive(Debug, Clone, Copy, PartialEq)]

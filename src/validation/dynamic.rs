@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::EXPONENTS;
-use super::check::{Check, Group, Tolerance, found};
+use super::check::{Check, EXPONENTS, Group, Tolerance, found};
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::law::{LawChoice, Plm, PlmCoefficients};

@@ -5,10 +5,8 @@
 
 use std::sync::Arc;
 
-use super::EXPONENTS;
-use super::check::{deviation, rms};
+use super::check::{EXPONENTS, deviation, rms};
 use super::dynamic::scenes;
-use super::report::share;
 use crate::error::Error;
 use crate::impact::{Contact, Essentials};
 use crate::law::{LawChoice, Plm, PlmCoefficients};
@@ -106,13 +104,4 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
     let mut laws: Vec<OfLaw> = all.map(of_law).collect();
     laws.sort_by(|a, b| a.rms[0].total_cmp(&b.rms[0]));
     Ok(laws)
-}
-
-/// The names of the columns, and a row for every law.
-pub(super) fn table(laws: &[OfLaw]) -> Vec<[String; 6]> {
-    let row = |OfLaw { name, impacts, rms: [restitution, force, dent, time] }: &OfLaw| {
-        [name.clone(), impacts.to_string(), share(*restitution), share(*time), share(*force), share(*dent)]
-    };
-    let names = ["law", "impacts", "restitution", "contact time", "peak force", "dent depth"].map(str::to_owned);
-    std::iter::once(names).chain(laws.iter().map(row)).collect()
 }

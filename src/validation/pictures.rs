@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::EXPONENTS;
 use super::cases::{Case, cases};
-use super::check::deviation;
+use super::check::{EXPONENTS, deviation};
 use super::dynamic;
 use super::experiments::{Experiment, Row};
 use super::hardening::{at_energy, law};

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::check::{Check, Verdict, count, largest, mean, rms};
-use super::laws::{self, OfLaw};
+use super::laws::OfLaw;
 use crate::units::aligned::{aligned, markdown};
 
 /// The text of `validation.csv`, with a row for every check. Deviations and tolerances are shares, not per cent.
@@ -17,7 +17,7 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
             &check.quantity(),
             &check.case,
             check.group.reference,
-            check.group.unit,
+            check.numbers.map_or("", |_| check.group.unit),
             &number(0),
             &number(1),
             &check.deviation.to_string(),
@@ -115,6 +115,15 @@ pub fn table(checks: &[Check]) -> String {
     text + &verdict(checks) + "\n"
 }
 
+/// The names of the columns, and a row for every law.
+fn of_laws(laws: &[OfLaw]) -> Vec<[String; 6]> {
+    let row = |OfLaw { name, impacts, rms: [restitution, force, dent, time] }: &OfLaw| {
+        [name.clone(), impacts.to_string(), share(*restitution), share(*time), share(*force), share(*dent)]
+    };
+    let names = ["law", "impacts", "restitution", "contact time", "peak force", "dent depth"].map(str::to_owned);
+    std::iter::once(names).chain(laws.iter().map(row)).collect()
+}
+
 /// The page of the report: the table of laws, and a table of all comparisons with every reference. For the built-in law it
 /// also says where the law deviates, and shows the pictures.
 pub fn page(checks: &[Check], laws: &[OfLaw], law: &str, is_built_in: bool) -> String {
@@ -133,6 +142,6 @@ pub fn page(checks: &[Check], laws: &[OfLaw], law: &str, is_built_in: bool) -> S
         let _ = writeln!(tables, "\n{remark}.");
     }
     let about = if is_built_in { include_str!("built_in_law.md") } else { "" };
-    let (verdict, laws) = (verdict(checks), markdown(&laws::table(laws)));
+    let (verdict, laws) = (verdict(checks), markdown(&of_laws(laws)));
     format!(include_str!("page.md"), law = law, verdict = verdict, laws = laws, tables = tables, about = about)
 }
