@@ -104,8 +104,8 @@ impl Fit<'_> {
         exp(self.freedom().map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
     }
 
-    /// The density of the posterior of two keys around the region of this probability, over its largest value: that of a normal
-    /// distribution, or of Student's if the noise is estimated.
+    /// The density of the posterior of two keys around the region of this probability, over its largest value: that of
+    /// a normal distribution, or of Student's if the noise is estimated.
     pub fn density_around(&self, probability: f64) -> f64 {
         #[allow(clippy::cast_precision_loss)] // counts of measurements
         let values = self.problem.counted.len() as f64;

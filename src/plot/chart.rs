@@ -101,8 +101,8 @@ impl Chart {
         self
     }
 
-    /// The same picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that of solid
-    /// lines, the second of dashed ones ([`Style::branch`]).
+    /// The same picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that
+    /// of solid lines, the second of dashed ones ([`Style::branch`]).
     #[must_use]
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {

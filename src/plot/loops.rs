@@ -6,8 +6,8 @@ use crate::impact::{Event, Impact, TraceRow};
 
 type Points = Vec<(f64, f64)>;
 
-/// The three indentations of a contact, and the widths of their lines \[px\]. With a rigid sphere the loop of the half-space lies on
-/// that of the approach; with equal elastic bodies it lies on that of the sphere.
+/// The three indentations of a contact, and the widths of their lines \[px\]. With a rigid sphere the loop of the
+/// half-space lies on that of the approach; with equal elastic bodies it lies on that of the sphere.
 pub const INDENTATIONS: [(&str, f64); 3] = [("Approach δ", 7.0), ("Sphere δₛ", 5.0), ("Half-space δₕ", 3.0)];
 
 /// The series of a loop. `first` has its name and look; `branches` are its parts in the order of time, each with whether

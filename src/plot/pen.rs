@@ -211,8 +211,12 @@ fn failed(error: impl Display) -> PlotError {
 fn thinned(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
     let last = kept.last().copied();
-    kept.dedup_by(|point, before| hypot(point.0 - before.0, point.1 - before.1) < RESOLUTION);
-    kept.extend(last.filter(|last| kept.last() != Some(last)));
+    let mut is_skipped = false;
+    kept.dedup_by(|point, before| {
+        is_skipped = hypot(point.0 - before.0, point.1 - before.1) < RESOLUTION;
+        is_skipped
+    });
+    kept.extend(last.filter(|_| is_skipped));
     kept
 }
 

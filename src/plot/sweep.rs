@@ -7,7 +7,7 @@ use crate::impact::{Essentials, Rebound};
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
-use crate::plot::{self, Chart, Guide, Look, Panel, PlotError, Series, heatmap, histogram};
+use crate::plot::{self, Chart, Guide, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Count, Tally};
@@ -33,9 +33,9 @@ const BARS: usize = 60;
 pub const PICTURES: [&str; 4] = ["restitution", "restitution_map", "restitution_histogram", "rebound"];
 
 /// The pictures of a plan with their names.
-pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Chart)>, PlotError> {
+pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
-        return Ok(bars(tally)?.map(|drawn| (PICTURES[2], drawn)).into_iter().collect());
+        return bars(tally).map(|drawn| (PICTURES[2], drawn)).into_iter().collect();
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
@@ -45,9 +45,9 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Result<Vec<(&'static str, Chart)>
         pictures.push((PICTURES[0], curves(plan, axes)));
     }
     if axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG) {
-        pictures.push((PICTURES[1], map(plan, axes)?));
+        pictures.push((PICTURES[1], map(plan, axes)));
     }
-    Ok(pictures)
+    pictures
 }
 
 /// At most `most` of the places of an axis, at even steps, including both ends.
@@ -199,30 +199,23 @@ fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
     input.resolve().contact().ok()?.yield_speed()
 }
 
-fn map(plan: &Plan, axes: &[Axis]) -> Result<Chart, PlotError> {
+fn map(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
-    let values: Vec<f64> = rows
-        .iter()
-        .flat_map(|row| columns.iter().map(|column| restitution(&evaluator, axes, &[*column, *row])))
-        .collect();
     let title = std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", ");
     let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
     let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
+    let value = |column: usize, row: usize| restitution(&evaluator, axes, &[columns[column], rows[row]]);
     let color = plot::Axis::linear("e", "").between(0.0, 1.0);
-    heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], &values, color)
+    heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
 }
 
-fn bars(tally: &Tally) -> Result<Option<Chart>, PlotError> {
-    let (Some((low, high, counts)), Some(e)) = (tally.statistics.histogram(BARS), tally.statistics.distribution())
-    else {
-        return Ok(None);
-    };
-    #[allow(clippy::cast_precision_loss)] // few bars
-    let edges: Vec<f64> = (0..=BARS).map(|i| low + (high - low) * i as f64 / BARS as f64).collect();
+fn bars(tally: &Tally) -> Option<Chart> {
+    let (low, high, counts) = tally.statistics.histogram(BARS)?;
+    let e = tally.statistics.distribution()?;
     let lines = [("mean", e.mean), ("5 %", e.quantile_05), ("50 %", e.quantile_50), ("95 %", e.quantile_95)];
     let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}")));
     let x = plot::Axis::linear("Restitution e", "");
     let notes = [format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)];
-    Ok(Some(histogram("Restitution of random cases", x, (&edges, &counts), lines)?.with_notes(notes)))
+    Some(histogram("Restitution of random cases", x, (low, high), &counts, lines).with_notes(notes))
 }

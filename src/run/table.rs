@@ -56,6 +56,6 @@ pub fn files(
     format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
     let mut files = vec![file(SUMMARY, summary(plan, tally, warnings, provenance)?)];
-    files.extend(format.files(|| pictures(plan, tally))?);
+    files.extend(format.files(|| Ok(pictures(plan, tally)))?);
     Ok(files)
 }

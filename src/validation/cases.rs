@@ -6,9 +6,6 @@ use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
 use crate::reference::LOADING;
 use crate::reference::unloading::{self, UnloadingRow};
 
-/// Smallest number of elements across the contact radius for which the shape of the dent is compared.
-const RESOLVED: f64 = 10.0;
-
 /// One of the five pairs of materials: loading curve and unloadings.
 #[derive(Debug, Clone)]
 pub struct Case {
@@ -39,11 +36,6 @@ impl Cycle {
     /// Residual indentation x_r of the finite elements.
     pub fn residual(&self) -> f64 {
         self.row.residual_share * self.row.x
-    }
-
-    /// Whether there are enough elements to compare the shape of the dent.
-    pub fn is_resolved(&self) -> bool {
-        self.row.elements >= RESOLVED
     }
 }
 

@@ -1,7 +1,7 @@
 //! Every law on the same impacts by finite elements: the table that helps to choose a law.
 //!
-//! Three of the impacts were computed as such. The others are load cycles, which stand for impacts with the same energy; they have no
-//! contact time.
+//! Three of the impacts were computed as such. The others are load cycles, which stand for impacts with the same energy;
+//! they have no contact time.
 
 use std::sync::Arc;
 

@@ -13,11 +13,12 @@ pub fn csv(checks: &[Check]) -> Result<Vec<u8>, csv::Error> {
     writer.write_record(columns.split(','))?;
     for check in checks {
         let number = |i: usize| check.numbers.map_or_else(String::new, |numbers| numbers[i].to_string());
+        let unit = check.numbers.map_or("", |_| check.group.unit);
         writer.write_record([
             &check.quantity(),
             &check.case,
             check.group.reference,
-            check.numbers.map_or("", |_| check.group.unit),
+            unit,
             &number(0),
             &number(1),
             &check.deviation.to_string(),

@@ -31,7 +31,7 @@ pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
     let source = scenario.source();
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
     let plan = table::plan(&swept)?;
-    let drawn = pictures(&plan, &Tally::of(&plan))?.into_iter().next();
+    let drawn = pictures(&plan, &Tally::of(&plan)).into_iter().next();
     drawn
         .map(|(_, mut chart)| {
             let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);
