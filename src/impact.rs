@@ -3,10 +3,10 @@
 //! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
 //! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
 //!
-//! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`], `scaled_forces`); the dimensionless
-//! result ([`outcome`], [`record`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is
-//! reported of it ([`contact`], `case`, `on_plate`, [`oblique`], [`essentials`], `ledger`, [`result`], `validity`); the impacts of
-//! a contact (`impacts`, [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
+//! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`]); the dimensionless result
+//! ([`record`], [`outcome`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is reported of it
+//! ([`contact`], `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact (`impacts`,
+//! [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
 
 mod case;
 pub mod closed_form;
@@ -19,13 +19,11 @@ pub mod friction;
 mod impacts;
 mod ledger;
 pub mod oblique;
-mod on_plate;
 pub mod outcome;
 pub mod plate;
 pub mod record;
 mod response;
 pub mod result;
-mod scaled_forces;
 pub mod scales;
 pub mod solve;
 pub mod spot;
@@ -36,18 +34,16 @@ pub mod waves;
 
 pub use contact::Contact;
 pub use error::ImpactError;
-pub use essentials::Essentials;
-pub use forces::{Damping, Forces, drop_speed};
+pub use essentials::{Essentials, OnPlate};
+pub use forces::{Damping, Forces, ScaledForces, drop_speed};
 pub use friction::Rub;
 pub use ledger::TraceRow;
 pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};
-pub use on_plate::OnPlate;
 pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use plate::{Plate, PlateError, PlateTheory};
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};
-pub use scaled_forces::ScaledForces;
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;

@@ -9,6 +9,7 @@ use std::hint::black_box;
 use allocation_counter::measure;
 use common::Scene;
 use plm_impact::impact::{Damping, ScaledForces, closed_form, course};
+use plm_impact::integrate::Drag;
 use plm_impact::integrate::Integrator;
 use plm_impact::integrate::rk8::Rk8;
 use plm_impact::law::{Law, UnloadingExponent};
@@ -59,7 +60,8 @@ fn gravity_and_damping_allocate_nothing() {
     for (name, law, speed) in cases() {
         let damping = [None, Some(Damping::Viscous(0.1)), Some(Damping::HuntCrossley(0.1 / speed))];
         for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
-            let forces = ScaledForces { weight, damping, ..ScaledForces::NONE };
+            let drag = damping.map_or(Drag::NONE, |damping| damping.drag(1.0));
+            let forces = ScaledForces { weight, drag };
             let mut stepper = Rk8::new(1e-9);
             // the nodes of the quadrature are computed at the first use in the process
             black_box(closed_form::solve_with(&law, speed, &forces));

@@ -98,7 +98,7 @@ impl Runner {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
             Self::Method(solver) => run(law, speed, forces, None, solver, None),
-            Self::Verlet { step, most_steps } => verlet::march(law, speed, forces, *step, *most_steps, None),
+            Self::Verlet { step, most_steps } => verlet::march(law, speed, forces, *step, *most_steps),
             Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), Work::default())),
         }
     }

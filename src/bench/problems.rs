@@ -8,7 +8,9 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::impact::closed_form::{self, energy_balance};
+use crate::impact::scales::ACCELERATION;
 use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
+use crate::integrate::Drag;
 use crate::law::curve::Curve;
 use crate::law::{ContactLaw, ElasticApproach, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
@@ -94,13 +96,16 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
     let about = "PLM, 5 mm steel sphere at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
     let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
-    let forces = ScaledForces { damping: Some(Damping::Viscous(0.1)), ..ScaledForces::NONE };
+    let forces = ScaledForces { drag: Damping::Viscous(0.1).drag(1.0), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = run(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, 5 mm steel sphere on steel at 3 m/s, with a tenth of critical viscous damping";
     let damped = Problem { name: "damped", about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
-    let forces = ScaledForces { plate: 0.090_413_272_576_400_49, ..ScaledForces::NONE };
+    let forces = ScaledForces {
+        drag: Drag { theta: 0.090_413_272_576_400_49 / ACCELERATION, ..Drag::NONE },
+        ..ScaledForces::NONE
+    };
     let by_rk8 = run(&law, speed, &forces, None, &solver, None)?.outcome;
     // 30-digit arithmetic of Zener's equation with this law: restitution, and the times in units of L/V
     let exact = Outcome {

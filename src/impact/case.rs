@@ -4,10 +4,11 @@ use std::sync::LazyLock;
 
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::forces::ScaledForces;
 use super::plate::ScaledPlate;
-use super::scaled_forces::ScaledForces;
-use super::scales::Scales;
+use super::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
+use crate::integrate::Drag;
 use crate::law::Law;
 use crate::material::{OutOfFloatRange, normal};
 
@@ -76,21 +77,16 @@ impl Contact {
             }
             None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
         };
-        let damping = self.forces().damping.map(|damping| damping.scaled(scales.speed));
-        let mut case = Case {
-            scales,
-            law,
-            q,
-            forces: ScaledForces { weight: weight / scales.force, damping, plate: 0.0 },
-            plate: None,
-        };
-        if let Some(under) = self.on_plate() {
-            self.check_plate()?;
-            let free_time = free_time(law, q, &case.forces, None)? * scales.time();
-            let plate = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
-            (case.forces.plate, case.plate) = (plate.mobility, Some(plate));
+        let drag = self.forces().damping.map_or(Drag::NONE, |damping| damping.drag(scales.speed));
+        let mut forces = ScaledForces { weight: weight / scales.force, drag };
+        let mut plate = None;
+        if let Some(under) = self.on_plate()? {
+            let free_time = free_time(law, q, &forces, None)? * scales.time();
+            let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
+            forces.drag.theta = scaled.mobility / ACCELERATION;
+            plate = Some(scaled);
         }
-        Ok(case)
+        Ok(Case { scales, law, q, forces, plate })
     }
 
     /// Hertz scales of an elastic impact under gravity: L where (2/5) K L^2.5 = ½ m v² + m g L, Φ = K L^1.5, and

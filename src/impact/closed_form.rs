@@ -7,12 +7,12 @@
 
 mod with_forces;
 
+use super::forces::ScaledForces;
 use super::outcome::{Fate, Outcome};
-use super::scaled_forces::ScaledForces;
 use super::scales::ACCELERATION;
 use crate::law::crossing::Reached;
 use crate::law::curve::Curve;
-use crate::law::piece::{Piece, Shape};
+use crate::law::piece::Shape;
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time};
@@ -66,20 +66,13 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     let Reached { piece: first, mut start, work, time: mut loading_time } = curve.crossed(kinetic, speed);
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
     for index in first..last {
-        let (piece, next) = (&curve.pieces()[index], &curve.pieces()[index + 1]);
+        let next = &curve.pieces()[index + 1];
         let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
-        let length = next.start - piece.start;
-        loading_time += match piece.shape {
-            Shape::Smooth(_) => time_on_panels(curve, index, [start, length], exit),
-            _ => time_on(piece, length, entry, exit),
-        };
+        loading_time += time_on(curve, index, [start, next.start - curve.pieces()[index].start], [entry, exit]);
         (entry, start) = (exit, next.start);
     }
-    let (peak, piece) = (&unloading.peak, &curve.pieces()[last]);
-    loading_time += match piece.shape {
-        Shape::Smooth(_) => time_to_turn_on_panels(curve, last, [start, distance], entry),
-        _ => time_to_turn(piece, distance, entry),
-    };
+    loading_time += time_on(curve, last, [start, distance], [entry, 0.0]);
+    let peak = &unloading.peak;
     let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
     Outcome {
         unloading,
@@ -97,72 +90,43 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
 /// √c, so that ω = √c √s on a straight piece of slope s.
 const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
 
-/// Time from the start of a piece, entered at speed `entry`, to the turning point at `distance` beyond it.
-///
-/// On a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there: just behind a knot
-/// it is a difference of nearly equal numbers and has few digits.
-#[inline]
-fn time_to_turn(piece: &Piece, distance: f64, entry: f64) -> f64 {
-    match piece.shape {
-        Shape::Straight { slope, inverse_root } => {
-            let omega = ROOT_ACCELERATION * slope * inverse_root;
-            atan(omega * entry / (ACCELERATION * piece.force)) * inverse_root * (1.0 / ROOT_ACCELERATION)
-        }
-        Shape::Power { exponent, lead, .. } => time_on_power(piece, exponent, lead, distance, entry, 0.0),
-        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, 0.0, ACCELERATION),
-    }
-}
-
-#[cold]
-fn time_to_turn_on_panels(curve: &Curve, index: usize, way: [f64; 2], entry: f64) -> f64 {
-    let piece = &curve.pieces()[index];
-    // just behind a knot the time is that on the tangent at the knot, for the same reason
-    if way[0] == piece.start && entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start {
-        let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
-        return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
-    }
-    time_on_panels(curve, index, way, 0.0)
-}
-
-/// Time from x = `from` to a distance from the start of a piece, where the speed is `exit`: on the panels of the piece, or on
-/// the piece where it has none, as on a spot that was loaded before.
-#[cold]
-fn time_on_panels(curve: &Curve, index: usize, [from, distance]: [f64; 2], exit: f64) -> f64 {
-    let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
-    on_panels.unwrap_or_else(|| time_on(&curve.pieces()[index], distance, 0.0, exit))
-}
-
 /// The distance of a turning point from a knot has lost digits if it is below half this share of the indentation.
 const NEAR_KNOT: f64 = 1e-6;
 
-/// Time from the start of a piece to `distance` beyond it, entered at speed `entry` and left at `exit`.
+/// Time on a piece, entered at x = `from`, to `distance` beyond its start, with the speeds there; 0 is the turning point.
+///
+/// To the turning point of a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there:
+/// just behind a knot it is a difference of nearly equal numbers and has few digits.
 #[inline]
-fn time_on(piece: &Piece, distance: f64, entry: f64, exit: f64) -> f64 {
+fn time_on(curve: &Curve, index: usize, [from, distance]: [f64; 2], [entry, exit]: [f64; 2]) -> f64 {
+    let piece = &curve.pieces()[index];
     match piece.shape {
-        // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
         Shape::Straight { slope, inverse_root } => {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
-            arctangent(omega * distance / (entry + exit)) * inverse_root * (2.0 / ROOT_ACCELERATION)
+            let by_root = inverse_root * (1.0 / ROOT_ACCELERATION);
+            if exit == 0.0 {
+                return atan(omega * entry / (ACCELERATION * piece.force)) * by_root;
+            }
+            // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
+            2.0 * arctangent(omega * distance / (entry + exit)) * by_root
         }
-        Shape::Power { exponent, lead, .. } => time_on_power(piece, exponent, lead, distance, entry, exit),
-        Shape::Smooth(smooth) => smooth.time(piece.start, 0.0, distance, exit, ACCELERATION),
+        Shape::Power { exponent, lead: 0.0, .. } => power_time(exponent, distance, entry, exit),
+        // the time from the zero of the power law, less the time from there to the start of the piece
+        Shape::Power { exponent, lead, .. } => {
+            let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
+            let whole = (entry * entry + before).sqrt();
+            power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
+        }
+        Shape::Smooth(smooth) => {
+            // just behind a knot the time is that on the tangent at the knot
+            let is_near = entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start;
+            if exit == 0.0 && from == piece.start && is_near {
+                let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
+                return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
+            }
+            // on the panels of the piece, or on the piece where it has none, as on a spot that was loaded before
+            let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
+            on_panels.unwrap_or_else(|| smooth.time(piece.start, 0.0, distance, exit, ACCELERATION))
+        }
     }
-}
-
-/// Time on a power law; one that is entered beyond its zero takes the time from the zero, less the time from the zero to the
-/// start.
-#[inline(always)]
-fn time_on_power(piece: &Piece, exponent: f64, lead: f64, distance: f64, entry: f64, exit: f64) -> f64 {
-    if lead == 0.0 {
-        power_time(exponent, distance, entry, exit)
-    } else {
-        late_time(piece, exponent, lead, distance, entry, exit)
-    }
-}
-
-#[cold]
-fn late_time(piece: &Piece, exponent: f64, lead: f64, distance: f64, entry: f64, exit: f64) -> f64 {
-    let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
-    let whole = (entry * entry + before).sqrt();
-    power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
 }

@@ -28,6 +28,8 @@ pub struct Contact {
     pub(super) yield_speed: f64,
     /// What acts beside the law.
     forces: Forces,
+    /// The plate with the bodies, if there is a plate.
+    under: Option<Result<Under, PlateError>>,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
     /// Of all that moves, about the sphere's centre \[kg m²\]; `None`: that of a solid sphere.
@@ -63,6 +65,7 @@ impl Contact {
             yielding,
             yield_speed,
             forces: Forces::default(),
+            under: None,
             waves,
             moment_of_inertia: None,
             curve: OnceLock::new(),
@@ -88,7 +91,11 @@ impl Contact {
     /// The same contact with gravity and damping, or on a plate.
     #[must_use]
     pub fn with_forces(self, forces: Forces) -> Self {
-        Self { forces, ..self }
+        let under = forces.plate.map(|plate| match forces.damping {
+            Some(_) => Err(PlateError::Damped),
+            None => Under::new(plate, &self.half_space, self.mass, self.yielding.as_ref()),
+        });
+        Self { forces, under, ..self }
     }
 
     /// The same contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
@@ -122,21 +129,13 @@ impl Contact {
     }
 
     /// The plate with the bodies, if there is a plate.
-    pub(super) fn on_plate(&self) -> Option<Under<'_>> {
-        let plate = self.forces.plate.as_ref()?;
-        Some(Under { plate, half_space: &self.half_space, mass: self.mass })
+    pub(super) fn on_plate(&self) -> Result<Option<Under>, PlateError> {
+        self.under.transpose()
     }
 
     /// Checks what does not depend on the speed: whether there may be impacts on the plate of this contact, if it has one.
-    ///
-    /// # Errors
-    /// [`PlateError`] with the way out.
     pub fn check_plate(&self) -> Result<(), PlateError> {
-        match (self.on_plate(), self.forces.damping) {
-            (None, _) => Ok(()),
-            (Some(_), Some(_)) => Err(PlateError::Damped),
-            (Some(under), None) => under.check(self.yielding.as_ref()),
-        }
+        self.on_plate().map(drop)
     }
 
     /// How the half-space radiates elastic waves; `None` for one of unknown density.

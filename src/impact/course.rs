@@ -7,44 +7,41 @@
 //! ```
 //!
 //! The contact ends where its total force vanishes on the way out: at the residual indentation, or before it under viscous
-//! damping. It does not end if the sphere is captured:
-//!
-//! * without damping, if the recovered work cannot lift the sphere out of the dent, f_m ε/(n + 1) ≤ w ε, or if it had no
-//!   speed to begin with; the run then ends at the static indentation on the way out;
-//! * with damping, if the sphere turns back towards the half-space before the contact force has vanished. Phase curves
-//!   do not cross, so every later swing lies inside of this one and ends in it. The run ends there; or where an
-//!   overdamped sphere (ζ from 0.9 on) has crept up to its static indentation, to one part in a thousand.
+//! damping. The run of a captured sphere ends at the static indentation on the way out. With damping it ends where the sphere
+//! turns back towards the half-space before the contact force has vanished: phase curves do not cross, so every later swing
+//! lies inside of this one and ends in it. Or it ends where an overdamped sphere (ζ from 0.9 on) has crept up to its static
+//! indentation, to one part in a thousand.
 
 use super::closed_form::way_to_peak;
+use super::forces::{ScaledForces, StaticPoint, nearer};
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
-use super::scaled_forces::{Creep, ScaledForces, equilibrium};
 use super::scales::ACCELERATION;
-use crate::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Restoring, Sizes, State};
+use crate::integrate::{
+    Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Restoring, Sizes, State,
+};
+use crate::law::Law;
 use crate::law::piece::{Piece, Shape};
-use crate::law::{Law, Unloading};
 use crate::math::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
-///
-/// # Errors
-/// What the integrator reports.
-pub fn integrate<I: Integrator>(
+pub fn integrate(
     law: &Law,
     q: f64,
     forces: &ScaledForces,
-    integrator: &mut I,
+    integrator: &mut dyn Integrator,
     mut recorder: Option<&mut Recorder>,
 ) -> Result<Outcome, IntegrationError> {
     let distance = way_to_peak(law, 0.4 * q * q, forces);
-    let (pull, drag) = (ACCELERATION * forces.weight, forces.drag());
+    let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
     let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
     let (first, leg) = way_out(law, 0);
     let mut path = Path { restoring: first, leg, sizes, pull, drag, rest: None };
     // a sphere may come to rest without turning only under gravity and damping
     let may_creep = pull > 0.0 && drag != Drag::NONE;
+    let static_point = may_creep.then(|| forces.static_on_loading(law));
     let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-    let mut at = start(law, touch, forces.weight, pull);
+    let mut at = start(law, touch, forces);
     let mut largest = 0.0;
     let mut event = Some((Event::Touch, touch));
     let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: Option<&mut Recorder>| {
@@ -66,15 +63,15 @@ pub fn integrate<I: Integrator>(
         if piece == 0 && law.stays_on_branch(0.4 * q * q, forces.weight) {
             path.leg = Leg::Outward(f64::INFINITY);
         }
-        let creep = if may_creep { creep_on(law, piece, forces, &at, &mut path) } else { None };
+        path.rest = None;
+        let creep = static_point.filter(|(_, of)| *of == piece).and_then(|(point, _)| {
+            let distance = point.indentation - law.loading.pieces()[piece].start + entry_of(law, piece);
+            near_rest(forces, &point, distance, &at, &mut path)
+        });
         let begun = at.distance;
         let landing = go(&path, &mut at, Some(piece), recorder.as_deref_mut())?;
         if let Some(recorder) = recorder.as_deref_mut().filter(|_| awaits_yield) {
-            let distance = yields_at - law.loading.pieces()[piece].start + entry_of(law, piece);
-            if distance > begun && at.distance > distance {
-                awaits_yield = false;
-                recorder.passage(distance).into_iter().for_each(|state| recorder.mark(Event::Yield, state));
-            }
+            awaits_yield = !marks_yield(law, piece, [begun, at.distance], recorder);
         }
         if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.below) {
             break landing == Landing::Rest || landing == Landing::End;
@@ -106,9 +103,12 @@ pub fn integrate<I: Integrator>(
         path.restoring = restoring(&unloading.branch());
         // a sphere that came without speed does not leave
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
-        let end = back_to(forces, &unloading, is_captured);
+        let stops = is_captured && forces.is_conservative();
+        let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
         path.leg = Leg::Back(end);
-        let creep = if may_creep { creep_back(forces, &unloading, &mut path) } else { None };
+        path.rest = None;
+        let static_point = may_creep.then(|| forces.static_on_unloading(law, &unloading));
+        let creep = static_point.and_then(|point| near_rest(forces, &point, point.distance, &at, &mut path));
         let mut landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
         let mut creeps = false;
         if let Some(creep) = creep.filter(|_| landing == Landing::End) {
@@ -121,14 +121,14 @@ pub fn integrate<I: Integrator>(
         if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured && !creeps {
             fate = Fate::Separated;
         }
-        if let Some(recorder) = recorder.as_deref_mut() {
+        if let Some(recorder) = recorder {
             recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, at);
         }
     }
     let State { time, distance, speed, loss } = at;
     // nothing was lost, so what is above 1 is the error of the run
     let limit = if drag == Drag::NONE && law.plastic(&unloading) == 0.0 { 1.0 } else { f64::INFINITY };
-    let outcome = Outcome {
+    Ok(Outcome {
         restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
         loading_time,
         contact_time: time,
@@ -138,58 +138,46 @@ pub fn integrate<I: Integrator>(
         end_speed: speed,
         loss: loss / ACCELERATION,
         unloading,
-    };
-    if let Some(recorder) = recorder {
-        recorder.finish(law, &outcome, drag);
+    })
+}
+
+/// Marks first yield where a leg along this piece passed it, and says whether it did.
+fn marks_yield(law: &Law, piece: usize, [begun, end]: [f64; 2], recorder: &mut Recorder) -> bool {
+    let distance = law.elastic_until() - law.loading.pieces()[piece].start + entry_of(law, piece);
+    let is_passed = distance > begun && end > distance;
+    if is_passed && let Some(state) = recorder.passage(distance) {
+        recorder.mark(Event::Yield, state);
     }
-    Ok(outcome)
+    is_passed
 }
 
 /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
 /// still negligible beside the weight.
-fn start(law: &Law, touch: State, weight: f64, pull: f64) -> State {
+fn start(law: &Law, touch: State, forces: &ScaledForces) -> State {
     if touch.speed != 0.0 {
         return touch;
     }
-    let distance = 1e-22 * (equilibrium(law, weight).0 - law.touch());
+    let pull = ACCELERATION * forces.weight;
+    let distance = 1e-22 * forces.static_on_loading(law).0.distance;
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
 }
 
-/// Sets where the sphere may come to rest on the way back. If that lies ahead, the leg ends near it, and this is the creep
-/// there.
+/// Sets where the sphere may come to rest, at this distance of the leg. If that lies ahead, the leg ends near it, and this is
+/// the rule there.
 #[cold]
-fn creep_back(forces: &ScaledForces, unloading: &Unloading, path: &mut Path) -> Option<Creep> {
-    let at_rest = forces.static_approach(unloading);
-    let creep = forces.creep(at_rest, forces.static_slope(unloading, at_rest));
-    path.rest = creep.map(|creep| creep.rest(at_rest));
-    let creep = creep.filter(|creep| at_rest + creep.within < unloading.peak.elastic_approach)?;
-    path.leg = Leg::Back(at_rest + creep.within);
-    Some(creep)
-}
-
-/// Sets where the sphere may come to rest on a piece of the loading curve. If that lies ahead, the leg ends near it, and
-/// this is the creep there.
-#[cold]
-fn creep_on(law: &Law, index: usize, forces: &ScaledForces, at: &State, path: &mut Path) -> Option<Creep> {
-    path.rest = None;
-    let piece = &law.loading.pieces()[index];
-    let (x, of) = equilibrium(law, forces.weight);
-    let at_rest = (of == index).then_some(x)?;
-    let creep = forces.creep(at_rest - law.touch(), piece.slope_at(at_rest))?;
-    let distance = at_rest - (piece.start - piece.shape.lead());
-    path.rest = Some(creep.rest(distance));
-    let near = distance - creep.within;
-    if at.distance < near && near < path.leg.end() {
-        path.leg = Leg::Outward(near);
-        return Some(creep);
+fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &State, path: &mut Path) -> Option<Rest> {
+    let rest = forces.rest(point)?;
+    path.rest = Some(nearer(rest, distance));
+    let (outward, back) = (distance - rest.within, distance + rest.within);
+    let (leg, is_ahead) = match path.leg {
+        Leg::Outward(end) => (Leg::Outward(outward), at.distance < outward && outward < end),
+        Leg::Back(_) => (Leg::Back(back), back < at.distance),
+    };
+    if is_ahead {
+        path.leg = leg;
     }
-    None
-}
-
-/// Where the way back ends, if nothing ends it before.
-fn back_to(forces: &ScaledForces, unloading: &Unloading, is_captured: bool) -> f64 {
-    if is_captured && forces.is_conservative() { forces.static_approach(unloading) } else { 0.0 }
+    Some(rest).filter(|_| is_ahead)
 }
 
 /// The deceleration of the sphere on a piece of the loading curve.
@@ -211,7 +199,7 @@ fn restoring(piece: &Piece) -> Restoring {
 fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
-    let end = end + pieces[index].shape.lead();
+    let end = end + entry_of(law, index);
     (restoring(&pieces[index]), Leg::Outward(end))
 }
 

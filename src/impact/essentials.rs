@@ -3,9 +3,10 @@
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::forces::ScaledForces;
 use super::oblique::Rebound;
-use super::on_plate::OnPlate;
 use super::outcome::{Fate, Outcome};
+use super::plate::ScaledPlate;
 use super::waves;
 use crate::integrate::IntegrationError;
 use crate::material::{OutOfFloatRange, normal};
@@ -40,11 +41,46 @@ pub struct Essentials {
     pub rebound: Option<Rebound>,
 }
 
+/// What an impact on a plate has besides: the equations are in [`super::plate`]. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnPlate {
+    /// λ \[1\].
+    pub inelasticity: f64,
+    /// X \[1\]: plate thicknesses that a wave travels in the contact time on a half-space.
+    pub thinness: f64,
+    /// Energy in the plate \[J\] at separation, or at the end of the run of a captured sphere.
+    pub energy: f64,
+    /// How far the plate has moved by then \[m\].
+    pub displacement: f64,
+    /// 2 √(c t_c) \[m\]: a nearer edge sends bending waves back in time; infinite for a captured sphere.
+    pub reach: f64,
+}
+
+impl OnPlate {
+    /// Of an outcome; `contact_time` \[s\] may be infinite.
+    fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
+        let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
+        let Case { scales, law, q, forces: ScaledForces { weight, .. }, .. } = *case;
+        let Outcome { unloading, end_indentation, end_speed: u, .. } = outcome;
+        // a captured sphere is followed to where the contact still has a force
+        let f = match outcome.fate {
+            Fate::Separated => 0.0,
+            Fate::Captured => unloading.force_of(end_indentation - law.dent(&unloading.peak).residual()),
+        };
+        let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
+        let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
+        Some(Self {
+            inelasticity,
+            thinness,
+            energy: energy * scales.energy(),
+            displacement: moved * scales.length,
+            reach: under.reach(contact_time),
+        })
+    }
+}
+
 impl Essentials {
     /// In SI units.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] where energy, force, time or radiation leave double precision.
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
         let Case { scales, law, .. } = case;
@@ -81,7 +117,7 @@ impl Essentials {
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,
-            on_plate: OnPlate::of(contact, case, outcome, contact_time),
+            on_plate: OnPlate::of(case, outcome, contact_time),
             rebound: None,
         })
     }

@@ -1,37 +1,26 @@
 //! What acts beside the contact law: gravity, damping and a plate that gives way, only where a scene names them.
 //!
-//! # Motion
-//!
 //! The sphere moves by m δ'' = −F_c + m g, with the contact force F_c: the law's own F without damping, else as
 //! [`Damping`] says. The contact never pulls. Under viscous damping the sphere therefore leaves where F_c vanishes, above
 //! the bottom of its dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at
 //! the knots of a law, and so does the viscous force. With damping the largest force comes before maximum
 //! compression; it is found as an event.
 //!
-//! # What serves as a reference
+//! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time. Without
+//! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first touch is always captured, because it has no kinetic
+//! energy; it has no restitution.
 //!
-//! * Gravity alone: peak and rebound follow from the balance of energy. Contact times have closed forms on straight
-//!   pieces, and are quadratures on the others.
-//! * Hunt-Crossley damping alone: the phase curve is known, G(u) = G(v) − W/m with G(u) = u/χ − ln(1 + χ u)/χ². For small
-//!   χ v, e = 1 − (2/3) χ v + (4/9) (χ v)²; the first term is that of Hunt and Crossley (1975).
-//! * In other cases there is none, and the energy balance is the check: kinetic + stored + plastic + damping − m g δ =
-//!   ½ m v². The largest errors measured, in units of the tolerance: rk8 10, dop853 25, dopri5 79. Three of 150 000 random
-//!   scenes exceeded this, by at most 60 tolerances. All three had a tolerance above 1e-4 and a weight above the force at first
-//!   yield: such a weight takes a slow sphere to hundreds of times its speed, and the error of the first step grows with
-//!   it.
-//!
-//! # Capture
-//!
-//! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time.
-//!
-//! * Without damping this is so where F_m ≤ (n + 1) m g. The trace ends at the static indentation on the way out.
-//! * With damping it is so where the sphere turns back before it has left. The trace ends there; or, for an overdamped
-//!   sphere (ζ from 0.9 on), where it has come within 0.1 % of the static indentation.
-//! * A sphere let go at first touch is always captured, because it has no kinetic energy. It has no restitution.
+//! Gravity alone and Hunt-Crossley damping alone have closed forms ([`super::closed_form`]). In other cases the energy balance
+//! is the check: kinetic + stored + plastic + damping − m g δ = ½ m v². The largest errors measured, in units of the tolerance:
+//! rk8 10, dop853 25, dopri5 79. Three of 150 000 random scenes exceeded this, by at most 60 tolerances. All three had a
+//! tolerance above 1e-4 and a weight above the force at first yield: such a weight takes a slow sphere to hundreds of times its
+//! speed, and the error of the first step grows with it.
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;
-use crate::integrate::Drag;
+use crate::integrate::{Drag, Rest};
+use crate::law::unloading::GRAZING;
+use crate::law::{Law, Unloading};
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,29 +33,11 @@ pub enum Damping {
 }
 
 impl Damping {
-    /// The same in units of an impact whose unit of speed is `speed` \[m/s\].
-    #[must_use]
-    pub(super) fn scaled(self, speed: f64) -> Self {
+    /// The resistance in units of an impact whose unit of speed is `speed` \[m/s\].
+    pub fn drag(self, speed: f64) -> Drag {
         match self {
-            Self::HuntCrossley(chi) => Self::HuntCrossley(chi * speed),
-            Self::Viscous(zeta) => Self::Viscous(zeta),
-        }
-    }
-
-    /// The resistance, as integrators know it.
-    pub(super) fn drag(self) -> Drag {
-        match self {
-            Self::HuntCrossley(chi) => Drag { chi, ..Drag::NONE },
+            Self::HuntCrossley(chi) => Drag { chi: chi * speed, ..Drag::NONE },
             Self::Viscous(zeta) => Drag { eta: 2.0 * zeta, ..Drag::NONE },
-        }
-    }
-
-    /// Fraction of critical damping of small swings about the indentation at which the contact carries this weight. `omega`
-    /// is their circular frequency without damping.
-    pub(super) fn fraction_of_critical(self, weight: f64, omega: f64) -> f64 {
-        match self {
-            Self::HuntCrossley(chi) => 0.5 * ACCELERATION * weight * chi / omega,
-            Self::Viscous(zeta) => zeta,
         }
     }
 }
@@ -96,7 +67,7 @@ impl Forces {
     /// Whether an impact under them can be solved without steps on a law of powers and straight lines: without damping, or
     /// with that of Hunt and Crossley and no gravity; never on a plate.
     pub(crate) fn have_closed_form(&self) -> bool {
-        let drag = self.damping.map_or(Drag::NONE, Damping::drag);
+        let drag = self.damping.map_or(Drag::NONE, |damping| damping.drag(1.0));
         self.plate.is_none() && drag.eta == 0.0 && (drag.chi == 0.0 || self.gravity.is_none())
     }
 }
@@ -105,3 +76,106 @@ impl Forces {
 pub fn drop_speed(gravity: f64, height: f64) -> f64 {
     (2.0 * gravity * height).sqrt()
 }
+
+/// The same in the units of an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScaledForces {
+    /// w = m g/Φ; 0 without gravity.
+    pub weight: f64,
+    /// Damping in the contact, and the plate, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
+    pub drag: Drag,
+}
+
+impl ScaledForces {
+    /// The law alone.
+    pub const NONE: Self = Self { weight: 0.0, drag: Drag::NONE };
+
+    /// Whether the impact is that of the law alone.
+    #[inline]
+    pub fn is_none(&self) -> bool {
+        self.weight == 0.0 && self.is_conservative()
+    }
+
+    /// The same without damping and plate.
+    pub(super) fn without_drag(&self) -> Self {
+        Self { weight: self.weight, ..Self::NONE }
+    }
+
+    /// Whether there is no damping and no plate, so that only the dent takes energy.
+    #[inline]
+    pub(super) fn is_conservative(&self) -> bool {
+        self.drag == Drag::NONE
+    }
+
+    /// Without damping: whether a sphere that came at q = v/V stays in its dent.
+    pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
+        let held = (unloading.exponent + 1.0) * self.weight;
+        // an elastic contact gives back what it took, but for rounding
+        let held = if unloading.peak.residual() > 0.0 { held } else { held * (1.0 - GRAZING) };
+        self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= held)
+    }
+
+    /// Where the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has not yet
+    /// come so far.
+    pub(super) fn static_point(&self, law: &Law, unloading: &Unloading) -> StaticPoint {
+        if unloading.peak.force < self.weight {
+            self.static_on_loading(law).0
+        } else {
+            self.static_on_unloading(law, unloading)
+        }
+    }
+
+    /// The same on the unloading branch; at most its peak.
+    pub(super) fn static_on_unloading(&self, law: &Law, unloading: &Unloading) -> StaticPoint {
+        let distance = unloading.recovered_at(self.weight);
+        let of_power = unloading.is_power().then(|| unloading.exponent * self.weight / distance);
+        let slope = of_power.unwrap_or_else(|| unloading.slope_of(distance));
+        StaticPoint { indentation: law.dent(&unloading.peak).residual() + distance, distance, slope }
+    }
+
+    /// The same on the loading curve, and its piece.
+    pub(super) fn static_on_loading(&self, law: &Law) -> (StaticPoint, usize) {
+        let pieces = law.loading.pieces();
+        let index = pieces.partition_point(|piece| piece.force <= self.weight).saturating_sub(1);
+        let indentation = pieces[index].indentation_at_force(self.weight);
+        let slope = pieces[index].slope_at(indentation);
+        (StaticPoint { indentation, distance: indentation - law.touch(), slope }, index)
+    }
+
+    /// Where an overdamped sphere comes to rest: it creeps up to the static point, and never passes it. `None` where it swings
+    /// through it. A run ends there as soon as it is so near and so slow: at most the fast one of the two rates of decay times
+    /// that distance.
+    pub(super) fn rest(&self, point: &StaticPoint) -> Option<Rest> {
+        let omega = (ACCELERATION * point.slope).sqrt();
+        let Drag { chi, eta, theta } = self.drag;
+        // the fraction of critical damping of small swings
+        let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
+        let within = NEAR * point.distance;
+        // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
+        let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
+        let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
+        is_overdamped.then_some(Rest { distance: point.distance, within, below: fast * omega * within })
+    }
+}
+
+/// The same for a sphere that this rule did not stop, where the place of rest is at this distance of the leg. The integrator
+/// itself ends the leg there.
+pub(super) fn nearer(rest: Rest, distance: f64) -> Rest {
+    Rest { distance, within: NEARER / NEAR * rest.within, below: NEARER / NEAR * rest.below }
+}
+
+/// Where a contact carries the weight of its sphere.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StaticPoint {
+    /// x.
+    pub(super) indentation: f64,
+    /// From where its branch begins: first touch, or the residual indentation.
+    pub(super) distance: f64,
+    /// Tangent stiffness df/dx.
+    slope: f64,
+}
+
+/// An overdamped sphere that is nearer to its static indentation than this share of the static depth counts as captured.
+const NEAR: f64 = 1e-3;
+/// The same for a sphere that this rule did not stop.
+const NEARER: f64 = 1e-7;

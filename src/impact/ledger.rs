@@ -1,11 +1,10 @@
 //! The energy ledger of one impact, and the rows of a trace, which show it.
 
 use super::case::Case;
-use super::essentials::Essentials;
+use super::contact::Contact;
 use super::oblique::Rubbing;
-use super::outcome::Outcome;
+use super::outcome::{Fate, Outcome};
 use super::record::{Event, Point};
-use super::scales::Scales;
 use crate::law::{Branch, Peak};
 
 /// One row of a trace.
@@ -40,44 +39,35 @@ pub struct TraceRow {
 /// The energy ledger of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v².
 /// On a plate its "kinetic" and "lost" are not those of sphere and plate, which [`super::plate`] gives; their sum is.
 pub(super) struct Ledger<'a> {
+    contact: &'a Contact,
     case: &'a Case<'a>,
     outcome: &'a Outcome,
-    /// ½ m v².
+    /// ½ m v²; 0 for a sphere that is let go at rest.
     kinetic: f64,
-    /// V/v.
-    unit_of_speed: f64,
     /// The work spent on the dent.
     spent: f64,
 }
 
 impl<'a> Ledger<'a> {
-    pub(super) fn new(case: &'a Case, speed: f64, essentials: &Essentials, outcome: &'a Outcome) -> Self {
-        let Case { scales, law, q, forces, .. } = case;
-        // 0 for a sphere that is let go at rest
-        let kinetic = if forces.is_none() { essentials.kinetic_in / scales.energy() } else { 0.4 * q * q };
-        let spent = law.spent(&outcome.unloading);
-        Self { case, outcome, kinetic, unit_of_speed: scales.speed / speed, spent }
+    pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome) -> Self {
+        let spent = case.law.spent(&outcome.unloading);
+        Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. While loading, W(x) stands for stored and plastic energy together.
     fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
-        let Case { law, forces, .. } = self.case;
-        if forces.is_none() {
-            let ratio = speed * self.unit_of_speed;
-            return ratio * ratio + potential / self.kinetic - 1.0;
-        }
-        let sunk = |x: f64| forces.weight * (x - law.touch());
+        let sunk = |x: f64| self.case.forces.weight * (x - self.case.law.touch());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
         (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
 
     /// The error at the end of the contact.
     pub(super) fn at_end(&self) -> f64 {
-        let Outcome { unloading, restitution, end_indentation, end_speed, loss, .. } = self.outcome;
-        if self.case.forces.is_none() {
-            return restitution * restitution + self.spent / self.kinetic - 1.0;
-        }
-        self.drift(*end_speed, self.spent + unloading.stored(*end_indentation), *loss, *end_indentation)
+        let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
+        // at the bottom of the dent nothing is stored, and x has too few digits to say so
+        let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.lifts_off();
+        let stored = if is_at_dent { 0.0 } else { unloading.stored(x) };
+        self.drift(end_speed, self.spent + stored, loss, x)
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and this is 0.
@@ -90,10 +80,10 @@ impl<'a> Ledger<'a> {
     }
 
     /// A row of the trace.
-    pub(super) fn row(&self, point: &Point, scales: &Scales, sphere_compliance: f64) -> TraceRow {
+    pub(super) fn row(&self, point: &Point) -> TraceRow {
         let Point { time, indentation: x, speed, force, total_force, elastic_approach, loss, is_unloading, event } =
             *point;
-        let law = self.case.law;
+        let Case { law, scales, .. } = self.case;
         let potential = if is_unloading {
             self.outcome.unloading.stored_of(elastic_approach) + self.spent
         } else {
@@ -106,16 +96,16 @@ impl<'a> Ledger<'a> {
             () => Branch::Elastic,
         };
         let indentation = x * scales.length;
-        let sphere_indentation = sphere_compliance * elastic_approach * scales.length;
+        let sphere_indentation = self.contact.pair().sphere_compliance * elastic_approach * scales.length;
         TraceRow {
             time: time * scales.time(),
             indentation,
             sphere_indentation,
             half_space_indentation: indentation - sphere_indentation,
             speed: speed * scales.speed,
-            sphere_speed: self.case.plate.map(|_| (speed + self.case.forces.plate * force) * scales.speed),
+            sphere_speed: self.case.plate.map(|plate| (speed + plate.mobility * force) * scales.speed),
             force: total_force * scales.force,
-            elastic_force: self.case.forces.damping.map(|_| force * scales.force),
+            elastic_force: self.contact.forces().damping.map(|_| force * scales.force),
             branch,
             rubbing: None,
             event,

@@ -172,12 +172,21 @@ pub(super) struct Inclined<'a> {
     chi: f64,
 }
 
-/// s_1/s_0.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Ratio {
-    value: f64,
+/// How the slip speed changes.
+#[derive(Debug)]
+pub(super) struct Slip {
+    /// s_1/s_0.
+    ratio: f64,
     is_sliding: bool,
     error: f64,
+    /// The normal motion, with σ and T/μ at its points, where they were followed.
+    course: Option<(Cow<'static, Motion>, Vec<[f64; 2]>)>,
+}
+
+impl Slip {
+    fn new(ratio: f64) -> Self {
+        Self { ratio, is_sliding: false, error: 0.0, course: None }
+    }
 }
 
 impl<'a> Inclined<'a> {
@@ -213,13 +222,13 @@ impl<'a> Inclined<'a> {
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
     }
 
-    /// s_1/s_0 where it is known without a run: the contact point does not move, or it slides all the time.
-    fn without_run(&self) -> Option<Ratio> {
+    /// The slip where it is known without a run: the contact point does not move, or it slides all the time.
+    fn without_run(&self) -> Option<Slip> {
         if self.slip == 0.0 {
-            return Some(Ratio { value: 0.0, is_sliding: false, error: 0.0 });
+            return Some(Slip::new(0.0));
         }
-        let value = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
-        self.slides().then_some(Ratio { value, is_sliding: true, error: 0.0 })
+        let ratio = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
+        self.slides().then(|| Slip { is_sliding: true, ..Slip::new(ratio) })
     }
 
     fn motion(&self) -> Result<Cow<'static, Motion>, IntegrationError> {
@@ -234,40 +243,35 @@ impl<'a> Inclined<'a> {
         matches!(self.case.law.elastic, ElasticApproach::All) && self.case.forces.is_none()
     }
 
-    /// s_1/s_0 for a row of a table.
-    pub(super) fn ratio(&self) -> Result<Ratio, IntegrationError> {
-        if let Some(ratio) = self.without_run() {
-            return Ok(ratio);
+    /// The slip for a row of a table.
+    pub(super) fn slip(&self) -> Result<Slip, IntegrationError> {
+        if let Some(slip) = self.without_run() {
+            return Ok(slip);
         }
-        let value = if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
-            self.contact.curve().ratio(self.psi.abs())?
-        } else {
-            self.motion()?.run(self.psi * self.case.q, self.chi, 1, |_, _| ())
-        };
-        Ok(Ratio { value, is_sliding: false, error: 0.0 })
+        if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
+            return self.contact.curve().ratio(self.psi.abs()).map(Slip::new);
+        }
+        Ok(Slip::new(self.motion()?.run(self.psi * self.case.q, self.chi, 1, |_, _| ())))
     }
 
-    /// s_1/s_0 with its error, and friction on the way.
-    pub(super) fn run(&self) -> Result<(Ratio, Course), IntegrationError> {
-        if let Some(ratio) = self.without_run() {
-            return Ok((ratio, Course { motion: None, points: Vec::new() }));
+    /// The slip with its error, and friction on the way.
+    pub(super) fn followed_slip(&self) -> Result<Slip, IntegrationError> {
+        if let Some(slip) = self.without_run() {
+            return Ok(slip);
         }
         let motion = self.motion()?;
         let mut points = Vec::with_capacity(2 * SPRINGS + 1);
         let sigma = self.psi * self.case.q;
-        let value = motion.run(sigma, self.chi, 1, |slip, force| points.push([slip, force]));
-        let error = (value - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
-        Ok((Ratio { value, is_sliding: false, error }, Course { motion: Some(motion), points }))
+        let ratio = motion.run(sigma, self.chi, 1, |slip, force| points.push([slip, force]));
+        let error = (ratio - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
+        Ok(Slip { error, course: Some((motion, points)), ..Slip::new(ratio) })
     }
 
     /// The results of a table.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] where they leave double precision.
-    pub(super) fn rebound(&self, ratio: Ratio) -> Result<Rebound, OutOfFloatRange> {
+    pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
         let (e, [normal, tangential]) = (self.outcome.restitution, self.speeds);
-        let [_, tangential_speed, spin] = self.at(self.slip * ratio.value);
-        let lost = self.lost(ratio);
+        let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);
+        let lost = self.lost(slip);
         let whole = normal * normal + tangential * tangential;
         if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
             return Err(OutOfFloatRange {
@@ -281,34 +285,34 @@ impl<'a> Inclined<'a> {
             spin,
             angle: atan2(tangential_speed, e * normal),
             tangential_restitution: tangential_speed / tangential,
-            contact_point_restitution: if is_slipping { -ratio.value } else { f64::NAN },
-            impulse_ratio: self.slip * (1.0 - ratio.value) / (self.contact.slip_factor() * (1.0 + e) * normal),
+            contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
+            impulse_ratio: self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * (1.0 + e) * normal),
             loss_fraction: lost / whole,
-            is_sliding: ratio.is_sliding,
+            is_sliding: slip.is_sliding,
             psi: self.psi,
         })
     }
 
     /// (s_0² − s_1²)/j: what friction takes, over half the mass.
-    fn lost(&self, ratio: Ratio) -> f64 {
-        self.slip * self.slip * (1.0 - ratio.value * ratio.value) / self.contact.slip_factor()
+    fn lost(&self, slip: &Slip) -> f64 {
+        self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
 
     /// The rest of the results of one impact.
-    pub(super) fn oblique(&self, ratio: Ratio) -> Oblique {
+    pub(super) fn oblique(&self, slip: &Slip) -> Oblique {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
         let j = self.contact.slip_factor();
         let moment = mass * radius / (j - 1.0) * radius;
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
-        let [_, speed, spin] = self.at(self.slip * ratio.value);
+        let [_, speed, spin] = self.at(self.slip * slip.ratio);
         let (before, spin_before) = (self.speeds[1], self.incidence.spin);
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
         let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
         Oblique {
-            error: ratio.error,
+            error: slip.error,
             kinetic_in: energy(before, spin_before),
             recovered: energy(speed, spin),
-            loss: 0.5 * mass * self.lost(ratio),
+            loss: 0.5 * mass * self.lost(slip),
             momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
         }
     }
@@ -322,41 +326,34 @@ impl<'a> Inclined<'a> {
     }
 
     /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
-    pub(super) fn rubbing(&self, course: &Course, time: f64, speed: f64, force: f64) -> Rubbing {
+    pub(super) fn rubbing(&self, slip: &Slip, time: f64, speed: f64, force: f64) -> Rubbing {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
-        let (slip, friction_force) = match &course.motion {
+        let (slip_speed, friction_force) = match &slip.course {
             // s_0 = 0: nothing moves
             None if self.slip == 0.0 => (0.0, 0.0),
             None => {
                 let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
                 (self.slip - direction * slowed, -direction * mu * force)
             }
-            Some(motion) => {
-                let [sigma, of_force] = course.at(motion, time / scales.time(), 2.5 * self.chi);
-                (sigma / course.points[0][0] * self.slip, mu * scales.force * of_force)
+            Some((motion, points)) => {
+                let [sigma, of_force] = between(motion, points, time / scales.time(), 2.5 * self.chi);
+                (sigma / points[0][0] * self.slip, mu * scales.force * of_force)
             }
         };
-        let [slip_speed, tangential_speed, spin] = self.at(slip);
+        let [slip_speed, tangential_speed, spin] = self.at(slip_speed);
         Rubbing { slip_speed, friction_force, tangential_speed, spin }
     }
 }
 
-/// Friction on the way of one impact: σ and T/μ at the points of the motion; none for gross sliding.
-pub(super) struct Course {
-    motion: Option<Cow<'static, Motion>>,
-    points: Vec<[f64; 2]>,
-}
-
-impl Course {
-    /// σ and T/μ at a time: T straight between two points, σ a cubic with its rates at both.
-    fn at(&self, motion: &Motion, time: f64, rate: f64) -> [f64; 2] {
-        let k = motion.place(time).min(self.points.len().saturating_sub(2));
-        let [[a, from], [b, to]] = [self.points[k], self.points[k + 1]];
-        let [start, end] = [motion.time(k), motion.time(k + 1)];
-        let (step, z) = (end - start, ((time - start) / (end - start)).clamp(0.0, 1.0));
-        let (turn, rest) = (z * z * (3.0 - 2.0 * z), 1.0 - z);
-        let bend = z * rest * step * rate * (from * rest - to * z);
-        [a + (b - a) * turn + bend, from + (to - from) * z]
-    }
+/// σ and T/μ at a time, from those at the points of the motion: T straight between two points, σ a cubic with its rates at
+/// both.
+fn between(motion: &Motion, points: &[[f64; 2]], time: f64, rate: f64) -> [f64; 2] {
+    let k = motion.place(time).min(points.len().saturating_sub(2));
+    let [[a, from], [b, to]] = [points[k], points[k + 1]];
+    let [start, end] = [motion.time(k), motion.time(k + 1)];
+    let (step, z) = (end - start, ((time - start) / (end - start)).clamp(0.0, 1.0));
+    let (turn, rest) = (z * z * (3.0 - 2.0 * z), 1.0 - z);
+    let bend = z * rest * step * rate * (from * rest - to * z);
+    [a + (b - a) * turn + bend, from + (to - from) * z]
 }

@@ -1,5 +1,6 @@
 //! What an impact comes to, in dimensionless form, however it was obtained.
 
+use super::record::Point;
 use crate::integrate::Work;
 use crate::law::Unloading;
 
@@ -57,7 +58,7 @@ pub struct Outcome {
 }
 
 /// One dimensionless impact as a method computes it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Computed {
     /// What it comes to.
     pub outcome: Outcome,
@@ -65,11 +66,13 @@ pub struct Computed {
     pub work: Work,
     /// What a run in fixed steps sees; `None` of other methods.
     pub fixed_steps: Option<FixedSteps>,
+    /// The trace, in order of time; empty if none was asked for.
+    pub points: Vec<Point>,
 }
 
 impl Computed {
-    /// An outcome without fixed steps.
+    /// An outcome without fixed steps and trace.
     pub(crate) fn new(outcome: Outcome, work: Work) -> Self {
-        Self { outcome, work, fixed_steps: None }
+        Self { outcome, work, fixed_steps: None, points: Vec::new() }
     }
 }

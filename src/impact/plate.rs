@@ -106,17 +106,22 @@ pub enum PlateError {
     },
 }
 
-/// A plate under a sphere of some mass \[kg\].
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Under<'a> {
-    pub(super) plate: &'a Plate,
-    pub(super) half_space: &'a HalfSpace,
-    pub(super) mass: f64,
+/// A plate under a sphere: all that does not depend on the speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Under {
+    plate: Plate,
+    /// Of the sphere \[kg\].
+    mass: f64,
+    /// c_p = √(E_h*/ρ) \[m/s\].
+    wave_speed: f64,
+    /// Y of the thin plate \[s/kg\].
+    mobility: f64,
 }
 
 /// A plate in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ScaledPlate {
+    pub(super) under: Under,
     /// y = Y Φ/V.
     pub(super) mobility: f64,
     /// λ.
@@ -125,36 +130,35 @@ pub(super) struct ScaledPlate {
     pub(super) thinness: f64,
 }
 
-impl Under<'_> {
-    /// c_p = √(E_h*/ρ) \[m/s\] and Y \[s/kg\] of the thin plate.
-    fn constants(&self) -> Result<(f64, f64), PlateError> {
-        let density = self.half_space.density.ok_or(PlateError::NoDensity)?;
-        let modulus = self.half_space.material.plane_strain_modulus();
+impl Under {
+    /// `law` is that of a half-space that yields, with its scales.
+    pub(super) fn new(
+        plate: Plate,
+        half_space: &HalfSpace,
+        mass: f64,
+        law: Option<&(Scales, Law)>,
+    ) -> Result<Self, PlateError> {
+        let density = half_space.density.ok_or(PlateError::NoDensity)?;
+        let modulus = half_space.material.plane_strain_modulus();
         // 1/(8 √(D ρ h)) with √12/8 = 0.433
-        let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / self.plate.thickness / self.plate.thickness;
-        Ok(((modulus / density).sqrt(), mobility))
-    }
-
-    /// 2 √(c t) \[m\]: how far an edge must be away, so that no bending wave comes back within a time; c = c_p h/√12.
-    pub(super) fn reach(&self, time: f64) -> Result<f64, PlateError> {
-        let (wave_speed, _) = self.constants()?;
-        Ok(2.0 * (wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt())
-    }
-
-    /// Checks what does not depend on the speed. `law` is that of a half-space that yields, with its scales.
-    pub(super) fn check(&self, law: Option<&(Scales, Law)>) -> Result<(), PlateError> {
-        let (_, mobility) = self.constants()?;
-        let Some((scales, law)) = law else { return Ok(()) };
+        let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / plate.thickness / plate.thickness;
+        let under = Self { plate, mass, wave_speed: (modulus / density).sqrt(), mobility };
+        let Some((scales, law)) = law else { return Ok(under) };
         if law.loading.jump_before(f64::INFINITY).is_some() {
             return Err(PlateError::Jump);
         }
         // straight unloading is an oscillation of stiffness s that Y damps: critically where Y² s m = 4
         let unloading = law.unloading(law.loaded_to(1.0));
-        let square = mobility * mobility * (unloading.stiffness() * scales.force / scales.length) * self.mass;
+        let square = mobility * mobility * (unloading.stiffness() * scales.force / scales.length) * mass;
         if unloading.exponent == 1.0 && square >= 4.0 {
-            return Err(PlateError::NeverEnds { least: self.plate.thickness * (0.25 * square).sqrt().sqrt() });
+            return Err(PlateError::NeverEnds { least: plate.thickness * (0.25 * square).sqrt().sqrt() });
         }
-        Ok(())
+        Ok(under)
+    }
+
+    /// 2 √(c t) \[m\]: how far an edge must be away, so that no bending wave comes back within a time; c = c_p h/√12.
+    pub(super) fn reach(&self, time: f64) -> f64 {
+        2.0 * (self.wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt()
     }
 
     /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `free_time` is the contact time \[s\]
@@ -166,19 +170,18 @@ impl Under<'_> {
         scales: &Scales,
         free_time: f64,
     ) -> Result<ScaledPlate, PlateError> {
-        let (wave_speed, thin) = self.constants()?;
-        let thickness = self.plate.thickness;
+        let Self { plate: Plate { thickness, theory, .. }, mass, wave_speed, mobility: thin } = *self;
         let thinness = wave_speed * free_time / thickness;
-        let inelasticity = thin * self.mass * pow(hertz_stiffness * speed.sqrt() / self.mass, 0.4);
+        let inelasticity = thin * mass * pow(hertz_stiffness * speed.sqrt() / mass, 0.4);
         if inelasticity > LARGEST {
             let restitution = 0.679 * powi(inelasticity, -5);
             let least = thickness * (inelasticity / LARGEST).sqrt();
             return Err(PlateError::TooThin { inelasticity, restitution, least });
         }
-        let mobility = match self.plate.theory {
+        let mobility = match theory {
             PlateTheory::Zener => thin,
             PlateTheory::Thick => thin * (1.0 + 1.86 / thinness),
         };
-        Ok(ScaledPlate { mobility: mobility * scales.force / scales.speed, inelasticity, thinness })
+        Ok(ScaledPlate { under: *self, mobility: mobility * scales.force / scales.speed, inelasticity, thinness })
     }
 }

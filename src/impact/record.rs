@@ -1,6 +1,6 @@
-//! The trace of an impact while it is integrated: even samples in time, and every event.
+//! The trace of an impact: the continuous solution of every leg and every event while it is integrated, and the points that
+//! are made of them.
 
-use super::outcome::Outcome;
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Segment, State};
 use crate::law::{Law, Peak, Unloading};
@@ -47,52 +47,33 @@ pub struct Point {
     pub event: Option<Event>,
 }
 
-/// A branch of the law that a leg runs along, with the drag there.
-#[derive(Clone, Copy)]
-pub(super) enum Along<'a> {
-    /// A piece of the loading curve; distances count from the zero of a power law, else from the start of the piece.
-    Loading { law: &'a Law, index: usize, drag: Drag },
-    /// The unloading branch; distances count from the residual indentation.
-    Unloading { unloading: &'a Unloading, drag: Drag },
-}
-
-impl Along<'_> {
-    /// The point of a state on this branch.
-    pub(super) fn point(&self, at: &State, event: Option<Event>) -> Point {
-        match *self {
-            Self::Loading { law, index, drag } => {
-                let piece = &law.loading.pieces()[index];
-                let distance = at.distance - piece.shape.lead();
-                loading_point(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
-            }
-            Self::Unloading { unloading, drag } => {
-                let recovered = at.distance.max(0.0);
-                let peak = Peak {
-                    indentation: unloading.peak.residual() + at.distance,
-                    force: unloading.force_of(recovered),
-                    elastic_approach: at.distance,
-                };
-                let point = loading_point(peak, || unloading.slope_of(recovered), drag, at, event);
-                Point { is_unloading: true, ..point }
-            }
-        }
+impl Point {
+    /// Of a motion on the loading curve, where the state of the law is `loaded`; `at.distance` is not used.
+    pub(super) fn loading(
+        loaded: Peak,
+        slope: impl FnOnce() -> f64,
+        drag: Drag,
+        at: &State,
+        event: Option<Event>,
+    ) -> Self {
+        let Peak { indentation, force, elastic_approach } = loaded;
+        let of_drag = || drag.at(force, || slope() / ACCELERATION).0 * at.speed;
+        // at lift-off the total force is zero but for rounding
+        let total_force = if drag.is_in_contact() { max_or_nan(force + of_drag(), 0.0) } else { force };
+        let (time, speed, loss) = (at.time, at.speed, at.loss / ACCELERATION);
+        Self { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }
     }
-}
 
-/// The point of a state on the loading curve. `loaded` is the state of the law there; `at.distance` is not used.
-pub(super) fn loading_point(
-    loaded: Peak,
-    slope: impl FnOnce() -> f64,
-    drag: Drag,
-    at: &State,
-    event: Option<Event>,
-) -> Point {
-    let Peak { indentation, force, elastic_approach } = loaded;
-    let of_drag = || drag.at(force, || slope() / ACCELERATION).0 * at.speed;
-    // at lift-off the total force is zero but for rounding
-    let total_force = if drag.is_in_contact() { max_or_nan(force + of_drag(), 0.0) } else { force };
-    let (time, speed, loss) = (at.time, at.speed, at.loss / ACCELERATION);
-    Point { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }
+    /// Of a motion on the unloading branch; distances count from the residual indentation.
+    pub(super) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
+        let recovered = at.distance.max(0.0);
+        let state = Peak {
+            indentation: unloading.peak.residual() + at.distance,
+            force: unloading.force_of(recovered),
+            elastic_approach: at.distance,
+        };
+        Self { is_unloading: true, ..Self::loading(state, || unloading.slope_of(recovered), drag, at, event) }
+    }
 }
 
 /// A leg of a motion that is recorded.
@@ -106,39 +87,13 @@ struct Recorded {
     events: Vec<(Event, State)>,
 }
 
-/// Collects a trace: the continuous solution of every leg, and every event. Its points are even samples in time, and the
-/// events.
+/// The continuous solution of every leg of a motion, and every event.
 #[derive(Debug, Default)]
 pub struct Recorder {
-    /// Samples between first touch and the end.
-    pub(super) inner: usize,
-    /// What the samples are spread over; `None`: the contact time of this motion.
-    pub(super) duration: Option<f64>,
-    /// Whether compression and restitution have as many samples each, and the peak is one between them.
-    is_by_leg: bool,
     legs: Vec<Recorded>,
-    /// The points in order of time.
-    pub points: Vec<Point>,
 }
 
 impl Recorder {
-    /// A recorder of `samples` points evenly spaced over `duration`, or over the motion itself, both ends included (they are
-    /// events).
-    pub fn new(samples: usize, duration: Option<f64>) -> Self {
-        Self { inner: samples.saturating_sub(2), duration, ..Self::default() }
-    }
-
-    /// A recorder with so many equal times from first touch to the peak, and as many from there to the end.
-    pub(super) fn of_legs(steps: usize) -> Self {
-        Self { inner: 2 * steps - 1, is_by_leg: true, ..Self::default() }
-    }
-
-    /// Time between two samples of a motion that lasts as long as this.
-    #[allow(clippy::cast_precision_loss)] // counts below 2^53
-    pub(super) fn interval(&self, contact_time: f64) -> f64 {
-        self.duration.unwrap_or(contact_time) / (self.inner + 1) as f64
-    }
-
     /// Begins a leg on a piece of the loading curve, or on the unloading branch, perhaps with an event.
     pub(super) fn begin(&mut self, piece: Option<usize>, event: Option<(Event, State)>) -> &mut Vec<Segment> {
         let place = self.legs.len();
@@ -163,35 +118,42 @@ impl Recorder {
         Some(State { distance, ..segment.at(time) })
     }
 
-    /// Makes the points of a motion that has ended.
-    pub(super) fn finish(&mut self, law: &Law, outcome: &Outcome, drag: Drag) {
-        let interval = self.interval(outcome.contact_time);
-        let (inward, whole) = (outcome.loading_time, outcome.contact_time);
-        let half = self.inner.div_ceil(2);
-        #[allow(clippy::cast_precision_loss)] // counts below 2^53
-        let time_of = |next: usize| match self.is_by_leg {
-            false => interval * next as f64,
-            true if next < half => inward * (next as f64 / half as f64),
-            true => inward + (whole - inward) * ((next - half) as f64 / half as f64),
-        };
-        let mut next = 1;
-        for leg in self.legs.drain(..) {
-            let along = match leg.piece {
-                Some(index) => Along::Loading { law, index, drag },
-                None => Along::Unloading { unloading: &outcome.unloading, drag },
+    /// The points of the motion at these rising times, and its events, in order of time.
+    pub(super) fn points(
+        self,
+        law: &Law,
+        unloading: &Unloading,
+        drag: Drag,
+        times: impl Iterator<Item = f64>,
+    ) -> Vec<Point> {
+        let (mut points, mut times) = (Vec::new(), times.peekable());
+        for Recorded { piece, track, events } in self.legs {
+            let point = |at: &State, event: Option<Event>| {
+                let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
+                let piece = &law.loading.pieces()[index];
+                // distances count from the zero of a power law, else from the start of the piece
+                let distance = at.distance - piece.shape.lead();
+                Point::loading(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
             };
-            let mut events = leg.events.into_iter().peekable();
-            for segment in &leg.track {
-                let due = |next: usize| Some(time_of(next)).filter(|time| *time < segment.end);
-                while let Some(time) = due(next).filter(|_| next <= self.inner) {
+            let mut events = events.into_iter().peekable();
+            for segment in &track {
+                while let Some(time) = times.next_if(|time| *time < segment.end) {
                     while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
-                        self.points.push(along.point(&at, Some(event)));
+                        points.push(point(&at, Some(event)));
                     }
-                    self.points.push(along.point(&segment.at(time), None));
-                    next += 1;
+                    points.push(point(&segment.at(time), None));
                 }
             }
-            self.points.extend(events.map(|(event, at)| along.point(&at, Some(event))));
+            points.extend(events.map(|(event, at)| point(&at, Some(event))));
         }
+        points
     }
+}
+
+/// The times of so many points evenly spaced over a motion of this length, but for both ends, which are events.
+#[allow(clippy::cast_precision_loss)] // counts below 2^53
+pub(super) fn even_times(samples: usize, duration: f64) -> impl Iterator<Item = f64> {
+    let inner = samples.saturating_sub(2);
+    let interval = duration / (inner + 1) as f64;
+    (1..=inner).map(move |k| interval * k as f64)
 }

@@ -9,7 +9,6 @@ use super::essentials::Essentials;
 use super::ledger::{Ledger, TraceRow};
 use super::oblique::{Approach, Inclined, Oblique};
 use super::outcome::{Computed, Fate, Outcome};
-use super::record::Point;
 use super::solve::Method;
 use super::warning::Warning;
 use crate::integrate::{IntegrationError, Work};
@@ -144,8 +143,7 @@ impl Deref for Impact {
 }
 
 impl Impact {
-    /// The result of an impact that was computed, without warnings. `exact` is the closed form, where there is one, and
-    /// `points` is the trace.
+    /// The result of an impact that was computed, without warnings. `exact` is the closed form, where there is one.
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
@@ -153,17 +151,15 @@ impl Impact {
         method: Method,
         computed: &Computed,
         exact: Option<&Outcome>,
-        points: &[Point],
     ) -> Result<Self, ImpactError> {
         let Case { scales, law, forces, .. } = case;
-        let Computed { outcome, work, fixed_steps } = computed;
+        let Computed { outcome, work, fixed_steps, points } = computed;
         let essentials = Essentials::new(contact, speed, case, outcome)?;
         let Essentials { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
-        let ledger = Ledger::new(case, speed, &essentials, outcome);
-        let mut trace: Vec<TraceRow> =
-            points.iter().map(|point| ledger.row(point, scales, pair.sphere_compliance)).collect();
+        let ledger = Ledger::new(contact, case, outcome);
+        let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
         let rows = trace.iter().map(|row| row.energy_drift);
         let drift =
             rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
@@ -173,28 +169,21 @@ impl Impact {
             let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
             return Err(IntegrationError::NotFinite { time }.into());
         }
-        if !forces.is_none() {
-            drop_twin_of_end(&mut trace);
-        }
+        drop_twin_of_end(&mut trace);
         let has_dent = essentials.has_dent();
         let dent = law.dent(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let is_captured = outcome.fate == Fate::Captured;
         let energy = scales.energy();
-        let plastic = if forces.is_none() {
-            essentials.plastic_fraction * kinetic_in
-        } else {
-            law.plastic(&outcome.unloading) * energy
-        };
         let under_forces = (!contact.forces().is_none()).then(|| {
-            let lifts_off = !is_captured && forces.drag().lifts_off();
+            let lifts_off = !is_captured && forces.drag.lifts_off();
             let sunk = outcome.end_indentation - law.touch();
             UnderForces {
                 fate: outcome.fate,
                 end_time: outcome.contact_time * scales.time(),
                 end_indentation: outcome.end_indentation * scales.length,
                 static_indentation: is_captured
-                    .then(|| forces.static_indentation(law, &outcome.unloading) * scales.length),
+                    .then(|| forces.static_point(law, &outcome.unloading).indentation * scales.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
                 gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
@@ -220,7 +209,7 @@ impl Impact {
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),
-                plastic: pair.yield_point.map(|_| plastic),
+                plastic: pair.yield_point.map(|_| law.plastic(&outcome.unloading) * energy),
                 drift,
             },
             work: *work,
@@ -240,12 +229,12 @@ impl Impact {
 
     /// Adds what friction makes of an oblique impact, of which all else is the normal motion.
     pub(super) fn add_friction(&mut self, inclined: &Inclined, approach: Approach) -> Result<(), ImpactError> {
-        let (ratio, course) = inclined.run()?;
+        let slip = inclined.followed_slip()?;
         self.speed = approach.speed;
-        self.essentials.rebound = Some(inclined.rebound(ratio)?);
-        self.oblique = Some(inclined.oblique(ratio));
+        self.essentials.rebound = Some(inclined.rebound(&slip)?);
+        self.oblique = Some(inclined.oblique(&slip));
         for row in &mut self.trace {
-            row.rubbing = Some(inclined.rubbing(&course, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
+            row.rubbing = Some(inclined.rubbing(&slip, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
         }
         Ok(())
     }

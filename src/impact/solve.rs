@@ -2,9 +2,9 @@
 
 use super::closed_form;
 use super::course;
+use super::forces::ScaledForces;
 use super::outcome::{Computed, Outcome};
-use super::record::Recorder;
-use super::scaled_forces::ScaledForces;
+use super::record::{Recorder, even_times};
 use super::verlet;
 use crate::integrate::exact::Exact;
 use crate::integrate::library::{Library, Scheme};
@@ -82,9 +82,6 @@ impl Default for Solver {
 
 /// The contact time of an impact at q = v/V without damping and plate: of its closed form, or of a run where that has none,
 /// on a formula under gravity. `exact` is the closed form of the impact itself, which is taken where there is one.
-///
-/// # Errors
-/// [`IntegrationError`] of the run.
 pub(super) fn free_time(
     law: &Law,
     q: f64,
@@ -100,50 +97,43 @@ pub(super) fn free_time(
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
-/// [`Method::ClosedForm`] without one, rk8 computes it.
-///
-/// # Errors
-/// [`IntegrationError`] of the method.
+/// [`Method::ClosedForm`] without one, rk8 computes it. With `samples` it comes with a trace of that many points evenly spaced
+/// over the contact, first touch and separation among them, and a point for every other event.
 pub fn run(
     law: &Law,
     q: f64,
     forces: &ScaledForces,
     exact: Option<&Outcome>,
     solver: &Solver,
-    recorder: Option<&mut Recorder>,
+    samples: Option<usize>,
 ) -> Result<Computed, IntegrationError> {
-    fn with<I: Integrator>(
-        mut integrator: I,
-        law: &Law,
-        q: f64,
-        forces: &ScaledForces,
-        recorder: Option<&mut Recorder>,
-    ) -> Result<Computed, IntegrationError> {
-        let outcome = course::integrate(law, q, forces, &mut integrator, recorder)?;
-        Ok(Computed::new(outcome, integrator.work()))
-    }
+    // the same times by every method, where the contact time is known
+    let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
+    let times = |samples: usize, outcome: &Outcome| even_times(samples, duration.unwrap_or(outcome.contact_time));
+    let along = |integrator: &mut dyn Integrator| -> Result<Computed, IntegrationError> {
+        let mut recorder = Recorder::default();
+        let outcome = course::integrate(law, q, forces, integrator, samples.map(|_| &mut recorder))?;
+        let trace = |samples| recorder.points(law, &outcome.unloading, forces.drag, times(samples, &outcome));
+        Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
+    };
     let tolerance = solver.tolerance;
-    match (solver.method.chosen(forces, exact.is_some(), recorder.is_some()), exact) {
-        (Method::ClosedForm, Some(exact)) if recorder.is_none() => Ok(Computed::new(*exact, Work::default())),
-        (Method::ClosedForm, _) if forces.is_none() => with(Exact, law, q, forces, recorder),
-        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => with(Rk8::new(tolerance), law, q, forces, recorder),
-        (Method::Dopri5, _) => with(Library::new(Scheme::Dopri5, tolerance), law, q, forces, recorder),
-        (Method::Dop853, _) => with(Library::new(Scheme::Dop853, tolerance), law, q, forces, recorder),
+    match (solver.method.chosen(forces, exact.is_some(), samples.is_some()), exact) {
+        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
+        (Method::ClosedForm, _) if forces.is_none() => along(&mut Exact),
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(&mut Rk8::new(tolerance)),
+        (Method::Dopri5, _) => along(&mut Library::new(Scheme::Dopri5, tolerance)),
+        (Method::Dop853, _) => along(&mut Library::new(Scheme::Dop853, tolerance)),
         (Method::Verlet, _) => {
-            let duration = free_time(law, q, forces, exact)?;
-            let steps = u64::from(solver.steps_per_contact.max(1));
+            let steps = solver.steps_per_contact.max(1);
+            let step = free_time(law, q, forces, exact)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
-            let most = if forces.is_none() { 10 } else { 100 } * steps + 10;
-            let step = duration / f64::from(solver.steps_per_contact.max(1));
-            if let Some(recorder) = recorder {
-                // fixed steps are sampled while they are taken, so the end of the contact must be known before
-                if recorder.duration.is_none() {
-                    let end = verlet::march(law, q, forces, step, most, None)?.outcome.contact_time;
-                    recorder.duration = Some(end);
-                }
-                return verlet::march(law, q, forces, step, most, Some(recorder));
+            let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
+            let mut computed = verlet::march(law, q, forces, step, most)?;
+            if let (Some(samples), Some(fixed)) = (samples, &computed.fixed_steps) {
+                let times = times(samples, &computed.outcome);
+                computed.points = verlet::trace(law, q, forces, &computed.outcome, fixed, times);
             }
-            verlet::march(law, q, forces, step, most, None)
+            Ok(computed)
         }
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::case::hertz;
 use super::contact::Contact;
+use super::essentials::OnPlate;
 use super::oblique::{Approach, Incidence};
-use super::on_plate::OnPlate;
 use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};

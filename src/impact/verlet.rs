@@ -6,9 +6,9 @@
 //! flight at the end of the last step back to the contact. Without damping both are exact to second order in the step, as
 //! the motion is. [`FixedSteps`] has the times that a code with this step sees.
 
+use super::forces::ScaledForces;
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
-use super::record::{Along, Event, Recorder, loading_point};
-use super::scaled_forces::{ScaledForces, equilibrium};
+use super::record::{Event, Point};
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, IntegrationError, State, Work};
 use crate::law::piece::Piece;
@@ -101,31 +101,44 @@ fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> 
     (force, in_contact * speed, ACCELERATION * ACCELERATION * on_motion * speed)
 }
 
-/// Evenly spaced samples of a motion, filled while it goes on.
-struct Sampler {
-    interval: f64,
-    count: usize,
-    next: usize,
-    states: Vec<State>,
+/// A motion in steps of one length.
+struct Motion<'a> {
+    contact: Remembering<'a>,
+    weight: f64,
+    step: f64,
+    /// Steps so far.
+    count: u64,
+    state: State,
+    acceleration: f64,
 }
 
-impl Sampler {
-    /// Takes the samples that are due before `end` on a parabola from `state`.
-    fn take(&mut self, state: &State, acceleration: f64, end: f64) {
+impl<'a> Motion<'a> {
+    /// At first touch.
+    fn new(law: &'a Law, q: f64, forces: &ScaledForces, step: f64) -> Self {
+        let state = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+        let (contact, weight) = (Remembering::of(law, forces.drag), forces.weight);
+        Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
+    }
+
+    /// Goes a step, with the force of damping at the speed half a step before; gives the force of the law and the total one.
+    fn advance(&mut self) -> (f64, f64) {
+        let (step, from) = (self.step, self.state);
+        let half = from.speed + 0.5 * step * self.acceleration;
+        let distance = from.distance + step * half;
+        let (force, of_damping, on_motion) = self.contact.at(distance, half);
+        let total = max_or_nan(force + of_damping, 0.0);
+        self.acceleration = ACCELERATION * (self.weight - total) - on_motion;
+        self.count += 1;
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
-        while self.next <= self.count && self.interval * (self.next as f64) < end {
-            let time = self.interval * self.next as f64;
-            let t = time - state.time;
-            let distance = state.distance + t * (state.speed + 0.5 * acceleration * t);
-            self.states.push(State { time, distance, speed: state.speed + acceleration * t, loss: state.loss });
-            self.next += 1;
-        }
+        let time = step * self.count as f64;
+        let loss = from.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
+        self.state = State { time, distance, speed: half + 0.5 * step * self.acceleration, loss };
+        (force, total)
     }
 }
 
-/// Marches in steps of `step`. The force of damping is taken at the speed half a step before. The peak is the deepest step.
-/// The run ends with the first step on the way out in which no force pushes; or, for a captured sphere, with the first step
-/// in which the sphere moves inwards again.
+/// Marches in steps of `step`. The peak is the deepest step. The run ends with the first step on the way out in which no force
+/// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
 ///
 /// # Errors
 /// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
@@ -135,125 +148,121 @@ pub(crate) fn march(
     forces: &ScaledForces,
     step: f64,
     most_steps: u64,
-    recorder: Option<&mut Recorder>,
 ) -> Result<Computed, IntegrationError> {
-    let mut contact = Remembering::of(law, forces.drag());
-    let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-    let gravity = ACCELERATION * forces.weight;
-    let (mut state, mut acceleration) = (touch, gravity);
-    let mut peak = State { speed: 0.0, ..touch };
+    let mut motion = Motion::new(law, q, forces, step);
+    let mut peak = motion.state;
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
-    let mut sampler = recorder.as_ref().map(|recorder| {
-        let interval = recorder.interval(f64::INFINITY);
-        Sampler { interval, count: recorder.inner, next: 1, states: Vec::new() }
-    });
     let mut largest_force = 0.0;
     for n in 1..=most_steps {
-        let half = state.speed + 0.5 * step * acceleration;
-        let distance = state.distance + step * half;
-        #[allow(clippy::cast_precision_loss)] // counts below 2^53
-        let time = step * n as f64;
-        let (before, acceleration_before) = (state, acceleration);
-        let (force, of_damping, on_motion) = contact.at(distance, half);
-        let total = max_or_nan(force + of_damping, 0.0);
+        let before = motion.state;
+        let (force, total) = motion.advance();
         largest_force = max_or_nan(largest_force, total);
-        acceleration = ACCELERATION * (forces.weight - total) - on_motion;
-        let loss = state.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
-        state = State { time, distance, speed: half + 0.5 * step * acceleration, loss };
-        if distance > peak.distance {
-            peak = State { speed: 0.0, ..state };
+        let mut state = motion.state;
+        let time = state.time;
+        if state.distance > peak.distance {
+            peak = state;
+            let acceleration = motion.acceleration;
             let until = if acceleration < 0.0 { (state.speed / -acceleration).clamp(-step, step) } else { 0.0 };
             turns_at = time + until;
         }
-        if !(distance.is_finite() && state.speed.is_finite()) {
+        if !(state.distance.is_finite() && state.speed.is_finite()) {
             return Err(IntegrationError::NotFinite { time });
         }
         let is_back = time > peak.time;
         let lifts_off = is_back && total == 0.0 && state.speed < 0.0;
         let is_slower = is_back && state.speed >= 0.0;
+        let deepest = || law.unloading(motion.contact.loaded_to(peak.distance));
         let stays = || {
-            let unloading = law.unloading(contact.loaded_to(peak.distance));
             if forces.is_conservative() {
-                is_back && forces.captures(&unloading, q) && force <= forces.weight
+                is_back && forces.captures(&deepest(), q) && force <= forces.weight
             } else {
-                creeps(&contact, forces, &unloading, &state)
+                creeps(&motion, forces, &deepest())
             }
         };
-        let is_end = lifts_off || is_slower || forces.weight > 0.0 && stays();
-        let unloading = is_end.then(|| law.unloading(contact.loaded_to(peak.distance)));
-        let separates = lifts_off && unloading.is_some_and(|unloading| !forces.captures(&unloading, q));
-        if let Some(unloading) = unloading.filter(|_| separates) {
-            let residual = law.dent(&unloading.peak).residual() - contact.touch;
-            state = contact.left_at(&before, &state, step, gravity, residual);
+        if !(lifts_off || is_slower || forces.weight > 0.0 && stays()) {
+            continue;
         }
-        if let Some(sampler) = &mut sampler {
-            sampler.take(&before, acceleration_before, state.time);
+        let unloading = deepest();
+        let separates = lifts_off && !forces.captures(&unloading, q);
+        if separates {
+            let residual = law.dent(&unloading.peak).residual() - motion.contact.touch;
+            state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
         }
-        if let Some(unloading) = unloading {
-            let loading_time = if is_back { turns_at.min(state.time) } else { peak.time };
-            let (fate, end) =
-                if separates { (Fate::Separated, Event::Separation) } else { (Fate::Captured, Event::Captured) };
-            if let (Some(recorder), Some(sampler)) = (recorder, sampler) {
-                let turning = State { time: loading_time, ..peak };
-                let events = [(touch, Event::Touch), (turning, Event::Peak), (state, end)];
-                record(&contact, &unloading, loading_time, sampler, &events, recorder);
-            }
-            let outcome = Outcome {
-                unloading,
-                restitution: if separates { -state.speed / q } else { 0.0 },
-                largest_force,
-                loading_time,
-                contact_time: state.time,
-                fate,
-                end_indentation: contact.touch + state.distance,
-                end_speed: state.speed,
-                loss: state.loss / ACCELERATION,
-            };
-            // one evaluation a step, and one at first touch
-            let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
-            let fixed_steps = Some(FixedSteps { step, loading_time: peak.time, contact_time: time });
-            return Ok(Computed { outcome, work, fixed_steps });
-        }
+        let outcome = Outcome {
+            unloading,
+            restitution: if separates { -state.speed / q } else { 0.0 },
+            largest_force,
+            loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
+            contact_time: state.time,
+            fate: if separates { Fate::Separated } else { Fate::Captured },
+            end_indentation: motion.contact.touch + state.distance,
+            end_speed: state.speed,
+            loss: state.loss / ACCELERATION,
+        };
+        // one evaluation a step, and one at first touch
+        let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
+        let fixed_steps = Some(FixedSteps { step, loading_time: peak.time, contact_time: time });
+        return Ok(Computed { fixed_steps, ..Computed::new(outcome, work) });
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
 }
 
 /// Whether an overdamped sphere has come near its static indentation.
-fn creeps(contact: &Remembering, forces: &ScaledForces, unloading: &Unloading, state: &State) -> bool {
-    let law = contact.law;
-    let (at, slope) = if unloading.peak.force < forces.weight {
-        let (x, index) = equilibrium(law, forces.weight);
-        (x - contact.touch, law.loading.pieces()[index].slope_at(x))
-    } else {
-        let approach = forces.static_approach(unloading);
-        (approach, forces.static_slope(unloading, approach))
-    };
-    let distance = (contact.touch + state.distance - forces.static_indentation(law, unloading)).abs();
-    forces.creep(at, slope).is_some_and(|creep| distance <= creep.within && state.speed.abs() <= creep.below)
+fn creeps(motion: &Motion, forces: &ScaledForces, unloading: &Unloading) -> bool {
+    let point = forces.static_point(motion.contact.law, unloading);
+    let distance = (motion.contact.touch + motion.state.distance - point.indentation).abs();
+    let speed = motion.state.speed.abs();
+    forces.rest(&point).is_some_and(|rest| distance <= rest.within && speed <= rest.below)
 }
 
-/// The points of the trace, in order of time.
-fn record(
-    contact: &Remembering,
-    unloading: &Unloading,
-    peak_time: f64,
-    mut sampler: Sampler,
-    events: &[(State, Event)],
-    recorder: &mut Recorder,
-) {
-    let samples = sampler.states.drain(..).map(|state| (state, None));
-    let mut rows: Vec<_> = samples.chain(events.iter().map(|(state, event)| (*state, Some(*event)))).collect();
-    rows.sort_by(|a, b| a.0.time.total_cmp(&b.0.time));
-    let (law, drag) = (contact.law, contact.drag);
-    let start = law.dent(&unloading.peak).residual() - contact.touch;
-    recorder.points.extend(rows.into_iter().map(|(state, event)| {
-        if state.time <= peak_time {
-            let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);
-            loading_point(contact.loaded_to(state.distance), slope, drag, &state, event)
-        } else {
-            let along = Along::Unloading { unloading, drag };
-            along.point(&State { distance: state.distance - start, ..state }, event)
+/// The points of this outcome in these steps, at these rising times and at its events.
+pub(super) fn trace(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    outcome: &Outcome,
+    fixed: &FixedSteps,
+    times: impl Iterator<Item = f64>,
+) -> Vec<Point> {
+    let mut motion = Motion::new(law, q, forces, fixed.step);
+    let (mut times, mut states) = (times.take_while(|time| *time < outcome.contact_time).peekable(), Vec::new());
+    let touch = motion.state;
+    let mut turning = State { speed: 0.0, ..touch };
+    while times.peek().is_some() || motion.state.time < fixed.loading_time {
+        let (from, acceleration) = (motion.state, motion.acceleration);
+        motion.advance();
+        // the way in a step is a parabola
+        while let Some(time) = times.next_if(|time| *time < motion.state.time) {
+            let t = time - from.time;
+            let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
+            states.push((State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }, None));
         }
-    }));
+        if motion.state.time == fixed.loading_time {
+            turning = State { time: outcome.loading_time, speed: 0.0, ..motion.state };
+        }
+    }
+    let contact = motion.contact;
+    let end = State {
+        time: outcome.contact_time,
+        distance: outcome.end_indentation - contact.touch,
+        speed: outcome.end_speed,
+        loss: outcome.loss * ACCELERATION,
+    };
+    let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
+    let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
+    states.insert(until_peak, (turning, Some(Event::Peak)));
+    states.insert(0, (touch, Some(Event::Touch)));
+    states.push((end, Some(of_end)));
+    let residual = law.dent(&outcome.unloading.peak).residual() - contact.touch;
+    let point = |(state, event): (State, Option<Event>)| {
+        if state.time <= outcome.loading_time {
+            let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);
+            Point::loading(contact.loaded_to(state.distance), slope, forces.drag, &state, event)
+        } else {
+            let at = State { distance: state.distance - residual, ..state };
+            Point::unloading(&outcome.unloading, forces.drag, &at, event)
+        }
+    };
+    states.into_iter().map(point).collect()
 }

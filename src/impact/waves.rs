@@ -44,9 +44,6 @@ impl Waves {
 
     /// 2 W_rad/(m v²) \[1\]: what an impact at `speed` \[m/s\] radiates, over its kinetic energy. `None` where the force of
     /// the law jumps on the way: there F' is infinite, and so is W_rad.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] where it overflows.
     pub fn loss_fraction(
         &self,
         speed: f64,

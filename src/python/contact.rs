@@ -95,7 +95,6 @@ impl Contact {
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
         let approach = self.scene.approach_at(speed);
-        self.contact.holds(approach).map_err(refuse)?;
         self.contact.impact(approach, &self.scene.solver, samples).map_err(refuse)
     }
 }

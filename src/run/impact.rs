@@ -16,17 +16,18 @@ use crate::scene::Scene;
 /// to be one.
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Scene, Contact, Impact), Error> {
     let (scene, contact) = prepare(scenario)?;
+    can_be_traced(scenario, &scene)?;
     let impact = contact.impact(scene.approach_at(scene.speed), &scene.solver, samples);
     let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
     impact.warnings.extend_from_slice(&scene.warnings);
     Ok((scene, contact, impact))
 }
 
-/// The scene of a scenario and its contact. Scenes whose numbers leave double precision, and methods without a trace, are
-/// refused.
+/// The scene of a scenario and its contact.
 pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    let (scene, contact) = held(scenario)?;
-    can_be_traced(scenario, &scene)?;
+    scenario.refuse_columns("one impact")?;
+    let scene = scenario.resolve()?;
+    let contact = scene.contact().map_err(|error| no_result(scenario, &error))?;
     Ok((scene, contact))
 }
 
@@ -36,16 +37,6 @@ pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Er
         return Err(no_result(scenario, &ImpactError::NoClosedForm));
     }
     Ok(())
-}
-
-/// The scene and its contact. Refuses a scene whose impact has numbers beyond double precision.
-pub(super) fn held(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
-    scenario.refuse_columns("one impact")?;
-    let scene = scenario.resolve()?;
-    let contact = scene.contact().map_err(|error| no_result(scenario, &error))?;
-    // where the closed form leaves double precision, an integration does too
-    contact.holds(scene.approach_at(scene.speed)).map_err(|reason| no_result(scenario, &reason))?;
-    Ok((scene, contact))
 }
 
 /// The provenance of results that were computed by this method.

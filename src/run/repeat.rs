@@ -1,6 +1,6 @@
 //! Impacts one after the other.
 
-use super::impact::{can_be_traced, held, provenance};
+use super::impact::{can_be_traced, prepare, provenance};
 use super::outcome::{Order, Outcome, file, no_result, texts};
 use crate::error::Error;
 use crate::impact::{Contact, Method};
@@ -26,7 +26,7 @@ struct Computed {
 
 /// The scene of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
-    let (mut scene, contact) = held(scenario)?;
+    let (mut scene, contact) = prepare(scenario)?;
     let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
     if !scenario.document.has("solver.method") {
         // a series needs no steps where there is a closed form

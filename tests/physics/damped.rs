@@ -75,7 +75,7 @@ fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
     let law = Law::hertz();
     for tenths in 60..160 {
         let zeta = 10_f64.powf(-0.1 * f64::from(tenths));
-        let forces = ScaledForces { damping: Some(Damping::Viscous(zeta)), ..ScaledForces::NONE };
+        let forces = ScaledForces { drag: Damping::Viscous(zeta).drag(1.0), ..ScaledForces::NONE };
         let distance = (2.0 * zeta * 1.875_f64.sqrt() / 1.25).powf(0.8);
         let want = 2.943_275_184_324_704_7 - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {

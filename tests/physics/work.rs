@@ -64,7 +64,7 @@ fn rk8_under_drag_takes_the_steps_it_took() {
     ];
     for (name, damping, want) in wants {
         let (problem, mut damped) = (problem(name), Damped::new(1e-9));
-        let forces = ScaledForces { damping: Some(damping), ..ScaledForces::NONE };
+        let forces = ScaledForces { drag: damping.drag(1.0), ..ScaledForces::NONE };
         course::integrate(&problem.law, problem.speed, &forces, &mut damped, None).unwrap();
         assert_eq!(damped.work(), want, "{name} {damping:?}");
     }

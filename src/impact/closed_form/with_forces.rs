@@ -15,12 +15,12 @@
 //! So peak and rebound are roots in both cases, and the time is ∫ dx/u. On straight pieces under gravity it has a closed
 //! form. Elsewhere a quadrature is given the distances from both ends of the piece, which keep their digits near the ends.
 
+use crate::impact::forces::ScaledForces;
 use crate::impact::outcome::{Fate, Outcome};
-use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
 use crate::integrate::Drag;
+use crate::law::Law;
 use crate::law::piece::{Piece, Shape};
-use crate::law::{Law, Peak, Unloading};
 use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
 use crate::math::power::{max_or_nan, power, power_turn};
 use crate::math::quadrature;
@@ -146,7 +146,7 @@ fn excess(v: f64) -> f64 {
 }
 
 /// Whether motion under gravity has a closed form on this law: loading and unloading are made of power laws and straight
-/// lines. On other curves it is integrated.
+/// lines.
 pub fn closes(law: &Law) -> bool {
     // the kind of the unloading branch is the same from every plastic peak
     let is_power = || {
@@ -161,7 +161,7 @@ fn has_closed_loading(law: &Law) -> bool {
 
 /// The exact outcome, where there is one: gravity without damping, or Hunt and Crossley without gravity.
 pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
-    let (Drag { chi, eta, theta }, weight) = (forces.drag(), forces.weight);
+    let (Drag { chi, eta, theta }, weight) = (forces.drag, forces.weight);
     if eta != 0.0 || theta != 0.0 || chi != 0.0 && weight != 0.0 || !has_closed_loading(law) {
         return None;
     }
@@ -174,9 +174,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     }
     let loading_time = loading_time(&law.loading.pieces()[..=last], distance, q, weight, speeds);
 
-    let residual = law.dent(&unloading.peak).residual();
-    let back = Back { unloading: &unloading, residual, weight, speeds, at_peak: loading_time };
-    let Peak { elastic_approach, .. } = unloading.peak;
+    let elastic_approach = unloading.peak.elastic_approach;
     let is_captured = forces.captures(&unloading, q);
     let is_elastic = chi == 0.0 && law.plastic(&unloading) == 0.0;
     let stored = unloading.capacity();
@@ -185,11 +183,16 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
     // under strong damping G(u) cannot be computed from the rounded rebound speed
     let at_end = if chi == 0.0 { speeds.energy(-rebound) } else { recovered };
-    let (contact_time, end_indentation, end_speed) = if is_captured {
-        back.to_rest(forces)
+    // the sphere leaves at the end of the branch, or its run ends at the static indentation
+    let at_rest = if is_captured { unloading.recovered_at(weight) } else { 0.0 };
+    let (branch, length) = (unloading.branch(), (elastic_approach - at_rest).max(0.0));
+    let (at_end, end_speed) = if is_captured {
+        let energy = ACCELERATION * (work_between(&branch, at_rest, length) - weight * length);
+        (energy, -speeds.speed(energy.max(0.0), -1.0))
     } else {
-        (back.at_peak + back.time(0.0, elastic_approach, at_end), residual, -rebound)
+        (at_end, -rebound)
     };
+    let contact_time = loading_time + time_between(&branch, [at_rest, length], [at_end, 0.0], weight, speeds, -1.0);
     let loss = if chi == 0.0 {
         0.0
     } else {
@@ -208,7 +211,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
         loading_time,
         contact_time,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
-        end_indentation,
+        end_indentation: law.dent(&unloading.peak).residual() + at_rest,
         end_speed,
         loss,
     })
@@ -256,19 +259,32 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
                     2.0 * atan(omega * length / (entry + exit)) / omega
                 }
             }
-            _ => quadrature::integrate(length, |below, above| {
-                // from the nearer end, where nothing cancels
-                let near = if below < above {
-                    energy - ACCELERATION * (work_between(piece, 0.0, below) - weight * below)
-                } else {
-                    left + ACCELERATION * (work_between(piece, length - above, above) - weight * above)
-                };
-                1.0 / speeds.speed(near, 1.0)
-            }),
+            _ => time_between(piece, [0.0, length], [energy, left], weight, speeds, 1.0),
         };
         (entry, energy) = (exit, left);
     }
     time
+}
+
+/// Time on a piece from a distance from its start over a length, where G(u) is `at_start` and `at_end`, on the way in (`sign` 1)
+/// or out (−1).
+fn time_between(
+    piece: &Piece,
+    [from, length]: [f64; 2],
+    [at_start, at_end]: [f64; 2],
+    weight: f64,
+    speeds: Speeds,
+    sign: f64,
+) -> f64 {
+    quadrature::integrate(length, |below, above| {
+        // from the nearer end, where nothing cancels
+        let near = if below < above {
+            at_start - ACCELERATION * (work_between(piece, from, below) - weight * below)
+        } else {
+            at_end + ACCELERATION * (work_between(piece, from + below, above) - weight * above)
+        };
+        1.0 / speeds.speed(near, sign)
+    })
 }
 
 /// Work on a piece between the distances `distance` and `distance + by` from its start.
@@ -285,41 +301,4 @@ fn power_between(exponent: f64, distance: f64, by: f64) -> f64 {
     let p = exponent + 1.0;
     let end = distance + by;
     power(end, exponent) * end / p * -exp_m1(p * ln_1p(-by / end))
-}
-
-/// The way back from the peak.
-struct Back<'a> {
-    unloading: &'a Unloading,
-    /// x_r of the dent.
-    residual: f64,
-    weight: f64,
-    speeds: Speeds,
-    at_peak: f64,
-}
-
-impl Back<'_> {
-    /// Time, x and u at the static indentation on the way out, where a captured contact's run ends.
-    fn to_rest(&self, forces: &ScaledForces) -> (f64, f64, f64) {
-        let peak = &self.unloading.peak;
-        let at_rest = forces.static_approach(self.unloading);
-        let length = (peak.elastic_approach - at_rest).max(0.0);
-        let energy = ACCELERATION
-            * (self.unloading.stiffness() * power_between(self.unloading.exponent, at_rest, length)
-                - self.weight * length);
-        let speed = -self.speeds.speed(energy.max(0.0), -1.0);
-        (self.at_peak + self.time(at_rest, length, energy), self.residual + at_rest, speed)
-    }
-
-    /// Time from rest at the peak over a `length` down to the elastic approach `low`, where G(u) is `at_end`.
-    fn time(&self, low: f64, length: f64, at_end: f64) -> f64 {
-        let (k, n) = (self.unloading.stiffness(), self.unloading.exponent);
-        quadrature::integrate(length, |below, above| {
-            let near = if below < above {
-                at_end - ACCELERATION * (k * power_between(n, low, below) - self.weight * below)
-            } else {
-                ACCELERATION * (k * power_between(n, low + below, above) - self.weight * above)
-            };
-            1.0 / self.speeds.speed(near, -1.0)
-        })
-    }
 }

@@ -29,9 +29,6 @@ impl Curve {
     }
 
     /// s_1/s_0 at 0 < |ψ_1| ≤ 4χ − 1.
-    ///
-    /// # Errors
-    /// As [`Motion::elastic`].
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small counts
     pub fn ratio(&self, psi: f64) -> Result<f64, IntegrationError> {
         let motion = Motion::elastic()?;

@@ -20,8 +20,8 @@
 use std::sync::LazyLock;
 
 use crate::impact::course;
+use crate::impact::forces::ScaledForces;
 use crate::impact::record::{Point, Recorder};
-use crate::impact::scaled_forces::ScaledForces;
 use crate::impact::scales::ACCELERATION;
 use crate::integrate::IntegrationError;
 use crate::integrate::rk8::Rk8;
@@ -43,11 +43,8 @@ pub struct Motion {
 
 impl Motion {
     /// The motion at q = v/V.
-    ///
-    /// # Errors
-    /// [`IntegrationError`] of rk8.
     pub fn new(law: &Law, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
-        let mut recorder = Recorder::of_legs(SPRINGS);
+        let mut recorder = Recorder::default();
         let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), Some(&mut recorder))?;
         let radius = |point: &Point| {
             if point.is_unloading {
@@ -60,7 +57,9 @@ impl Motion {
         let step =
             [outcome.loading_time, outcome.contact_time - outcome.loading_time].map(|time| time / SPRINGS as f64);
         let mut motion = Self { step, radius: vec![0.0], pressure: vec![0.0] };
-        for point in recorder.points.iter().filter(|point| point.event.is_none()) {
+        let times = (1..2 * SPRINGS).map(|k| Self::time_of(step, k));
+        let points = recorder.points(law, &outcome.unloading, forces.drag, times);
+        for point in points.iter().filter(|point| point.event.is_none()) {
             motion.push(radius(point), point.force);
         }
         motion.radius.resize(2 * SPRINGS + 1, 0.0);
@@ -69,9 +68,6 @@ impl Motion {
     }
 
     /// That of an elastic impact, which is one for all of them in units of its own peak and speed.
-    ///
-    /// # Errors
-    /// As [`Motion::new`].
     pub fn elastic() -> Result<&'static Self, IntegrationError> {
         static ELASTIC: LazyLock<Result<Motion, IntegrationError>> =
             LazyLock::new(|| Motion::new(&Law::hertz(), 1.0, &ScaledForces::NONE));
@@ -86,9 +82,13 @@ impl Motion {
 
     /// The time of point `k`.
     pub fn time(&self, k: usize) -> f64 {
-        #[allow(clippy::cast_precision_loss)]
+        Self::time_of(self.step, k)
+    }
+
+    #[allow(clippy::cast_precision_loss)] // counts up to 2 N
+    fn time_of(step: [f64; 2], k: usize) -> f64 {
         let [inward, outward] = [k.min(SPRINGS), k.saturating_sub(SPRINGS)].map(|k| k as f64);
-        self.step[0] * inward + self.step[1] * outward
+        step[0] * inward + step[1] * outward
     }
 
     /// The last point at or before a time.
