@@ -2,7 +2,7 @@
 
 use super::document::read_text;
 use super::file::{CalibrateInput, numbers};
-use super::{DATA, Kind, LARGEST_DATA, NEEDED, Scenario};
+use super::{DATA, LARGEST_DATA, NEEDED, Scenario};
 use crate::error::Error;
 use crate::impact::Method;
 use crate::law::LawChoice;
@@ -65,9 +65,6 @@ impl Scenario {
 
     fn request(&self, free: impl Fn(&CalibrateInput, &Input) -> Vec<Free>) -> Result<Wanted, Error> {
         self.refuse_columns("a calibration")?;
-        if self.kind()? != Kind::Calibrate {
-            return Err(self.document.refuse("", NO_TABLE));
-        }
         let Some(given) = &self.tables.calibrate else {
             return Err(self.document.refuse("", NO_TABLE));
         };
