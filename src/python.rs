@@ -22,8 +22,8 @@ mod _core {
     #[pymodule_export]
     use super::{
         contact::{Contact, Impact, impacts},
-        outcome::{Outcome, calibrate, run},
-        table::Table,
+        outcome::{calibrate, run},
+        table::{Column, arrow_stream, table_of_csv},
     };
     use crate::law::LawChoice;
     use crate::provenance::VERSION;

@@ -5,14 +5,16 @@
 //! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
 //! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
 
+#[cfg(any(feature = "parquet", feature = "python"))]
+pub(crate) mod arrow;
 pub mod caution;
-mod column;
+pub(crate) mod column;
 pub mod count;
 pub mod csv;
 pub mod evaluator;
 pub mod form;
 pub mod job;
-mod ordered;
+pub(crate) mod ordered;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub mod parts;

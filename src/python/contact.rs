@@ -1,29 +1,29 @@
 //! A contact of two bodies, and one of its impacts.
 
+use std::borrow::Cow;
 use std::ops::Deref;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyList, PyString};
-use serde_json::Value;
+use pyo3::types::{PyBytes, PyDict, PyList};
 
-use super::cases::{self, Inner, Plans, SPEED, refused};
-use super::convert::{Reduced, exception, from_json, refuse_lost, source_of, warn, with};
+use super::cases::{self, Given, Inner, SPEED};
+use super::convert::{Numbers, Reduced, exception, from_json, source_of, warn, with};
 use super::force::force;
-use super::table::{Column, Table};
+use super::table::table_of_csv;
 use crate::error::Error;
-use crate::impact::{self, TraceRow};
+use crate::impact;
 use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
-use crate::report::table;
+use crate::report::{table, trace};
 use crate::run::{no_result, texts};
 use crate::scenario::{Kind, Scenario};
+use crate::scene::Scene;
 use crate::scene::quantity::SAMPLES;
-use crate::scene::results::impact::{Single, results, trace};
-use crate::scene::results::{Reported, fields};
-use crate::scene::{Key, Scene};
+use crate::scene::results::fields;
+use crate::scene::results::impact::{Single, results};
 use crate::units::nearest::did_you_mean;
 
 /// The name of the contact in messages.
@@ -71,25 +71,20 @@ impl Contact {
         let scene = scene.map_err(exception)?;
         let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
         warn(py, &texts(&scene.warnings))?;
-        Ok(Self(Arc::new(Inner { scenario, scene, contact, plans: Plans::default() })))
+        Ok(Self(Arc::new(Inner { scenario, scene, contact, plans: Mutex::default() })))
     }
 
     /// The speed of an impact (m/s).
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         // without a speed the error says what is missing
         let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed) };
-        let key = Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?;
-        if let Ok(text) = speed.cast::<PyString>() {
-            return key.quantity.parse(&text.to_cow()?).map_err(|message| refused(key, "", &message));
+        match Given::speed(speed)?.numbers {
+            Numbers { shape, values } if shape.is_empty() && values.len() == 1 => Ok(values[0]),
+            _ => Err(PyTypeError::new_err(format!(
+                "{SPEED}: found {}, expected one number or text; restitution and plm_impact.impacts take arrays",
+                speed.get_type()
+            ))),
         }
-        refuse_lost(speed, SPEED)?;
-        let several = |_| {
-            let found = speed.get_type();
-            PyTypeError::new_err(format!(
-                "{SPEED}: found {found}, expected one number or text; restitution and plm_impact.impacts take arrays"
-            ))
-        };
-        key.quantity.check(speed.extract().map_err(several)?).map_err(|error| refused(key, "", &error))
     }
 
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
@@ -113,7 +108,7 @@ impl Contact {
 /// no numbers (they are NaN then, and a UserWarning says how many). scenarios/results.md says what each column is.
 #[pyfunction]
 #[pyo3(signature = (contact, /, **keys))]
-pub fn impacts(contact: &Contact, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Table> {
+pub fn impacts<'py>(contact: &Contact, keys: Option<&Bound<'py, PyDict>>) -> PyResult<Bound<'py, PyAny>> {
     let none = || PyValueError::new_err("no key is given; write one such as speed=[1.0, 2.0]");
     cases::impacts(contact, keys.ok_or_else(none)?)
 }
@@ -224,12 +219,12 @@ impl Impact {
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
-    fn traced(&self) -> PyResult<std::borrow::Cow<'_, impact::Impact>> {
+    fn traced(&self) -> PyResult<Cow<'_, impact::Impact>> {
         if self.result.trace.is_empty() {
             let samples = Some(self.contact.scene.samples);
-            return Ok(std::borrow::Cow::Owned(self.contact.computed(self.result.speed, samples).map_err(exception)?));
+            return Ok(Cow::Owned(self.contact.computed(self.result.speed, samples).map_err(exception)?));
         }
-        Ok(std::borrow::Cow::Borrowed(&self.result))
+        Ok(Cow::Borrowed(&self.result))
     }
 }
 
@@ -280,8 +275,8 @@ impl Impact {
     /// The trace: a structured array with the columns of `trace.csv`.
     #[getter]
     fn trace<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let impact = py.detach(|| self.traced())?;
-        of_rows(&trace(), &impact.trace).to_numpy(py)
+        let csv = py.detach(|| trace(&*self.traced()?).map_err(exception))?;
+        table_of_csv(py, &csv)?.call_method0("to_numpy")
     }
 
     fn __repr__(&self) -> String {
@@ -296,19 +291,4 @@ impl Impact {
         });
         Ok(PyBytes::new(py, &picture??))
     }
-}
-
-/// The table of a trace, with the columns that have values.
-fn of_rows(results: &[Reported<TraceRow>], rows: &[TraceRow]) -> Table {
-    let there = results.iter().filter(|result| rows.first().is_some_and(|row| (result.value)(row).is_some()));
-    let columns = there.map(|result| {
-        let values: Vec<Value> = rows.iter().map(|row| (result.value)(row).unwrap_or_default()).collect();
-        let column = if values.iter().any(Value::is_string) {
-            Column::words(values.iter().map(|value| value.as_str().unwrap_or_default()))
-        } else {
-            Column::numbers(values.iter().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect())
-        };
-        (result.name.to_owned(), column)
-    });
-    Table::new(columns.collect())
 }

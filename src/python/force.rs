@@ -1,12 +1,10 @@
 //! The force of the law for n contacts at once, for programs that move spheres in Python.
 
-use numpy::{PyArrayMethods as _, PyUntypedArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
-use super::convert::{numbers, shaped};
-use super::work::{FEW, TOGETHER, interruptible};
+use super::convert::{Numbers, numbers};
+use super::work::columns;
 use crate::impact::{self, Memory};
 
 /// The forces of contacts at these indentations, and their memories afterwards. An indentation without a shape gives a
@@ -17,50 +15,26 @@ pub fn force<'py>(
     memory: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
     let py = indentation.py();
-    let array = numbers(indentation, "indentation")?;
-    let array = array.readonly();
-    let indentations = array.as_slice()?;
-    let shape = array.shape();
-    let of_memories = [shape, &[3]].concat();
-    let mut memories = vec![0.0; 3 * indentations.len()];
-    if let Some(memory) = memory {
-        let given = numbers(memory, "memory")?;
-        if given.shape() != of_memories {
-            let found = given.shape();
-            let message = format!(
-                "memory: has the shape {found:?}, expected {of_memories:?}: three numbers for each indentation"
-            );
-            return Err(PyValueError::new_err(message));
-        }
-        memories.copy_from_slice(given.readonly().as_slice()?);
+    let Numbers { shape, values: indentations } = numbers(indentation, "indentation")?;
+    let of_memories = [&shape[..], &[3]].concat();
+    let given = memory.map(|memory| numbers(memory, "memory")).transpose()?;
+    if let Some(given) = given.as_ref().filter(|given| given.shape != of_memories) {
+        let found = &given.shape;
+        let message =
+            format!("memory: has the shape {found:?}, expected {of_memories:?}: three numbers for each indentation");
+        return Err(PyValueError::new_err(message));
     }
-    let mut forces = vec![0.0; indentations.len()];
-    let along = |start: usize, forces: &mut [f64], memories: &mut [f64], indentations: &[f64]| {
-        let mut rows = forces.iter_mut().zip(memories.chunks_mut(3)).zip(indentations).enumerate();
-        rows.find_map(|(row, ((force, memory), indentation))| {
-            let computed = respond(contact, *indentation, memory).map(|computed| *force = computed);
-            computed.err().map(|message| (start + row, message))
-        })
-    };
-    let refused = if indentations.len() <= FEW {
-        py.detach(|| along(0, &mut forces, &mut memories, indentations))
-    } else {
-        interruptible(py, |_| {
-            let pieces = forces.par_chunks_mut(TOGETHER).zip(memories.par_chunks_mut(3 * TOGETHER));
-            let pieces = pieces.zip(indentations.par_chunks(TOGETHER)).enumerate();
-            pieces.find_map_first(|(piece, ((forces, memories), indentations))| {
-                along(piece * TOGETHER, forces, memories, indentations)
-            })
-        })?
-    };
-    if let Some((row, message)) = refused {
-        return Err(PyValueError::new_err(format!("contact {row}: {message}")));
-    }
-    let forces = match forces[..] {
-        [force] if shape.is_empty() => force.into_pyobject(py)?.into_any(),
-        _ => shaped(py, forces, shape)?,
-    };
-    Ok((forces, shaped(py, memories, &of_memories)?))
+    let memories = given.map_or_else(|| vec![0.0; 3 * indentations.len()], |given| given.values);
+    let computed = columns(py, indentations.len(), &[1, 3], false, |contacts| {
+        let mut memories = memories[3 * contacts.start..3 * contacts.end].to_vec();
+        let rows = contacts.zip(memories.chunks_mut(3));
+        let forces = rows.map(|(row, memory)| {
+            respond(contact, indentations[row], memory).map_err(|message| format!("contact {row}: {message}"))
+        });
+        Ok(vec![forces.collect::<Result<_, _>>()?, memories])
+    })?;
+    let [forces, memories]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
+    Ok((Numbers { shape, values: forces }.numpy(py)?, Numbers { shape: of_memories, values: memories }.numpy(py)?))
 }
 
 /// Largest relative difference between a given memory and the law. It allows for a text file with seven digits.

@@ -2,20 +2,23 @@
 //! thread. Meanwhile the interpreter is free.
 
 use std::mem;
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Number of values that a thread computes at a time.
-pub const TOGETHER: usize = 4096;
-/// With so few values the calling thread is done before another has begun.
-pub const FEW: usize = 1000;
+use crate::sweep::ordered::in_order;
+
+/// Number of rows that a thread computes at a time, and of slow ones, between which Ctrl-C is to be heard.
+const TOGETHER: [usize; 2] = [1024, 16];
+/// With so few rows the calling thread is done before another has begun.
+const FEW: usize = 1000;
 /// Time between two checks for signals.
 const SOON: Duration = Duration::from_millis(50);
 
@@ -67,4 +70,39 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> 
             }
         }
     })
+}
+
+/// Columns of so many rows, made piece by piece; `widths` says how many numbers each column has for a row. Few rows are
+/// computed in the calling thread, unless a single one may take long (`is_slow`).
+///
+/// # Errors
+/// `MemoryError` for columns that do not fit into memory, and `ValueError` with the first error of `make`.
+pub fn columns(
+    py: Python<'_>,
+    rows: usize,
+    widths: &[usize],
+    is_slow: bool,
+    make: impl Fn(Range<usize>) -> Result<Vec<Vec<f64>>, String> + Sync + Send,
+) -> PyResult<Vec<Vec<f64>>> {
+    if rows == 0 || rows <= FEW && !is_slow {
+        return py.detach(|| make(0..rows)).map_err(PyValueError::new_err);
+    }
+    let reserved = |width: usize| {
+        let mut column = Vec::new();
+        column.try_reserve_exact(rows.saturating_mul(width)).map(|()| column)
+    };
+    // all of them at once first: the system may promise more memory than there is, but not in one piece
+    let columns = reserved(widths.iter().sum()).and_then(|_| widths.iter().map(|width| reserved(*width)).collect());
+    let mut columns: Vec<Vec<f64>> = columns
+        .map_err(|_| PyMemoryError::new_err(format!("a table of {rows} rows does not fit into memory; divide it")))?;
+    let together = TOGETHER[usize::from(is_slow)];
+    let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
+    let done = interruptible(py, |is_cancelled| {
+        let make = |piece| if is_cancelled.load(Ordering::Relaxed) { Err(String::new()) } else { make(piece) };
+        in_order(pieces, make, |made| {
+            columns.iter_mut().zip(made).for_each(|(column, part)| column.extend(part));
+            Ok(())
+        })
+    })?;
+    done.map(|()| columns).map_err(PyValueError::new_err)
 }

@@ -5,8 +5,8 @@ use crate::plan::{Cases, Plan};
 use crate::scene::results::Column as ResultColumn;
 
 /// Where the values of a column come from.
-#[derive(Debug)]
-pub(super) enum Column {
+#[derive(Debug, Clone)]
+pub(crate) enum Column {
     /// The case number.
     Case,
     /// A random or derived number, written as it is: its place among the swept values of a row.
@@ -22,7 +22,7 @@ pub(super) enum Column {
 }
 
 /// The columns of a plan, in the order of their names ([`Plan::column_names`]).
-pub(super) fn columns(plan: &Plan) -> Vec<Column> {
+pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
     let mut swept: Vec<Column> = match &plan.cases {
         Cases::MonteCarlo { variables, .. } => (0..variables.len()).map(Column::Plain).collect(),
         Cases::Grid(axes) => (0..)

@@ -28,12 +28,15 @@ impl Count {
         }
     }
 
-    /// How a written row counts, by its status and its e, which is `None` where the field is empty.
-    pub(super) fn of_row(status: &str, restitution: Option<f64>) -> Option<Self> {
-        if status != OK {
-            return Failure::from_name(status).map(Self::from);
-        }
-        Some(restitution.map_or(Self::AtRest, Self::Restitution))
+    /// How a row counts by its failure and its e, which is `None` where the field is empty.
+    pub fn of_row(failure: Option<Failure>, restitution: Option<f64>) -> Self {
+        failure.map_or_else(|| restitution.map_or(Self::AtRest, Self::Restitution), Self::from)
+    }
+
+    /// The same of a written row, by its status.
+    pub(super) fn of_written(status: &str, restitution: Option<f64>) -> Option<Self> {
+        let failure = Failure::ALL.into_iter().find(|failure| failure.name() == status);
+        (failure.is_some() || status == OK).then(|| Self::of_row(failure, restitution))
     }
 }
 

@@ -88,7 +88,7 @@ impl Csv {
         let (before, status) = line.rsplit_once(',')?;
         let restitution = before.split(',').nth(self.restitution)?;
         let restitution = if restitution.is_empty() { None } else { Some(restitution.parse().ok()?) };
-        Count::of_row(status, restitution)
+        Count::of_written(status, restitution)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::impact::{Approach, Contact, Essentials, ImpactError, Solver};
+use crate::impact::{Contact, Essentials, ImpactError};
 use crate::integrate::IntegrationError;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
@@ -39,11 +39,6 @@ impl Failure {
         Self::OutsidePlate,
         Self::NoClosedForm,
     ];
-
-    /// The failure of this name.
-    pub(super) fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|failure| failure.name() == name)
-    }
 
     /// The name in the column `status`.
     pub fn name(self) -> &'static str {
@@ -106,15 +101,29 @@ impl Rows {
     }
 }
 
+/// The bodies of a row and their law.
+#[derive(Debug)]
+struct Known {
+    /// The yield strength of the half-space.
+    strength: Option<f64>,
+    contact: Result<Contact, Failure>,
+}
+
+impl Known {
+    fn of(scene: &Scene) -> Self {
+        Self { strength: scene.half_space.yield_strength, contact: scene.contact().map_err(Failure::from) }
+    }
+}
+
 /// A plan, and what its rows have in common, computed once.
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// Whether the yield strength follows from the swept values ([`Plan::derives_strength`]).
     derives_strength: bool,
-    /// Input, yield strength and contact of every combination of the axes that change the contact. Empty if there are too
-    /// many combinations.
-    contacts: Vec<(Input, Option<f64>, Result<Contact, Failure>)>,
+    /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
+    /// combinations.
+    contacts: Vec<(Input, Known)>,
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
@@ -124,35 +133,40 @@ impl<'a> Evaluator<'a> {
     /// Computes the contact of every combination, if there are at most 10⁴ combinations (about 1 kB each).
     pub fn new(plan: &'a Plan) -> Self {
         const MOST_CONTACTS: u64 = 10_000;
-        let (mut strides, mut combinations) = (Vec::new(), Some(1u64));
+        let (mut strides, mut combinations) = (Vec::new(), 1_u64);
         match &plan.cases {
             Cases::Grid(axes) => {
                 for axis in axes {
-                    let is_fixed = axis.keeps_contact();
-                    strides.push(if is_fixed { 0 } else { combinations.unwrap_or(0) });
-                    let factor = if is_fixed { 1 } else { axis.len() };
-                    combinations = combinations.and_then(|product| product.checked_mul(factor));
+                    strides.push(if axis.keeps_contact() { 0 } else { combinations });
+                    combinations = combinations.saturating_mul(if axis.keeps_contact() { 1 } else { axis.len() });
                 }
             }
             Cases::MonteCarlo { variables, .. } => {
                 if variables.iter().any(|variable| !keeps_contact(variable.key.path)) {
-                    combinations = None;
+                    combinations = u64::MAX;
                 }
             }
         }
-        let derives_strength = plan.derives_strength();
-        let mut evaluator = Self { plan, derives_strength, contacts: Vec::new(), strides };
-        if let Some(count) = combinations.filter(|count| *count <= MOST_CONTACTS) {
-            evaluator.contacts = (0..count).map(|index| evaluator.combination(index)).collect();
-        }
-        evaluator
+        let combination = |index: u64| {
+            // at the first places of the other axes
+            let axes = plan.axes().iter().zip(&strides);
+            let places: Vec<u64> =
+                axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
+            let input = plan.input_at(&places);
+            let known = Known::of(&input.resolve());
+            (input, known)
+        };
+        let contacts =
+            if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
+        Self { plan, derives_strength: plan.derives_strength(), contacts, strides }
     }
 
-    /// The same where the contact of the plan is known, and no axis changes it.
-    pub fn of_contact(plan: &'a Plan, contact: &Contact) -> Self {
+    /// That of [`Self::listed`] rows alone, without the contacts of a grid; `contact` is that of the plan, if no key changes it.
+    pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let strength = plan.scene.half_space.yield_strength;
-        let contacts = vec![(plan.input.clone(), strength, Ok(contact.clone()))];
-        Self { plan, derives_strength: plan.derives_strength(), contacts, strides: vec![0; plan.axes().len()] }
+        let known = |contact: &Contact| (plan.input.clone(), Known { strength, contact: Ok(contact.clone()) });
+        let contacts = contact.map(known).into_iter().collect();
+        Self { plan, derives_strength: plan.derives_strength(), contacts, strides: Vec::new() }
     }
 
     /// How many swept values a row has.
@@ -160,25 +174,14 @@ impl<'a> Evaluator<'a> {
         self.plan.paths().len() + usize::from(self.derives_strength)
     }
 
-    /// One combination, at the first places of the other axes.
-    fn combination(&self, index: u64) -> (Input, Option<f64>, Result<Contact, Failure>) {
-        let axes = self.plan.axes().iter().zip(&self.strides);
-        let places: Vec<u64> =
-            axes.map(|(axis, stride)| if *stride == 0 { 0 } else { index / stride % axis.len() }).collect();
-        let input = self.plan.input_at(&places);
-        let scene = input.resolve();
-        (input, scene.half_space.yield_strength, contact(&scene))
-    }
-
     /// The input at these places. It is made from that of the plan or of its combination, never from that of the row before,
     /// as a law or a material brings numbers of its own and takes others away.
     fn put_at(&self, axes: &[Axis], places: &[u64], input: &mut Input) {
-        if self.contacts.is_empty() {
+        let Some((known, _)) = self.known(places) else {
             *input = self.plan.input_at(places);
             return;
-        }
+        };
         // the contact is known: only what else a row needs is copied
-        let known = &self.contacts[self.index(places)].0;
         input.impact.clone_from(&known.impact);
         input.gravity.clone_from(&known.gravity);
         input.friction.clone_from(&known.friction);
@@ -188,10 +191,11 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Where the combination at these places is in `contacts`.
+    /// What is known of the combination at these places.
     #[allow(clippy::cast_possible_truncation)] // at most 10⁴
-    fn index(&self, places: &[u64]) -> usize {
-        places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum::<u64>() as usize
+    fn known(&self, places: &[u64]) -> Option<&(Input, Known)> {
+        let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
+        self.contacts.get(index as usize)
     }
 
     /// Appends the rows of `cases`.
@@ -203,23 +207,27 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// Appends the row of an input with this contact.
+    fn row(&self, input: &Input, Known { strength, contact }: &Known, rows: &mut Rows) {
+        rows.swept.extend(strength.filter(|_| self.derives_strength));
+        let row = contact.as_ref().map_err(|error| *error);
+        let row = row.and_then(|contact| Ok(contact.essentials_by(input.approach(), &input.solver())?));
+        rows.results.push(row);
+    }
+
     /// Appends the rows of a grid.
     #[allow(clippy::cast_precision_loss)]
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
-        let mut own: Option<(Option<f64>, Result<Contact, Failure>)> = None;
+        let mut own: Option<Known> = None;
         for _ in cases {
-            let (strength, contact) = if self.contacts.is_empty() {
-                let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
-                (*strength, &*contact)
-            } else {
-                let (_, strength, contact) = &self.contacts[self.index(&places)];
-                (*strength, contact)
-            };
-            rows.results.push(evaluate(contact, input.approach(), &input.solver()));
             rows.swept.extend(places.iter().map(|place| *place as f64));
-            rows.swept.extend(strength.filter(|_| self.derives_strength));
+            let known = match self.known(&places) {
+                Some((_, known)) => known,
+                None => own.get_or_insert_with(|| Known::of(&input.resolve())),
+            };
+            self.row(&input, known, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
             let mut is_new = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
@@ -253,15 +261,12 @@ impl<'a> Evaluator<'a> {
                 (draw.key().set)(&mut input, Some(value));
                 rows.swept.push(value);
             }
-            if self.contacts.is_empty() {
+            if let Some((_, known)) = self.contacts.first() {
+                self.row(&input, known, rows);
+            } else {
                 scene = if keeps_law { input.resolve_under(scene.law) } else { input.resolve() };
+                self.row(&input, &Known::of(&scene), rows);
             }
-            rows.swept.extend(scene.half_space.yield_strength.filter(|_| self.derives_strength));
-            let result = match self.contacts.first() {
-                Some((.., contact)) => evaluate(contact, input.approach(), &input.solver()),
-                None => evaluate(&contact(&scene), scene.approach_at(scene.speed), &scene.solver),
-            };
-            rows.results.push(result);
         }
     }
 
@@ -269,44 +274,26 @@ impl<'a> Evaluator<'a> {
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let of_contact = keys.iter().filter(|(key, _)| !keeps_contact(key.path)).map(|(_, values)| *values);
-        let of_contact: Vec<&[f64]> = of_contact.collect();
+        let of_contact: Vec<_> = keys.iter().filter(|(key, _)| !keeps_contact(key.path)).collect();
         let mut input = self.plan.input.clone();
-        let mut own: Option<(Option<f64>, Result<Contact, Failure>)> = None;
+        let mut own: Option<Known> = None;
         for case in cases {
             for (key, values) in keys {
                 (key.set)(&mut input, Some(values[case]));
             }
-            let known = self.contacts.first().filter(|_| of_contact.is_empty());
-            let (strength, contact) = if let Some((_, strength, contact)) = known {
-                (*strength, contact)
-            } else {
-                if case == 0 || of_contact.iter().any(|values| values[case] != values[case - 1]) {
-                    own = None;
-                }
-                let (strength, contact) = own.get_or_insert_with(|| with_strength(&input.resolve()));
-                (*strength, &*contact)
+            if case > 0 && of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
+                own = None;
+            }
+            let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
+                Some((_, known)) => known,
+                None => own.get_or_insert_with(|| Known::of(&input.resolve())),
             };
-            rows.swept.extend(strength.filter(|_| self.derives_strength));
-            rows.results.push(evaluate(contact, input.approach(), &input.solver()));
+            self.row(&input, known, rows);
         }
     }
-}
-
-/// The yield strength, and the contact.
-fn with_strength(scene: &Scene) -> (Option<f64>, Result<Contact, Failure>) {
-    (scene.half_space.yield_strength, contact(scene))
 }
 
 /// Whether the law with its flow curve stays the same when this key changes.
 fn keeps_law(key: &Key) -> bool {
     !key.path.starts_with("law.") && !key.path.starts_with("half_space.flow_stress.")
-}
-
-fn contact(scene: &Scene) -> Result<Contact, Failure> {
-    scene.contact().map_err(Failure::from)
-}
-
-fn evaluate(contact: &Result<Contact, Failure>, approach: Approach, solver: &Solver) -> Result<Essentials, Failure> {
-    Ok(contact.as_ref().map_err(|error| *error)?.essentials_by(approach, solver)?)
 }

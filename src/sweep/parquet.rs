@@ -6,9 +6,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use arrow_array::cast::AsArray as _;
-use arrow_array::types::{Float64Type, Int32Type};
-use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, Int64Array, RecordBatch, StringArray};
-use arrow_schema::{Schema, SchemaRef};
+use arrow_array::types::Float64Type;
+use arrow_array::{ArrayRef, Int64Array, RecordBatch, StringArray};
+use arrow_schema::{ArrowError, Schema, SchemaRef};
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::arrow::arrow_writer::{ArrowWriter, ArrowWriterOptions};
@@ -17,9 +17,10 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
+use super::arrow;
 use super::column::{Column, columns};
-use super::count::{Count, OK};
-use super::evaluator::{Failure, Rows};
+use super::count::Count;
+use super::evaluator::Rows;
 use super::form::{Form, Found};
 use crate::output::NewFile;
 use crate::plan::Plan;
@@ -49,13 +50,13 @@ impl Parquet {
     /// The table of a plan; `table` tells it from all others.
     pub(super) fn new(plan: &Plan, table: String) -> Result<Self, ParquetError> {
         let columns = columns(plan);
-        let words: Vec<_> = columns.iter().map(words).collect();
+        let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.words()?)))).collect();
         let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()), table };
         // the types are those of the arrays
         let fields = |arrays: Vec<ArrayRef>| {
             let names = plan.column_names().into_iter().zip(arrays).zip(&parquet.columns);
             let fields = names.map(|((name, array), column)| (name, array, matches!(column, Column::Result(_))));
-            RecordBatch::try_from_iter_with_nullable(fields).map_err(ParquetError::from)
+            RecordBatch::try_from_iter_with_nullable(fields)
         };
         let empty = parquet.arrays(&Rows::default()).and_then(fields)?;
         parquet.schema = empty.schema();
@@ -84,30 +85,14 @@ impl Parquet {
     }
 
     /// Rows as Arrow data, column by column.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_possible_wrap)] // places, cases < 2^63
-    fn arrays(&self, rows: &Rows) -> Result<Vec<ArrayRef>, ParquetError> {
-        let n_swept = if rows.cases.is_empty() { 1 } else { (rows.swept.len() / rows.cases.len()).max(1) };
-        let swept = |place: usize| rows.swept.chunks_exact(n_swept).map(move |row| row[place]);
-        let array = |(column, words): (&Column, &Option<Arc<StringArray>>)| -> Result<ArrayRef, ParquetError> {
-            let coded = |codes: Int32Array| {
-                let words = words.clone().unwrap_or_else(|| Arc::new(StringArray::from(Vec::<&str>::new())));
-                DictionaryArray::<Int32Type>::try_new(codes, words)
-            };
-            Ok(match column {
-                Column::Case => Arc::new(rows.cases.iter().map(|case| *case as i64).collect::<Int64Array>()),
-                Column::Plain(place) => Arc::new(Float64Array::from_iter_values(swept(*place))),
-                Column::Number(place, values) => {
-                    Arc::new(Float64Array::from_iter_values(swept(*place).map(|place| values.at(place as u64))))
-                }
-                Column::Result(column) => {
-                    let value = |row: &Result<_, _>| row.as_ref().ok().and_then(column.value);
-                    Arc::new(rows.results.iter().map(value).collect::<Float64Array>())
-                }
-                Column::Name(place, _) => {
-                    Arc::new(coded(Int32Array::from_iter_values(swept(*place).map(|place| place as i32)))?)
-                }
-                Column::Status => Arc::new(coded(Int32Array::from_iter_values(rows.results.iter().map(code)))?),
-            })
+    #[allow(clippy::cast_possible_wrap)] // cases < 2^63
+    fn arrays(&self, rows: &Rows) -> Result<Vec<ArrayRef>, ArrowError> {
+        let array = |(column, words): (&Column, &Option<Arc<StringArray>>)| match (column, words) {
+            (Column::Case, _) => {
+                Ok(Arc::new(rows.cases.iter().map(|case| *case as i64).collect::<Int64Array>()) as ArrayRef)
+            }
+            (_, Some(words)) => arrow::words(&column.values(rows), words),
+            (_, None) => Ok(arrow::numbers(column.values(rows))),
         };
         self.columns.iter().zip(&self.words).map(array).collect()
     }
@@ -129,29 +114,11 @@ fn count_rows(file: File, rows: u64, count: &mut dyn FnMut(Count)) -> Result<boo
             return Ok(false);
         };
         for (value, state) in values.iter().zip(states.iter()) {
-            let Some(one) = Count::of_row(state.unwrap_or_default(), value) else { return Ok(false) };
+            let Some(one) = Count::of_written(state.unwrap_or_default(), value) else { return Ok(false) };
             count(one);
         }
     }
     Ok(true)
-}
-
-/// The words of a column; `None` for one of numbers.
-fn words(column: &Column) -> Option<Arc<StringArray>> {
-    match column {
-        Column::Name(_, names) => Some(Arc::new(StringArray::from(names.clone()))),
-        Column::Status => {
-            let all: Vec<&str> = [OK].into_iter().chain(Failure::ALL.map(Failure::name)).collect();
-            Some(Arc::new(StringArray::from(all)))
-        }
-        _ => None,
-    }
-}
-
-/// The place of a row's status among the words of that column.
-fn code<T>(result: &Result<T, Failure>) -> i32 {
-    let failure = |failure: &Failure| (1..).zip(Failure::ALL).find(|(_, known)| known == failure);
-    result.as_ref().err().and_then(failure).map_or(0, |(code, _)| code)
 }
 
 impl Form for Parquet {

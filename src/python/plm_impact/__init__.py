@@ -16,7 +16,8 @@ A wrong key or value raises ValueError, a wrong type TypeError, a missing file N
 What is doubtful is a UserWarning. Long computations use all cores, and Ctrl-C stops them.
 """
 
-from ._core import Contact, Impact, Outcome, Table, __version__, calibrate, impacts, laws, materials, run, schema
+from ._core import Contact, Impact, __version__, calibrate, impacts, laws, materials, run, schema
+from ._results import Outcome, Table
 
 __all__ = [
     "Contact",
