@@ -5,7 +5,6 @@ mod calibrate;
 mod export;
 mod fit_plm;
 mod init;
-mod interrupt;
 mod materials;
 mod names;
 mod output;

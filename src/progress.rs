@@ -22,6 +22,12 @@ impl Counter {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
+    /// Says how many are done, and how many there are.
+    pub fn set(&self, done: u64, total: u64) {
+        self.done.store(done, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
+    }
+
     /// How many are done, and how many there are; 0 where that is not known.
     pub fn read(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))

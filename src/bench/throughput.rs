@@ -9,7 +9,9 @@ use rayon::prelude::*;
 use crate::error::Error;
 use crate::output::{Origin, OutputDirectory};
 use crate::plan::{Plan, Source};
+use crate::progress::Counter;
 use crate::sweep::evaluator::{Evaluator, Rows};
+use crate::sweep::parts::Layout;
 use crate::sweep::{Format, Job};
 
 /// Rows computed at a time.
@@ -60,10 +62,10 @@ fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Resul
         plan,
         shard: None,
         format,
-        rows_per_part: None,
+        layout: Layout::of(plan),
         directory,
         source: &Source::default(),
-        progress: &|_, _| (),
+        progress: &Counter::default(),
         is_cancelled: &AtomicBool::new(false),
     };
     let written = job.run()?;

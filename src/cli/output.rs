@@ -11,7 +11,7 @@ use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
 
 use super::names::PictureArguments;
-use super::watched::watched;
+use super::watched::Watch;
 
 /// What is written, and where.
 #[derive(Debug, Args)]
@@ -55,11 +55,11 @@ impl Output {
         let directory = self.prepare(file, &scenario)?;
         make_way(&directory)?;
         let pictures = self.pictures.format;
-        let (scenario, outcome) = watched(self.quiet, move |progress| {
-            let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress });
-            (scenario, outcome)
+        let (scenario, outcome) = Watch::without_files(self.quiet).watch(move |progress, _| {
+            let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress })?;
+            Ok((scenario, outcome))
         })?;
-        let Outcome { warnings, text, files, contradiction } = outcome?;
+        let Outcome { warnings, text, files, contradiction } = outcome;
         warn(&warnings);
         heed(&scenario, warnings.len(), self.strict)?;
         let out = directory.path().to_owned();

@@ -1,6 +1,7 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
 use std::path::Path;
+use std::time::Duration;
 
 use clap::Args;
 use plm_impact::error::Error;
@@ -9,12 +10,12 @@ use plm_impact::run::heed;
 use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::count::Tally;
+use plm_impact::sweep::parts::Layout;
 use plm_impact::sweep::{Format, Job, Shard};
 
-use super::interrupt::Interrupt;
 use super::names::one_of;
 use super::output::{Output, warn};
-use super::watched::bar;
+use super::watched::Watch;
 
 /// Options of sweeps.
 #[derive(Debug, Args)]
@@ -37,13 +38,13 @@ impl Options {
     /// Refuses options of tables for `scene`, which has none.
     pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
         let given = [
-            ("--format", self.format.is_some()),
-            ("--shard", self.shard.is_some()),
-            ("--shard-env", self.shard_env.is_some()),
-            ("--threads", self.threads.is_some()),
+            self.format.map(|_| "--format"),
+            self.shard.as_ref().map(|_| "--shard"),
+            self.shard_env.as_ref().map(|_| "--shard-env"),
+            self.threads.map(|_| "--threads"),
         ];
-        match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(Error::input(format!(
+        match given.into_iter().flatten().next() {
+            Some(name) => Err(Error::input(format!(
                 "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
             ))),
             None => Ok(()),
@@ -52,21 +53,32 @@ impl Options {
 
     /// Which part of the table is written; `None`: all.
     fn shard(&self) -> Result<Option<Shard>, Error> {
-        match (&self.shard, &self.shard_env) {
-            (Some(text), _) => Shard::parse(text, None).map(Some),
-            (None, Some(text)) => Shard::parse(text, Some(&|name| std::env::var(name).ok())).map(Some),
-            (None, None) => Ok(None),
-        }
+        let text = match (&self.shard, self.shard_env.as_deref().map(|text| (text, text.split_once('/')))) {
+            (Some(text), _) => text.clone(),
+            (None, Some((_, Some((variable, count))))) => {
+                let unset = |_| {
+                    Error::input(format!(
+                        "--shard: the environment variable {variable} is not set; it holds the shard's number, counted from 0, under the job scheduler"
+                    ))
+                };
+                format!("{}/{count}", std::env::var(variable).map_err(unset)?.trim())
+            }
+            (None, Some((text, None))) => text.to_owned(),
+            (None, None) => return Ok(None),
+        };
+        Shard::parse(&text).map(Some)
     }
 }
 
+/// Time that a table has to stop by itself after a signal.
+const PATIENCE: Duration = Duration::from_millis(700);
 /// Rows of a part, for tests of small tables.
 const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
 
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
 pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario) -> Result<(), Error> {
-    let plan = &table::plan(scenario)?;
-    let warnings = table::warnings(plan);
+    let plan = table::plan(scenario)?;
+    let warnings = table::warnings(&plan);
     warn(&warnings);
     heed(scenario, warnings.len(), output.strict)?;
     let shard = options.shard()?;
@@ -75,37 +87,40 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
         return Err(Error::input(message.to_owned()));
     }
-    let directory = &output.prepare(file, scenario)?;
-    let interrupt = Interrupt::listen()?;
-    let bar = bar(output.quiet, "{human_pos}/{human_len} rows, {per_sec}, {eta} left");
-    let source = scenario.source();
-    let job = Job {
-        plan,
-        shard,
-        format: options.format.unwrap_or(Format::Csv),
-        rows_per_part: std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()),
-        directory,
-        source: &source,
-        progress: &|rows, total| {
-            bar.set_length(total);
-            bar.set_position(rows);
-        },
-        is_cancelled: &interrupt.is_set,
-    };
-    interrupt.leave(if job.is_in_parts() {
+    let directory = output.prepare(file, scenario)?;
+    let (source, provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
+    let Options { format, threads, .. } = *options;
+    let mut layout = Layout::of(&plan);
+    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()) {
+        layout.rows_per_part = rows;
+    }
+    let leaves = if layout.is_in_parts(shard, &directory) {
         "the same command goes on from the parts that are whole"
     } else {
         "nothing was written; the same command starts anew"
-    });
-    interrupt.end_the_slow()?;
-    let written = super::threads::with(options.threads, || job.run());
-    bar.finish_and_clear();
-    let written = written?.map_err(|error| interrupt.explain(error))?;
+    };
+    let bar = "{human_pos}/{human_len} rows, {per_sec}, {eta} left";
+    let watch = Watch { is_quiet: output.quiet, bar, patience: PATIENCE, leaves };
+    let (directory, plan, written) = watch.watch(move |progress, is_cancelled| {
+        let job = Job {
+            plan: &plan,
+            shard,
+            format: format.unwrap_or(Format::Csv),
+            layout,
+            directory: &directory,
+            source: &source,
+            progress,
+            is_cancelled,
+        };
+        let written = super::threads::with(threads, || job.run())??;
+        Ok((directory, plan, written))
+    })?;
     let mut files = Vec::new();
     if shard.is_none() {
-        interrupt.leave("the table is written, its summary is not; give the same command again");
-        let provenance = scenario.provenance(&super::output::command_line());
-        files = table::files(plan, &written.tally, &warnings, &provenance, pictures)?;
+        let leaves = "the table is written, its summary is not; give the same command again";
+        let tally = written.tally.clone();
+        files = Watch { leaves, ..Watch::without_files(output.quiet) }
+            .watch(move |_, _| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
         directory.write(&files)?;
     }
     let found = match written.found {

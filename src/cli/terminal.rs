@@ -30,13 +30,7 @@ impl ErrorFormat {
 /// Writes the error that ends the program; gives the exit code.
 pub fn error(error: &Error) -> u8 {
     let exit_code = error.exit_code();
-    if is_json() {
-        let mut details = (*error.details).clone();
-        details.message.get_or_insert_with(|| error.to_string());
-        say_json("error", Some(exit_code), details);
-    } else {
-        say(Some((AnsiColor::Red, "error")), &error.to_string());
-    }
+    tell("error", Some(AnsiColor::Red), Some(exit_code), error.to_string(), (*error.details).clone());
     exit_code
 }
 
@@ -47,35 +41,17 @@ pub fn other<E: Display>(what: impl Display) -> impl FnOnce(E) -> Error {
 
 /// Writes a warning.
 pub fn warning(text: impl Display) {
-    speak(Some((AnsiColor::Yellow, "warning")), &text.to_string());
+    tell("warning", Some(AnsiColor::Yellow), None, text.to_string(), Details::default());
 }
 
 /// Writes a note.
 pub fn note(text: impl Display) {
-    speak(None, &text.to_string());
+    tell("note", None, None, text.to_string(), Details::default());
 }
 
 /// Whether errors are written for programs.
 pub fn is_json() -> bool {
     IS_JSON.load(Ordering::Relaxed)
-}
-
-fn speak(level: Option<(AnsiColor, &str)>, text: &str) {
-    if is_json() {
-        let message = Details { message: Some(text.to_owned()), ..Details::default() };
-        say_json(level.map_or("note", |(_, name)| name), None, message);
-    } else {
-        say(level, text);
-    }
-}
-
-/// A line to standard error; one that nobody reads (`2>&1 | head`) is no failure.
-fn say(level: Option<(AnsiColor, &str)>, text: &str) {
-    let begin = level.map_or_else(String::new, |(color, name)| {
-        let style = Style::new().bold().fg_color(Some(color.into()));
-        format!("{style}{name}:{style:#} ")
-    });
-    drop(writeln!(anstream::stderr().lock(), "{begin}{}", harmless(text)));
 }
 
 /// An object for a program.
@@ -88,10 +64,21 @@ struct Said<'a> {
     details: Details,
 }
 
-fn say_json(level: &str, exit_code: Option<u8>, details: Details) {
-    // texts and numbers are always JSON
-    let object = serde_json::to_string(&Said { level, exit_code, details }).unwrap_or_default();
-    drop(writeln!(io::stderr().lock(), "{}", harmless_json(&object)));
+/// A line to standard error, which begins with the level if that has a colour; or an object for a program, with `text` where
+/// the details have no message. A line that nobody reads (`2>&1 | head`) is no failure.
+fn tell(level: &str, color: Option<AnsiColor>, exit_code: Option<u8>, text: String, mut details: Details) {
+    if is_json() {
+        details.message.get_or_insert(text);
+        // texts and numbers are always JSON
+        let object = serde_json::to_string(&Said { level, exit_code, details }).unwrap_or_default();
+        drop(writeln!(io::stderr().lock(), "{}", harmless_json(&object)));
+        return;
+    }
+    let begin = color.map_or_else(String::new, |color| {
+        let style = Style::new().bold().fg_color(Some(color.into()));
+        format!("{style}{level}:{style:#} ")
+    });
+    drop(writeln!(anstream::stderr().lock(), "{begin}{}", harmless(&text)));
 }
 
 /// The text without control characters, which names of files and keys may hold and which a terminal obeys.

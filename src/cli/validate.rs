@@ -11,7 +11,7 @@ use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validation::{self, Verdict, check, experiments, report};
 
 use super::names::PictureArguments;
-use super::watched::watched;
+use super::watched::Watch;
 
 /// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal
 ///
@@ -51,13 +51,13 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (checks, laws, measured, pictures) = watched(false, move |progress| {
+    let (checks, laws, measured, pictures) = Watch::without_files(false).watch(move |progress, _| {
         let checks = validation::checks(&coefficients, progress)?;
         let laws = validation::laws::laws(&coefficients)?;
         let draw = || validation::pictures(&coefficients, &measured, format, progress);
         let pictures = super::threads::with(None, draw)??;
-        Ok::<_, Error>((checks, laws, measured, pictures))
-    })??;
+        Ok((checks, laws, measured, pictures))
+    })?;
     let mut page = report::page(&checks, &laws, &name, is_built_in);
     let mut files = vec![OutputFile { name: "validation.csv".into(), bytes: report::csv(&checks)? }];
     let mut said = report::table(&checks);

@@ -1,67 +1,118 @@
-//! Work that may take long: a terminal shows its progress, and a signal stops it.
+//! Work that may take long: a terminal shows its progress, and Ctrl-C or SIGTERM stops it. Files stay complete, as an
+//! unfinished file has not replaced any other.
 
 use std::io::{self, IsTerminal as _};
 use std::panic::resume_unwind;
 use std::sync::Arc;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use plm_impact::error::Error;
+use plm_impact::error::{Error, ErrorKind};
 use plm_impact::progress::Counter;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 
-use super::interrupt::{Interrupt, LOOK};
 use super::terminal::other;
 
 /// Bytes of the stack of a thread, as many as that of a program.
 const STACK: usize = 8 << 20;
-/// A bar is shown for work that is not done after so many looks.
-const SOON: u32 = 10;
+/// Time between two looks for a signal.
+const LOOK: Duration = Duration::from_millis(50);
+/// A bar is shown for work that takes longer.
+const SOON: Duration = Duration::from_millis(500);
+/// A shell adds the number of the signal to this for the exit code.
+const ENDED_BY: usize = 128;
 
-/// Does the work on a thread of its own, and abandons it when a signal comes.
-///
-/// # Errors
-/// [`Error`] after a signal; and where the system gives neither thread nor signals.
-pub fn watched<T: Send + 'static>(
-    is_quiet: bool,
-    work: impl FnOnce(&Counter) -> T + Send + 'static,
-) -> Result<T, Error> {
-    let interrupt = Interrupt::listen()?;
-    let progress = Arc::new(Counter::default());
-    let (sender, receiver) = channel();
-    let counter = Arc::clone(&progress);
-    let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
-    let worker = worker.map_err(other("thread"))?;
-    let bar = bar(is_quiet, "{human_pos}/{human_len} done, {elapsed}");
-    for look in 0_u32.. {
-        match receiver.recv_timeout(LOOK) {
-            Ok(done) => {
-                bar.finish_and_clear();
-                return Ok(done);
-            }
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => break,
-        }
-        if let Some(stopped) = interrupt.nothing_written() {
-            bar.finish_and_clear();
-            return Err(stopped);
-        }
-        let (done, total) = progress.read();
-        if look > SOON && total > 1 {
-            bar.set_length(total);
-            bar.set_position(done);
-        }
-    }
-    // it ended without a result: by a panic
-    worker.join().unwrap_or_else(|panic| resume_unwind(panic));
-    Err(Error::failed("the work ended without a result".to_owned()))
+/// How work is watched.
+pub struct Watch {
+    pub is_quiet: bool,
+    /// What stands behind the bar.
+    pub bar: &'static str,
+    /// Time that the work has to stop by itself after a signal; then it is abandoned.
+    pub patience: Duration,
+    /// What abandoned work leaves, and what to do then.
+    pub leaves: &'static str,
 }
 
-/// A bar on a terminal, with a text after it.
-pub fn bar(is_quiet: bool, text: &str) -> ProgressBar {
-    if is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
+impl Watch {
+    /// That of work which writes no files.
+    pub fn without_files(is_quiet: bool) -> Self {
+        let bar = "{human_pos}/{human_len} done, {elapsed}";
+        Self { is_quiet, bar, patience: Duration::ZERO, leaves: "nothing was written" }
     }
-    let style = ProgressStyle::with_template(&format!("{{bar:40}} {text}"));
-    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+
+    /// Does the work on a thread of its own. The flag given to it is set by a signal.
+    ///
+    /// # Errors
+    /// That of the work; [`Error`] with its exit code after a signal; and where the system gives neither thread nor signals.
+    pub fn watch<T: Send + 'static>(
+        &self,
+        work: impl FnOnce(&Counter, &AtomicBool) -> Result<T, Error> + Send + 'static,
+    ) -> Result<T, Error> {
+        let (is_set, code, is_over) = (Arc::<AtomicBool>::default(), Arc::<AtomicUsize>::default(), Arc::default());
+        for signal in [SIGINT, SIGTERM] {
+            let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
+            let listened = flag::register_conditional_default(signal, Arc::clone(&is_over));
+            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
+            listened.and_then(|_| flag::register(signal, Arc::clone(&is_set))).map_err(other("signals"))?;
+        }
+        let progress = Arc::new(Counter::default());
+        let (sender, receiver) = channel();
+        let (counter, flag) = (Arc::clone(&progress), Arc::clone(&is_set));
+        let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter, &flag))));
+        let worker = worker.map_err(other("thread"))?;
+        let done = self.wait(&receiver, &progress, &is_set);
+        // signals end the process from now on, as they do by default
+        is_over.store(true, Ordering::Relaxed);
+        let done = done.unwrap_or_else(|| {
+            // it ended without a result: by a panic
+            worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+            Err(Error::failed("the work ended without a result"))
+        });
+        done.map_err(|error| match (error.kind, u8::try_from(code.load(Ordering::Relaxed))) {
+            (ErrorKind::Stopped(_), Ok(code @ 1..)) => Error::new(ErrorKind::Stopped(code), error.to_string()),
+            _ => error,
+        })
+    }
+
+    /// The result of the work; `None` where it ended without one.
+    fn wait<T>(
+        &self,
+        receiver: &Receiver<Result<T, Error>>,
+        progress: &Counter,
+        is_set: &AtomicBool,
+    ) -> Option<Result<T, Error>> {
+        let (begun, mut signalled) = (Instant::now(), None);
+        let bar = self.bar();
+        let done = loop {
+            match receiver.recv_timeout(LOOK) {
+                Ok(done) => break Some(done),
+                Err(RecvTimeoutError::Disconnected) => break None,
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            if is_set.load(Ordering::Relaxed) && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
+                let what = format!("interrupted; {}", self.leaves);
+                break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
+            }
+            let (done, total) = progress.read();
+            if begun.elapsed() > SOON && total > 1 {
+                bar.set_length(total);
+                bar.set_position(done);
+            }
+        };
+        bar.finish_and_clear();
+        done
+    }
+
+    /// A bar, which a terminal shows as soon as it moves.
+    fn bar(&self) -> ProgressBar {
+        if self.is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template(&format!("{{bar:40}} {}", self.bar));
+        ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
 }

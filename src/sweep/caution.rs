@@ -2,6 +2,9 @@
 //! the grid, or in the tails of the distributions. Of very many corners, those that differ from the first in one axis are
 //! computed, and a sample of the others. The rows of a table carry no warnings.
 
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+
 use crate::impact::{Approach, Contact, Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
@@ -23,9 +26,19 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
     let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
     let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
-        (0..all).map(|corner| at_corner(&ends, corner)).collect()
+        let corner = |mut number: u64| {
+            corner(&ends, |count| {
+                let digit = number % count;
+                number /= count;
+                digit
+            })
+        };
+        (0..all).map(corner).collect()
     } else {
-        one_at_a_time(&ends).chain((0..MOST_CORNERS).map(|number| sampled(&ends, number))).collect()
+        // the same in every run
+        let mut random = ChaCha8Rng::seed_from_u64(0);
+        let sample = (0..MOST_CORNERS).map(|_| corner(&ends, |count| random.next_u64() % count));
+        one_at_a_time(&ends).chain(sample).collect()
     };
     let computed = chosen.len();
     // where no axis changes the contact, one serves all corners
@@ -66,21 +79,10 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     (warnings, deepest)
 }
 
-/// The places of a corner; the first axis varies fastest.
-fn at_corner(ends: &[Vec<u64>], corner: u64) -> Vec<u64> {
-    let mut rest = corner;
-    let place_on = |ends: &Vec<u64>| {
-        let (count, at) = (ends.len() as u64, rest);
-        rest /= count;
-        pick(ends, at)
-    };
-    ends.iter().map(place_on).collect()
-}
-
-/// One of the places of an axis, for any number.
+/// The corner where `choose` takes one of so many ends of every axis.
 #[allow(clippy::cast_possible_truncation)] // less than the length of a list
-fn pick(ends: &[u64], number: u64) -> u64 {
-    ends[(number % ends.len() as u64) as usize]
+fn corner(ends: &[Vec<u64>], mut choose: impl FnMut(u64) -> u64) -> Vec<u64> {
+    ends.iter().map(|ends| ends[choose(ends.len() as u64) as usize]).collect()
 }
 
 /// The corners that differ from the first one on one axis.
@@ -94,19 +96,6 @@ fn one_at_a_time(ends: &[Vec<u64>]) -> impl Iterator<Item = Vec<u64>> {
             places
         })
     })
-}
-
-/// A corner by chance, the same in every run: each axis has its own stream of random numbers.
-fn sampled(ends: &[Vec<u64>], number: u64) -> Vec<u64> {
-    (0..).zip(ends).map(|(axis, ends)| pick(ends, mixed(number * 64 + axis))).collect()
-}
-
-/// A number that looks random (SplitMix64, Steele, Lea and Flood 2014).
-fn mixed(number: u64) -> u64 {
-    let step = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let one = (step ^ (step >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let two = (one ^ (one >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    two ^ (two >> 31)
 }
 
 /// The places of the smallest and the largest value of an axis, or of all its words.

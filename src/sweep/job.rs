@@ -14,12 +14,13 @@ use super::csv::Csv;
 use super::evaluator::{Evaluator, Rows};
 use super::form::{Form, Format, Found};
 use super::ordered::in_order;
-use super::parts::{self, IDENTITY, Identity, JOINED, Layout, ONE_FILE, PARTS};
+use super::parts::{Identity, JOINED, Layout, ONE_FILE, PARTS};
 use super::shard::Shard;
 use super::{file, refused, unwritable};
 use crate::error::{Error, ErrorKind};
 use crate::output::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
 use crate::plan::{Plan, Source};
+use crate::progress::Counter;
 
 /// A sweep to be run.
 pub struct Job<'a> {
@@ -29,14 +30,14 @@ pub struct Job<'a> {
     pub shard: Option<Shard>,
     /// The format of the table.
     pub format: Format,
-    /// Rows of a part, for tests of small tables; `None`: as [`parts::rows_per_part`] says.
-    pub rows_per_part: Option<u64>,
+    /// How it is divided into parts.
+    pub layout: Layout,
     /// The directory that the table is written to.
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
     pub source: &'a Source,
-    /// Called with the number of rows computed or found, and the number of all rows of this table or shard.
-    pub progress: &'a (dyn Fn(u64, u64) + Sync),
+    /// Counts the rows that are computed or found.
+    pub progress: &'a Counter,
     /// Set to stop within a fraction of a second, unless a single row takes longer.
     pub is_cancelled: &'a AtomicBool,
 }
@@ -73,7 +74,7 @@ impl Job<'_> {
     /// # Errors
     /// [`Error`]; parts written so far stay.
     pub fn run(&self) -> Result<Written, Error> {
-        let identity = Identity::new(self.plan, self.source, self.format, self.layout());
+        let identity = Identity::new(self.plan, self.source, self.format, self.layout);
         match self.format {
             Format::Csv => self.run_as(&Csv::new(self.plan), &identity),
             #[cfg(feature = "parquet")]
@@ -88,24 +89,12 @@ impl Job<'_> {
         }
     }
 
-    /// The parts of the table.
-    fn layout(&self) -> Layout {
-        let rows_per_part = self.rows_per_part.unwrap_or_else(|| parts::rows_per_part(self.plan));
-        Layout { rows: self.plan.count(), rows_per_part }
-    }
-
-    /// Whether the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
-    /// begun so.
-    pub fn is_in_parts(&self) -> bool {
-        self.shard.is_some() || self.layout().parts() > ONE_FILE || self.directory.path().join(IDENTITY).exists()
-    }
-
     fn run_as<F: Form>(&self, form: &F, identity: &Identity) -> Result<Written, Error> {
         let table = Table {
             job: self,
             form,
             evaluator: &Evaluator::new(self.plan),
-            layout: self.layout(),
+            layout: self.layout,
             name: format!("table.{}", self.format.name()),
         };
         let mut tries = 0;
@@ -287,7 +276,7 @@ impl<F: Form> Table<'_, F> {
                 for count in counts {
                     tally.push(count);
                 }
-                (job.progress)(tally.rows, total);
+                job.progress.set(tally.rows, total);
             }
             Ok(())
         };

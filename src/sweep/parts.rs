@@ -11,6 +11,7 @@ use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 
 use super::form::Format;
+use super::shard::Shard;
 use super::{file, refused};
 use crate::error::Error;
 use crate::output::{OutputDirectory, create, remove, remove_folder};
@@ -31,19 +32,6 @@ const LONGEST: u64 = 1 << 18;
 /// More parts than this make a slow folder.
 const MOST_PARTS: u64 = 1 << 16;
 
-/// How many rows a part has: those of about 65 ms on one core. It follows from the number of rows and from the method alone,
-/// so that the parts of all runs fit together.
-pub fn rows_per_part(plan: &Plan) -> u64 {
-    let at_most = (65_536.0 / plan.microseconds()).max(1.0);
-    // a power of two
-    let mut rows = LONGEST;
-    #[allow(clippy::cast_precision_loss)] // a small number
-    while rows > 16 && rows as f64 > at_most {
-        rows /= 2;
-    }
-    rows.max(plan.count().div_ceil(MOST_PARTS).next_multiple_of(16))
-}
-
 /// The parts of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
@@ -54,6 +42,26 @@ pub struct Layout {
 }
 
 impl Layout {
+    /// The parts of this plan have the rows of about 65 ms on one core. That follows from the number of rows and from the method
+    /// alone, so that the parts of all runs fit together.
+    pub fn of(plan: &Plan) -> Self {
+        let at_most = 65_536.0 / plan.microseconds();
+        // a power of two
+        let mut rows_per_part = LONGEST;
+        #[allow(clippy::cast_precision_loss)] // a small number
+        while rows_per_part > 16 && rows_per_part as f64 > at_most {
+            rows_per_part /= 2;
+        }
+        let rows = plan.count();
+        Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
+    }
+
+    /// Whether the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
+    /// begun so.
+    pub fn is_in_parts(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
+        shard.is_some() || self.parts() > ONE_FILE || directory.path().join(IDENTITY).exists()
+    }
+
     /// How many parts there are.
     pub fn parts(&self) -> u64 {
         self.rows.div_ceil(self.rows_per_part)
