@@ -129,15 +129,7 @@
 //!
 //! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, [`compare`] the unloading laws from one
 //! peak, and [`fit`] determines coefficients of the PLM. The other modules are what the command is made of. They are public
-//! for the command and for the tests, are left out here, and may change at any time.
-//!
-//! # Modules
-//!
-//! Arrows point one way: the command, the Python module and the web page → `run` → `report`, `plot`, [`scenario`], [`sweep`] → `plan`, `scene` → [`repeat`]
-//! → [`impact`] → `integrate`, [`law`] → [`material`]. [`indentation`] and [`compare`] are the law without motion, and stand
-//! beside [`impact`]; `validation` and [`fit`] compare with finite elements, whose tables are in `reference`, and fit to
-//! them. `integrate` knows no contact mechanics, [`law`] no time; only [`impact`] sees both. Inside an impact everything is
-//! dimensionless.
+//! for the command and for the tests, are left out here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]

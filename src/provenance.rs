@@ -33,9 +33,8 @@ pub struct Provenance {
     pub format_version: u64,
     /// Version of the program.
     pub version: &'static str,
-    /// The scenario as the command line names it; `None` where there is none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub scenario_file: Option<String>,
+    /// The scenario as the command line names it.
+    pub scenario_file: String,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
     /// The command line.
@@ -69,19 +68,4 @@ pub struct LawOf {
     pub coefficients: Option<String>,
     /// What those coefficients were determined from.
     pub coefficients_source: Option<String>,
-}
-
-impl Provenance {
-    /// The provenance of results from the scenario with this hash.
-    pub fn new(scenario_sha256: String, command: &str) -> Self {
-        Self {
-            format_version: FORMAT,
-            version: VERSION,
-            scenario_file: None,
-            scenario_sha256,
-            command: command.to_owned(),
-            method: None,
-            law: None,
-        }
-    }
 }

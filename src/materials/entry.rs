@@ -1,11 +1,14 @@
 //! A material and its properties.
 
+use serde::Deserialize;
+
 use crate::strength::flow::FlowCurve;
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::Dimension;
 
 /// A property that a material may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Property {
     /// Density ρ.
     Density,

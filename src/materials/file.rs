@@ -18,16 +18,12 @@ struct File {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 struct Raw {
     name: String,
     title: String,
     note: Option<String>,
-    density: Option<RawKnown>,
-    youngs_modulus: Option<RawKnown>,
-    poissons_ratio: Option<RawKnown>,
-    hardness: Option<RawKnown>,
-    hardening_exponent: Option<RawKnown>,
+    #[serde(flatten)]
+    known: BTreeMap<Property, RawKnown>,
 }
 
 #[derive(Deserialize)]
@@ -45,11 +41,8 @@ struct RawKnown {
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<Entry>, Error> {
     let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
-    let entry = |raw: Raw| {
-        let Raw { name, title, note, density, youngs_modulus, poissons_ratio, hardness, hardening_exponent } = raw;
-        let given = [density, youngs_modulus, poissons_ratio, hardness, hardening_exponent];
-        let known = Property::ALL.into_iter().zip(given).filter_map(|(property, raw)| Some((property, raw?)));
-        let known = known.map(|(property, raw)| raw.known(&name, property, &basis, &sources));
+    let entry = |Raw { name, title, note, known }: Raw| {
+        let known = known.into_iter().map(|(property, raw)| raw.known(&name, property, &basis, &sources));
         Ok(Entry { known: known.collect::<Result<_, Error>>()?, name, title, note })
     };
     material.into_iter().map(entry).collect()

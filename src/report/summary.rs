@@ -9,7 +9,7 @@ use crate::provenance::Provenance;
 use crate::repeat::Drive;
 use crate::scene::results::impact::Single;
 use crate::scene::results::series::Series;
-use crate::scene::results::{Fields, fields, impact, series};
+use crate::scene::results::{fields, impact, series};
 
 /// Results, inputs and provenance.
 #[derive(Serialize)]
@@ -17,20 +17,12 @@ struct Summary<'a, R> {
     #[serde(flatten)]
     results: R,
     inputs: &'a Inputs,
-    /// Inputs that are lists.
-    #[serde(flatten)]
-    lists: Fields,
     provenance: &'a Provenance,
 }
 
-/// A summary as text, with a newline at its end.
-fn pretty(summary: &impl Serialize) -> Result<String, Error> {
-    Ok(serde_json::to_string_pretty(summary)? + "\n")
-}
-
-/// The summary of these results.
+/// The summary of these results, with a newline at its end.
 pub fn of(results: impl Serialize, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    pretty(&Summary { results, inputs, lists: Fields(Vec::new()), provenance })
+    Ok(serde_json::to_string_pretty(&Summary { results, inputs, provenance })? + "\n")
 }
 
 /// The summary of one impact.
@@ -43,9 +35,11 @@ const LISTED: usize = 1000;
 
 /// The summary of a series of impacts.
 pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    let lists = match &of.repeat.drive {
-        Drive::Shots(speeds) if speeds.len() <= LISTED => vec![("shot_speeds_m_per_s", speeds.clone().into())],
-        _ => Vec::new(),
-    };
-    pretty(&Summary { results: fields(&series::results(), of), inputs, lists: Fields(lists), provenance })
+    let mut results = fields(&series::results(), of);
+    if let Drive::Shots(speeds) = &of.repeat.drive
+        && speeds.len() <= LISTED
+    {
+        results.0.push(("shot_speeds_m_per_s", speeds.clone().into()));
+    }
+    self::of(results, inputs, provenance)
 }

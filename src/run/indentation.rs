@@ -12,38 +12,27 @@ use crate::report::{indentation as report, strength};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 
-/// The scene of a scenario, with its contacts in the order of its half-spaces.
-pub fn prepare(scenario: &Scenario) -> Result<(IndentationScene, Vec<StaticContact>), Error> {
-    let scene = scenario.indentation()?;
-    let contact = |half_space| StaticContact::try_new(scene.indenter, half_space, scene.law.get());
-    let contacts = scene.specimens.iter().map(|specimen| contact(&specimen.half_space)).collect::<Result<Vec<_>, _>>();
-    let contacts = contacts.map_err(|reason| refused(scenario, None, reason))?;
-    for (specimen, contact) in scene.specimens.iter().zip(&contacts) {
-        let name = specimen.name.as_deref();
-        contact.indent(&scene.targets, None).map_err(|reason| refused(scenario, name, reason))?;
-        // at every end of the uncertainties there has to be a result too
-        let name = name.map(|name| format!("{name} at an end of its uncertainty"));
-        let refuse = |reason| refused(scenario, name.as_deref(), reason);
-        specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(refuse)?;
-    }
-    Ok((scene, contacts))
-}
-
 /// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
 pub fn compute(
     scenario: &Scenario,
     samples: Option<usize>,
 ) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
-    let (scene, contacts) = prepare(scenario)?;
+    let scene = scenario.indentation()?;
     let mut warnings = texts(&scene.warnings);
     let Indenter { radius, material, yield_strength } = scene.indenter;
     warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|doubt| doubt.to_string()));
     let mut tested = Vec::new();
-    for (specimen, contact) in scene.specimens.iter().zip(contacts) {
-        let refuse = |reason| refused(scenario, specimen.name.as_deref(), reason);
-        let indentation = contact.indent(&scene.targets, samples).map_err(refuse)?;
-        let corners = specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(refuse)?;
+    for specimen in &scene.specimens {
+        let name = specimen.name.as_deref();
+        let contact = StaticContact::try_new(scene.indenter, &specimen.half_space, scene.law.get());
+        let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
+        let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
+        // at every end of the uncertainties there has to be a result too
+        let corners = specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(|reason| {
+            let name = name.map(|name| format!("{name} at an end of its uncertainty"));
+            refused(scenario, name.as_deref(), reason)
+        })?;
         let named = |doubt: &dyn Display| {
             specimen.name.as_ref().map_or_else(|| doubt.to_string(), |name| format!("{name}, {doubt}"))
         };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::{DATA, Scenario};
 use crate::error::Error;
 use crate::plan::Source;
-use crate::provenance::Provenance;
+use crate::provenance::{FORMAT, Provenance, VERSION};
 
 impl Scenario {
     /// Its texts.
@@ -37,8 +37,15 @@ impl Scenario {
 
     /// The provenance of results of this scenario, which the command made.
     pub fn provenance(&self, command: &str) -> Provenance {
-        let scenario_file = Some(self.document.name().to_owned());
-        Provenance { scenario_file, ..Provenance::new(self.sha256(), command) }
+        Provenance {
+            format_version: FORMAT,
+            version: VERSION,
+            scenario_file: self.document.name().to_owned(),
+            scenario_sha256: self.sha256(),
+            command: command.to_owned(),
+            method: None,
+            law: None,
+        }
     }
 
     /// The keys that name files, and these files.

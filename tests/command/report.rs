@@ -3,7 +3,7 @@
 use plm_impact::impact::{Contact, Event, Impact, Solver};
 use plm_impact::law::Plm;
 use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::provenance::{FORMAT, LawOf, MethodOf, Provenance};
+use plm_impact::provenance::{FORMAT, LawOf, MethodOf, Provenance, VERSION};
 use plm_impact::report;
 use plm_impact::report::inputs::Inputs;
 use plm_impact::scenario::Scenario;
@@ -33,7 +33,7 @@ fn inputs(contact: &Contact, speed: f64) -> Inputs {
 
 fn provenance() -> Provenance {
     Provenance {
-        scenario_file: Some("scenarios/steel.toml".into()),
+        scenario_file: "scenarios/steel.toml".into(),
         method: Some(MethodOf { method: "dop853", tolerance: 1e-10 }),
         law: Some(LawOf {
             law: "plm".into(),
@@ -41,7 +41,10 @@ fn provenance() -> Provenance {
             coefficients: Some("built-in".into()),
             coefficients_source: Some("finite elements".into()),
         }),
-        ..Provenance::new("00ff".into(), "plm-impact run scenarios/steel.toml")
+        format_version: FORMAT,
+        version: VERSION,
+        scenario_sha256: "00ff".into(),
+        command: "plm-impact run scenarios/steel.toml".into(),
     }
 }
 
