@@ -1,8 +1,8 @@
 //! The Python module `plm_impact` (feature `python`): it does what the command does, with arrays as input and output.
 //!
-//! Keys, units, ranges and explanations come from the registries of [`crate::scene`]. A dict is converted to the TOML
-//! text of a scenario. Long computations run on threads of the module; meanwhile the interpreter is free, and Ctrl-C
-//! stops them.
+//! Keys, units, ranges and explanations come from the registries of [`crate::scene`]. What Python does shorter is written in
+//! Python: `plm_impact/_convert.py` makes the TOML text of a scenario from a dict, `plm_impact/_results.py` has tables and
+//! outcomes. Long computations run on threads of the module; meanwhile the interpreter is free, and Ctrl-C stops them.
 
 mod cases;
 mod contact;
@@ -21,7 +21,8 @@ mod _core {
     use super::convert::from_json;
     #[pymodule_export]
     use super::{
-        contact::{Contact, Impact, impacts},
+        cases::Contact,
+        contact::{Impact, impacts},
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},
     };

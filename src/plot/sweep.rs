@@ -10,7 +10,7 @@ use crate::plan::{Cases, Plan};
 use crate::plot::{self, Chart, Guide, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
 use crate::strength::hardness::vickers;
-use crate::sweep::count::{Count, Tally};
+use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
 use crate::units::{Dimension, capital};
 
@@ -59,8 +59,8 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
 
 /// e of the case at these places of the first axes, and at the first place of all other axes; NaN if the case has no e.
 fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
-    match row(evaluator, axes, places).as_ref().map(Count::of) {
-        Some(Count::Restitution(e)) => e,
+    match row(evaluator, axes, places).as_ref().map(count) {
+        Some(Ok(Some(e))) => e,
         _ => f64::NAN,
     }
 }

@@ -23,12 +23,25 @@ use crate::units::Dimension;
 /// The key of the argument `speed`.
 pub const SPEED: &str = "impact.speed";
 
-/// The data of a contact.
+/// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
+///
+///     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+///     contact = Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
+///                       half_space=dict(yield_strength="345 MPa", **steel), law="thornton")
+///
+/// A value is a number in SI units or a text with a unit. All tables and keys of a single impact are allowed, such as
+/// damping=dict(viscous=0.05); scenarios/README.md explains them. The speed may be left out, and the law may be a name
+/// (see `laws()`) or a table such as dict(plm=dict(unloading_exponent="pressure-shape")).
+///
+/// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
+/// allowed. Warnings are UserWarning. A contact can be pickled, and threads may share it.
+#[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
-pub struct Inner {
+pub struct Contact {
     pub scenario: Scenario,
     pub scene: Scene,
-    pub contact: impact::Contact,
+    /// Its bodies and their law.
+    pub inner: impact::Contact,
     /// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0, which may switch
     /// gravity or damping off.
     pub plans: Mutex<HashMap<Vec<(&'static str, bool)>, Plan>>,
@@ -79,7 +92,7 @@ fn refused(key: &Key, place: &str, message: &str) -> PyErr {
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
 /// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys.
-fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
+fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
     let ends: Vec<Vec<f64>> = given.iter().map(Given::ends).collect();
     let keys: Vec<_> =
         given.iter().zip(&ends).map(|(given, ends)| (given.key.path, ends.first() == Some(&0.0))).collect();
@@ -111,7 +124,7 @@ fn plan(contact: &Inner, given: &[Given]) -> PyResult<Plan> {
 /// The numeric keys that the name of an argument may mean. For `impact.speed` the names are `impact.speed`,
 /// `impact_speed` and `speed`. The last part alone does not mean keys of other laws than that of the contact, nor the
 /// strength of the sphere, which changes no table.
-fn meant(contact: &Inner, name: &str) -> Vec<&'static Key> {
+fn meant(contact: &Contact, name: &str) -> Vec<&'static Key> {
     let letters = |path: &str| path.bytes().map(|letter| if letter == b'.' { b'_' } else { letter }).eq(name.bytes());
     if let Some(whole) = KEYS.iter().find(|key| key.path == name || letters(key.path)) {
         return vec![whole];
@@ -125,7 +138,7 @@ fn meant(contact: &Inner, name: &str) -> Vec<&'static Key> {
 }
 
 /// The arguments with their keys.
-fn keys(contact: &Inner, arguments: &Bound<'_, PyDict>) -> PyResult<Vec<Given>> {
+fn keys(contact: &Contact, arguments: &Bound<'_, PyDict>) -> PyResult<Vec<Given>> {
     let mut given: Vec<(String, Given)> = Vec::new();
     for (name, value) in arguments {
         let name: String = name.extract()?;
@@ -158,50 +171,51 @@ fn keys(contact: &Inner, arguments: &Bound<'_, PyDict>) -> PyResult<Vec<Given>> 
     Ok(given.into_iter().map(|(_, given)| given).collect())
 }
 
-/// The common shape of these values, and the values of each key in that shape.
-fn broadcast(py: Python<'_>, given: Vec<Given>) -> PyResult<(Vec<usize>, Vec<(&'static Key, Vec<f64>)>)> {
-    let shape = given.first().map_or_else(Vec::new, |given| given.numbers.shape.clone());
-    if given.iter().all(|given| given.numbers.shape == shape) {
-        return Ok((shape, given.into_iter().map(|Given { key, numbers }| (key, numbers.values)).collect()));
+/// The same in one common shape.
+fn broadcast(py: Python<'_>, given: Vec<Given>) -> PyResult<Vec<Given>> {
+    if given.windows(2).all(|pair| pair[0].numbers.shape == pair[1].numbers.shape) {
+        return Ok(given);
     }
-    let (keys, arrays): (Vec<_>, Vec<_>) =
-        given.into_iter().map(|Given { key, numbers }| (key, numbers.numpy(py))).unzip();
+    let (keys, arrays): (Vec<_>, Vec<_>) = given.into_iter().map(|given| (given.key, given.numbers.numpy(py))).unzip();
     let arrays = PyTuple::new(py, arrays.into_iter().collect::<PyResult<Vec<_>>>()?)?;
     let arrays = py.import("numpy")?.call_method1("broadcast_arrays", arrays)?;
-    let arrays = arrays.try_iter()?.map(|array| numbers(&array?, "")).collect::<PyResult<Vec<_>>>()?;
-    let shape = arrays.first().map_or_else(Vec::new, |array| array.shape.clone());
-    Ok((shape, keys.into_iter().zip(arrays.into_iter().map(|array| array.values)).collect()))
+    let given = |(key, array): (&'static Key, PyResult<Bound<'_, PyAny>>)| {
+        Ok(Given { key, numbers: numbers(&array?, key.path)? })
+    };
+    keys.into_iter().zip(arrays.try_iter()?).map(given).collect()
 }
 
 /// The table of impacts with these keys, broadcast against each other.
-pub fn impacts<'py>(contact: &Inner, arguments: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyAny>> {
+pub fn impacts<'py>(contact: &Contact, arguments: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyAny>> {
     let py = arguments.py();
     let given = keys(contact, arguments)?;
     let plan = plan(contact, &given)?;
-    let (shape, columns) = broadcast(py, given)?;
+    let given = broadcast(py, given)?;
+    let shape = given.first().map_or_else(Vec::new, |given| given.numbers.shape.clone());
     let count = shape.iter().product();
     if count > 0 {
-        warn(py, &py.detach(|| warnings_of(&plan, &contact.contact)))?;
+        warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
     }
-    let keys: Vec<_> = columns.iter().map(|(key, values)| (*key, values.as_slice())).collect();
+    let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
     let named = without_axes(&plan);
-    let values = listed(py, &plan, &contact.contact, &keys, count, &named)?;
+    let values = listed(py, &plan, &contact.inner, &keys, count, &named)?;
     say_failures(py, values.last().map_or(&[], Vec::as_slice))?;
-    of_values(py, &shape, columns.into_iter().map(|(key, values)| (key.column(), values)), named, values)
+    let columns = given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values));
+    of_values(py, &shape, columns, named, values)
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
-pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = speed.py();
     let given = [Given::speed(speed)?];
     let plan = plan(contact, &given)?;
     let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
     if !speeds.is_empty() {
-        warn(py, &py.detach(|| warnings_of(&plan, &contact.contact)))?;
+        warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
     }
     let is_exact = plan.scene.forces.is_none() && matches!(plan.scene.solver.method, Method::Auto | Method::ClosedForm);
     let computed = if is_exact {
-        let of = |speed: &f64| match contact.contact.restitution(contact.scene.approach_at(*speed)) {
+        let of = |speed: &f64| match contact.inner.restitution(contact.scene.approach_at(*speed)) {
             Ok(restitution) => (restitution, 0.0),
             Err(error) => (f64::NAN, arrow::code(error.into())),
         };
@@ -212,7 +226,7 @@ pub fn restitution<'py>(contact: &Inner, speed: &Bound<'py, PyAny>) -> PyResult<
     } else {
         let mut named = without_axes(&plan);
         named.retain(|(name, _)| ["restitution", "status"].contains(&name.as_str()));
-        listed(py, &plan, &contact.contact, &[(key, &speeds)], speeds.len(), &named)?
+        listed(py, &plan, &contact.inner, &[(key, &speeds)], speeds.len(), &named)?
     };
     let [restitutions, status]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
     say_failures(py, &status)?;

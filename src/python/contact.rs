@@ -1,14 +1,13 @@
 //! A contact of two bodies, and one of its impacts.
 
 use std::borrow::Cow;
-use std::ops::Deref;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
-use super::cases::{self, Given, Inner, SPEED};
+use super::cases::{self, Contact, Given, SPEED};
 use super::convert::{Numbers, Reduced, exception, from_json, source_of, warn, with};
 use super::force::force;
 use super::table::table_of_csv;
@@ -29,30 +28,6 @@ use crate::units::nearest::did_you_mean;
 /// The name of the contact in messages.
 const NAME: &str = "Contact";
 
-/// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
-///
-///     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
-///     contact = Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
-///                       half_space=dict(yield_strength="345 MPa", **steel), law="thornton")
-///
-/// A value is a number in SI units or a text with a unit. All tables and keys of a single impact are allowed, such as
-/// damping=dict(viscous=0.05); scenarios/README.md explains them. The speed may be left out, and the law may be a name
-/// (see `laws()`) or a table such as dict(plm=dict(unloading_exponent="pressure-shape")).
-///
-/// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
-/// allowed. Warnings are UserWarning. A contact can be pickled, and threads may share it.
-#[pyclass(frozen, module = "plm_impact")]
-#[derive(Debug, Clone)]
-pub struct Contact(Arc<Inner>);
-
-impl Deref for Contact {
-    type Target = Inner;
-
-    fn deref(&self) -> &Inner {
-        &self.0
-    }
-}
-
 impl Contact {
     fn of(py: Python<'_>, source: &Source) -> PyResult<Self> {
         let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
@@ -71,7 +46,7 @@ impl Contact {
         let scene = scene.map_err(exception)?;
         let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
         warn(py, &texts(&scene.warnings))?;
-        Ok(Self(Arc::new(Inner { scenario, scene, contact, plans: Mutex::default() })))
+        Ok(Self { scenario, scene, inner: contact, plans: Mutex::default() })
     }
 
     /// The speed of an impact (m/s).
@@ -90,7 +65,7 @@ impl Contact {
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
         let approach = self.scene.approach_at(speed);
-        self.contact.impact(approach, &self.scene.solver, samples).map_err(refuse)
+        self.inner.impact(approach, &self.scene.solver, samples).map_err(refuse)
     }
 }
 
@@ -131,14 +106,15 @@ impl Contact {
     /// One impact at a speed, which is a number in m/s or a text with a unit. With `samples` it has a trace with
     /// this number of rows evenly spaced in time, and a row for every event.
     #[pyo3(signature = (speed=None, *, samples=None))]
-    fn impact(&self, py: Python<'_>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
-        let speed = self.speed(speed)?;
+    fn impact(slf: &Bound<'_, Self>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
+        let speed = slf.get().speed(speed)?;
         if let Some(samples) = samples {
             #[allow(clippy::cast_precision_loss)]
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
-        let impact = Impact::of(py, self.clone(), speed, samples.and_then(|samples| samples.try_into().ok()))?;
-        warn(py, &texts(&impact.result.warnings))?;
+        let samples = samples.and_then(|samples| samples.try_into().ok());
+        let impact = Impact::of(slf.py(), slf.clone().unbind(), speed, samples)?;
+        warn(slf.py(), &texts(&impact.result.warnings))?;
         Ok(impact)
     }
 
@@ -170,12 +146,12 @@ impl Contact {
         indentation: &Bound<'py, PyAny>,
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        force(&self.contact, indentation, memory)
+        force(&self.inner, indentation, memory)
     }
 
     /// The bodies and the law, as `plm-impact check` shows them.
     fn __repr__(&self) -> String {
-        let lines = overview(&self.scene, &self.contact);
+        let lines = overview(&self.scene, &self.inner);
         let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.scene.speed.is_finite());
         lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
     }
@@ -203,26 +179,27 @@ fn unexpected(error: serde_json::Error) -> PyErr {
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Impact {
-    contact: Contact,
+    contact: Py<Contact>,
     result: impact::Impact,
     samples: Option<usize>,
 }
 
 impl Impact {
-    fn of(py: Python<'_>, contact: Contact, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        let result = py.detach(|| contact.computed(speed, samples)).map_err(exception)?;
+    fn of(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        let result = py.detach(|| contact.get().computed(speed, samples)).map_err(exception)?;
         Ok(Self { contact, result, samples })
     }
 
     fn single(&self) -> Single<'_> {
-        Single { contact: &self.contact.contact, impact: &self.result }
+        Single { contact: &self.contact.get().inner, impact: &self.result }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
     fn traced(&self) -> PyResult<Cow<'_, impact::Impact>> {
         if self.result.trace.is_empty() {
-            let samples = Some(self.contact.scene.samples);
-            return Ok(Cow::Owned(self.contact.computed(self.result.speed, samples).map_err(exception)?));
+            let contact = self.contact.get();
+            let impact = contact.computed(self.result.speed, Some(contact.scene.samples));
+            return Ok(Cow::Owned(impact.map_err(exception)?));
         }
         Ok(Cow::Borrowed(&self.result))
     }
@@ -245,15 +222,14 @@ impl Impact {
         Err(PyAttributeError::new_err(format!("an impact has no result \"{name}\"{hint}")))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Contact, f64, Option<usize>)> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<Contact>, f64, Option<usize>)> {
         let Self { contact, result, samples } = slf.get();
-        Ok((slf.get_type().getattr("_of_speed")?, (contact.clone(), result.speed, *samples)))
+        Ok((slf.get_type().getattr("_of_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
     }
 
     #[staticmethod]
-    #[allow(clippy::needless_pass_by_value)] // what Python hands over
-    fn _of_speed(py: Python<'_>, contact: PyRef<'_, Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        Self::of(py, contact.clone(), speed, samples)
+    fn _of_speed(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        Self::of(py, contact, speed, samples)
     }
 
     fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyList>> {
@@ -280,7 +256,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.contact.contact, &self.result).trim_end())
+        format!("<plm_impact.Impact>\n{}", table(&self.contact.get().inner, &self.result).trim_end())
     }
 
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {

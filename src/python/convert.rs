@@ -46,7 +46,7 @@ pub struct Numbers {
 
 impl Numbers {
     /// A NumPy array, or a plain number.
-    pub fn numpy<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn numpy(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         match self.values[..] {
             [value] if self.shape.is_empty() => Ok(value.into_pyobject(py)?.into_any()),
             _ => Ok(PyArray1::from_vec(py, self.values).reshape(self.shape)?.into_any()),

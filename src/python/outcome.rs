@@ -19,7 +19,7 @@ use crate::report;
 use crate::run::{Order, Outcome, Run, table, way};
 use crate::scenario::Scenario;
 use crate::sweep::arrow;
-use crate::sweep::count::{Count, Tally};
+use crate::sweep::count::Tally;
 
 /// The name of measurements that are arrays, in messages.
 const DATA: &str = "data";
@@ -115,7 +115,8 @@ fn run_table<'py>(py: Python<'py>, scenario: &Scenario, command: &str) -> PyResu
     let made = interruptible(py, |_| {
         let mut tally = Tally::of(&plan);
         for (restitution, status) in restitutions.iter().zip(status) {
-            tally.push(Count::of_row(arrow::failure(*status), Some(*restitution).filter(|e| !e.is_nan())));
+            let restitution = Some(*restitution).filter(|restitution| !restitution.is_nan());
+            tally.push(arrow::failure(*status).map_or(Ok(restitution), Err));
         }
         let files = table::files(&plan, &tally, &warnings, &scenario.provenance(command), Pictures::Png)?;
         Ok::<_, Error>((report::sweep::lines(&tally), files))

@@ -88,6 +88,7 @@ fn failed(error: ArrowError) -> PyErr {
 
 /// Named columns as Arrow data, without a copy of their numbers.
 #[pyfunction]
+#[allow(clippy::needless_pass_by_value)] // what Python hands over
 pub fn arrow_stream<'py>(
     py: Python<'py>,
     columns: Vec<(String, Bound<'py, Column>)>,

@@ -5,45 +5,21 @@ use super::statistics::Statistics;
 use crate::impact::Essentials;
 use crate::plan::Plan;
 
-/// How a row counts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Count {
-    /// The row has a coefficient of restitution e.
-    Restitution(f64),
-    /// The sphere was released at rest at first touch. Its speed is zero, so e is not defined.
-    AtRest,
-    /// The case lies outside the range of the law. This is an answer, not a failure.
-    OutsideLaw,
-    /// The row has no result.
-    Failure,
+/// How a row counts: its coefficient of restitution e, which a sphere that was released at rest does not have; or why there is
+/// no result.
+pub type Count = Result<Option<f64>, Failure>;
+
+/// How a computed row counts.
+pub fn count(result: &Result<Essentials, Failure>) -> Count {
+    result.as_ref().map(|row| row.has_speed().then_some(row.restitution)).map_err(|failure| *failure)
 }
 
-impl Count {
-    /// How a computed row counts.
-    pub fn of(result: &Result<Essentials, Failure>) -> Self {
-        match result {
-            Ok(row) if row.has_speed() => Self::Restitution(row.restitution),
-            Ok(_) => Self::AtRest,
-            Err(failure) => (*failure).into(),
-        }
+/// The same of a written row; `None` for an unknown status.
+pub(super) fn written(status: &str, restitution: Option<f64>) -> Option<Count> {
+    if status == OK {
+        return Some(Ok(restitution));
     }
-
-    /// How a row counts by its failure and its e, which is `None` where the field is empty.
-    pub fn of_row(failure: Option<Failure>, restitution: Option<f64>) -> Self {
-        failure.map_or_else(|| restitution.map_or(Self::AtRest, Self::Restitution), Self::from)
-    }
-
-    /// The same of a written row, by its status.
-    pub(super) fn of_written(status: &str, restitution: Option<f64>) -> Option<Self> {
-        let failure = Failure::ALL.into_iter().find(|failure| failure.name() == status);
-        (failure.is_some() || status == OK).then(|| Self::of_row(failure, restitution))
-    }
-}
-
-impl From<Failure> for Count {
-    fn from(failure: Failure) -> Self {
-        if failure == Failure::OutsideLaw { Self::OutsideLaw } else { Self::Failure }
-    }
+    Failure::ALL.into_iter().find(|failure| failure.name() == status).map(Err)
 }
 
 /// The status of a row with a result.
@@ -79,10 +55,11 @@ impl Tally {
     pub fn push(&mut self, count: Count) {
         self.rows += 1;
         match count {
-            Count::Failure => self.failures += 1,
-            Count::OutsideLaw => self.outside_law += 1,
-            Count::Restitution(value) if self.is_random => self.statistics.push(value),
-            Count::Restitution(_) | Count::AtRest => {}
+            // an answer, not a failure
+            Err(Failure::OutsideLaw) => self.outside_law += 1,
+            Err(_) => self.failures += 1,
+            Ok(Some(restitution)) if self.is_random => self.statistics.push(restitution),
+            Ok(_) => {}
         }
     }
 }

@@ -5,7 +5,7 @@ use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::path::Path;
 
 use super::column::{Column, columns};
-use super::count::{Count, status};
+use super::count::{Count, status, written};
 use super::evaluator::Rows;
 use super::form::{Form, Found};
 use crate::output::NewFile;
@@ -88,7 +88,7 @@ impl Csv {
         let (before, status) = line.rsplit_once(',')?;
         let restitution = before.split(',').nth(self.restitution)?;
         let restitution = if restitution.is_empty() { None } else { Some(restitution.parse().ok()?) };
-        Count::of_written(status, restitution)
+        written(status, restitution)
     }
 }
 

@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::count::{Count, Tally};
+use super::count::{Count, Tally, count};
 use super::csv::Csv;
 use super::evaluator::{Evaluator, Rows};
 use super::form::{Form, Format, Found};
@@ -229,7 +229,7 @@ impl<F: Form> Table<'_, F> {
             rows.clear();
             self.evaluator.rows(cases.clone(), &mut rows);
             let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
-            let counts = rows.results.iter().map(Count::of).collect();
+            let counts = rows.results.iter().map(count).collect();
             spare.lock().unwrap_or_else(PoisonError::into_inner).push(rows);
             Ok(Made { cases, piece: Some(piece), counts })
         };

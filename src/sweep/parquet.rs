@@ -19,7 +19,7 @@ use parquet::schema::types::ColumnPath;
 
 use super::arrow;
 use super::column::{Column, columns};
-use super::count::Count;
+use super::count::{Count, written};
 use super::evaluator::Rows;
 use super::form::{Form, Found};
 use crate::output::NewFile;
@@ -114,7 +114,7 @@ fn count_rows(file: File, rows: u64, count: &mut dyn FnMut(Count)) -> Result<boo
             return Ok(false);
         };
         for (value, state) in values.iter().zip(states.iter()) {
-            let Some(one) = Count::of_written(state.unwrap_or_default(), value) else { return Ok(false) };
+            let Some(one) = written(state.unwrap_or_default(), value) else { return Ok(false) };
             count(one);
         }
     }

@@ -11,7 +11,7 @@ use crate::progress::Counter;
 use crate::report::sweep::lines;
 use crate::run::{Order, Outcome, Run, table, way};
 use crate::scenario::{Kind, Scenario};
-use crate::sweep::count::{Count, Tally};
+use crate::sweep::count::{Tally, count};
 use crate::sweep::csv::Csv;
 use crate::sweep::evaluator::{Evaluator, Rows};
 
@@ -71,7 +71,7 @@ fn rows_of(plan: &Plan) -> (Vec<u8>, Tally) {
         rows.clear();
         evaluator.rows(begin..end, &mut rows);
         form.write(&rows, &mut text);
-        rows.results.iter().map(Count::of).for_each(|count| tally.push(count));
+        rows.results.iter().map(count).for_each(|count| tally.push(count));
         begin = end;
     }
     (text, tally)
