@@ -168,6 +168,7 @@ fn compare_with_gallery(scenario: &str, clone: &Clone) {
         }
         let stale = "is stale: PLM_IMPACT_GALLERY=write cargo test --test pages";
         assert!(fs::read(&picture).unwrap() == drawn, "{within} {stale}");
+        assert!(common::picture::has_free_border(&drawn), "{within}");
     }
 }
 

@@ -155,7 +155,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
             0.279_391_655_146_911_8,
             2.694_316_983_752_614_8 * unit,
         ),
-        // restitution and contact time of the PLM: 30-digit energy balance and quadrature, `src/reference/oracle.csv`
+        // restitution and contact time of the PLM: 30-digit energy balance and quadrature, `tests/reference/plain.csv`
         plm(
             "shallow",
             "PLM, 5 mm steel sphere on steel at 0.1 m/s; 6.7 times the yield indentation",

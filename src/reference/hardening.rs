@@ -1,4 +1,4 @@
-//! A half-space that hardens: exact impacts, and unloadings of finite elements.
+//! A half-space that hardens: unloadings of finite elements.
 
 use serde::Deserialize;
 
@@ -72,47 +72,8 @@ impl Materials {
     }
 }
 
-/// An impact of 30-digit arithmetic: balance of energy and quadrature, no time stepping.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[allow(missing_docs)] // the columns say it
-pub struct ExactImpact {
-    pub case: String,
-    pub radius_m: f64,
-    pub sphere_density_kg_per_m3: f64,
-    pub impact_speed_m_per_s: f64,
-    /// Of the unloading; none for "pressure-shape".
-    exponent: Option<f64>,
-    pub restitution: f64,
-    pub contact_time_s: f64,
-    #[serde(rename = "peak_force_N")]
-    pub peak_force: f64,
-    pub peak_indentation_m: f64,
-    pub elastic_approach_m: f64,
-    pub residual_indentation_m: f64,
-    pub unloading_exponent: f64,
-    pub peak_contact_radius_m: f64,
-}
-
-impl ExactImpact {
-    /// n of the unloading branch.
-    pub fn exponent(&self) -> UnloadingExponent {
-        self.exponent.map_or(UnloadingExponent::PressureShape, UnloadingExponent::of)
-    }
-}
-
-fn with_materials<T: serde::de::DeserializeOwned>(
-    name: &'static str,
-    text: &'static str,
-) -> Result<Vec<(Materials, T)>, Error> {
-    Ok(rows::<Materials>(name, text)?.into_iter().zip(rows(name, text)?).collect())
-}
-
-/// All exact impacts.
-pub fn impacts() -> Result<Vec<(Materials, ExactImpact)>, Error> {
-    with_materials("oracle_hardening.csv", include_str!("oracle_hardening.csv"))
-}
-
 /// All unloadings of the finite elements.
 pub fn unloadings() -> Result<Vec<(Materials, Unloaded)>, Error> {
-    with_materials("fe_hardening.csv", include_str!("fe_hardening.csv"))
+    let (name, text) = ("fe_hardening.csv", include_str!("fe_hardening.csv"));
+    Ok(rows::<Materials>(name, text)?.into_iter().zip(rows(name, text)?).collect())
 }

@@ -7,7 +7,7 @@ mod limits;
 
 use serde_json::Value;
 
-use crate::common::command::{Desk, column, numbers};
+use crate::common::prelude::*;
 
 /// A steel ball of 10 mm diameter on steel.
 fn bodies() -> String {

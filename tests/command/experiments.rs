@@ -1,16 +1,8 @@
 //! `validate --experiments`: measurements of the user, compared with the law; and the statements on rebound hardness.
 
-use std::fs;
-
-use plm_impact::impact::Contact;
-use plm_impact::law::{Plm, UnloadingExponent};
-use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::reference::measured::{devices, steels};
-use plm_impact::scenario::Scenario;
-use tempfile::TempDir;
 
-use crate::common::command::{call, column, text};
-use crate::common::off;
+use crate::common::prelude::*;
 
 /// Device D on 300 HV, as in scenarios/leeb-d.toml; the measured numbers are invented.
 const LEEB: &str = "\u{feff}# free words, such as x = 3
@@ -30,23 +22,20 @@ note, speed_m_per_s, restitution_sd, restitution
 3, 0.5, 0.2, 0.7
 ";
 
-fn desk(files: &[(&str, &str)]) -> TempDir {
-    let desk = TempDir::new().unwrap();
-    fs::create_dir(desk.path().join("in")).unwrap();
-    for (name, content) in files {
-        fs::write(desk.path().join("in").join(name), content).unwrap();
-    }
-    desk
+/// Validates with these measurements; the desk, and what is said.
+fn validated(files: &[(&str, &str)], pictures: &str) -> (Desk, String) {
+    let desk = Desk::with("");
+    files.iter().for_each(|(name, content)| desk.put(&format!("in/{name}"), content));
+    let (said, _) = desk.ends(&["validate", "--experiments", "in", "--out", "v", "--pictures", pictures], 0);
+    (desk, said)
 }
 
 #[test]
 fn measured_restitution_stands_beside_the_law() {
     let harder = LEEB.replace("300 HV", "400 HV").replace("# source = nobody, made up\n", "").replace("\u{feff}", "");
-    let desk = desk(&[("b.csv", &harder), ("a.csv", LEEB), ("notes.txt", "no measurement")]);
-    let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let read = |name: &str| fs::read_to_string(desk.path().join("v").join(name)).unwrap();
-    let table = read("experiments.csv");
+    let files = [("b.csv", harder.as_str()), ("a.csv", LEEB), ("notes.txt", "no measurement")];
+    let (desk, said) = validated(&files, "svg");
+    let table = desk.read("v/experiments.csv");
     assert_eq!(column(&table, "file"), ["a", "a", "a", "b", "b", "b"]);
     assert_eq!(column(&table, "line")[..3], ["13", "14", "15"]);
     assert_eq!(column(&table, "sd")[..3], ["0.01", "", "0.2"]);
@@ -62,7 +51,6 @@ fn measured_restitution_stands_beside_the_law() {
     let deviations = [law[0] / 0.54 - 1.0, law[1] / 0.6 - 1.0, law[2] / 0.7 - 1.0];
     let bias = 100.0 * deviations.iter().sum::<f64>() / 3.0;
     let rms = 100.0 * (deviations.iter().map(|one| one * one).sum::<f64>() / 3.0).sqrt();
-    let said = text(&output.stdout);
     let line = said.lines().find(|line| line.starts_with("a ")).unwrap();
     let sign = if bias > 0.0 { "+" } else { "−" };
     for want in
@@ -70,12 +58,14 @@ fn measured_restitution_stands_beside_the_law() {
     {
         assert!(line.contains(&want), "{want}: {said}");
     }
-    let page = read("README.md");
-    assert!(
-        page.contains("## Measurements of your own")
-            && page.contains("![restitution, b](<experiment-b-restitution.png>)")
-    );
-    assert!(desk.path().join("v/experiment-a-restitution.png").exists() && said.contains("checks"));
+    // the page shows the pictures of this format
+    let page = desk.read("v/README.md");
+    assert!(page.contains("## Measurements of your own") && said.contains("checks"));
+    assert!(page.contains("![restitution, b](<experiment-b-restitution.svg>)") && !page.contains(".png"));
+    let shown = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap().trim_matches(['<', '>']));
+    let pictures: Vec<&str> = shown.filter(|name| name.ends_with(".svg")).collect();
+    assert!(pictures.len() > 3, "{pictures:?}");
+    pictures.iter().for_each(|name| assert!(Document::parse(&desk.read(&format!("v/{name}"))).is_ok(), "{name}"));
 }
 
 /// The reader of the columns is that of `calibrate`: other quantities, units and keys from line to line, under a law by its
@@ -86,10 +76,7 @@ fn the_thickness_of_a_plate_is_a_column() {
     let rows = format!(
         "{head}# half_space.plate = thick\nspeed_m_per_s,half_space_thickness_m,restitution\n2,0.05,0.5\n2,0.02,0.5\n1,0.008,0.4\n"
     );
-    let desk = desk(&[("a.csv", &rows)]);
-    let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--pictures", "none"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let table = fs::read_to_string(desk.path().join("v/experiments.csv")).unwrap();
+    let table = validated(&[("a.csv", &rows)], "none").0.read("v/experiments.csv");
     let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml");
     for (law, (speed, thickness)) in column(&table, "law").iter().zip([(2.0, 0.05), (2.0, 0.02), (1.0, 0.008)]) {
         let set = [format!("half_space.thickness={thickness}"), "half_space.plate=thick".to_owned()];
@@ -106,11 +93,8 @@ fn heights_of_rebounds_under_another_law_are_compared_too() {
                 # half_space.yield_strength = 345 MPa\n# gravity.acceleration = 9.81\n# law = thornton\n\
                 # source = Smith | Jones\n\
                 sphere_radius_mm,drop_height_mm,rebound_height_mm,leeb,leeb_sd\n5,100,60,,\n5,400,,600,10\n10,400,200,550,\n";
-    let desk = desk(&[("drops.csv", file)]);
-    let output = call(desk.path(), &["validate", "--experiments", "in", "--out", "v", "--pictures", "none"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let read = |name: &str| fs::read_to_string(desk.path().join("v").join(name)).unwrap();
-    let table = read("experiments.csv");
+    let (desk, _) = validated(&[("drops.csv", file)], "none");
+    let table = desk.read("v/experiments.csv");
     assert_eq!(column(&table, "quantity"), ["rebound_height", "leeb", "rebound_height", "leeb"]);
     let law: Vec<f64> = column(&table, "law").iter().map(|text| text.parse().unwrap()).collect();
     for (got, (radius, height)) in law.iter().zip([(5, 100), (5, 400), (10, 400), (10, 400)]) {
@@ -127,7 +111,7 @@ fn heights_of_rebounds_under_another_law_are_compared_too() {
         assert!(off(*got, want) < 1e-9, "{got} {want}");
     }
     // a stroke in a name does not end a column of the page
-    assert!(read("README.md").contains("Smith \\| Jones |"));
+    assert!(desk.read("v/README.md").contains("Smith \\| Jones |"));
 }
 
 /// The statements of the pages on strengths that are often used as yield strength, checked with measured rebound

@@ -4,10 +4,9 @@
 use std::path::Path;
 use std::process::Output;
 
+use crate::common::prelude::*;
 use assert_cmd::Command;
 use plm_impact::export::{E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
-use plm_impact::impact::Contact;
-use plm_impact::scenario::Scenario;
 
 const STEEL: &str = "scenarios/steel-on-steel.toml";
 

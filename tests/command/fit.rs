@@ -5,11 +5,9 @@ mod files;
 
 use std::path::{Path, PathBuf};
 
-use approx::assert_relative_eq;
-use plm_impact::fit::{self, LoadingCurve, LoadingPoint, Plan, knots, solve::case_fit};
-use plm_impact::law::{PlmCoefficients, UnloadingExponent};
-use plm_impact::material::{HalfSpace, Material, Pair};
-use plm_impact::progress::Counter;
+use crate::common::prelude::*;
+use plm_impact::fit::solve::case_fit;
+use plm_impact::fit::{self, knots};
 use plm_impact::validation;
 
 fn reference(case: u32) -> PathBuf {

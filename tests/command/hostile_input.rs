@@ -3,8 +3,7 @@
 
 use std::fs;
 
-use crate::common::STEEL;
-use crate::common::command::{Desk, text};
+use crate::common::prelude::*;
 
 /// The message of the command for arguments that it refuses.
 fn refusal(desk: &Desk, arguments: &[&str]) -> String {

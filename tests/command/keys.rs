@@ -1,11 +1,10 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
 use plm_impact::report::reference::renewed;
-use plm_impact::scenario::every_key;
 use plm_impact::scenario::schema::schema;
 use serde_json::Value;
 
-use crate::common::command::{Desk, text};
+use crate::common::prelude::*;
 
 #[test]
 fn the_command_prints_the_schema() {

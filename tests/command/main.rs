@@ -20,7 +20,6 @@ mod keys;
 mod material_keys;
 mod materials;
 mod oblique;
-mod oracle;
 mod pictures;
 mod plots;
 #[cfg(unix)]
@@ -32,4 +31,5 @@ mod scenario;
 mod strength_keys;
 mod units;
 mod validation;
+mod waves;
 mod words;

@@ -2,14 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use approx::assert_relative_eq;
-use plm_impact::error::Error;
-use plm_impact::materials::{Property, all, find, read};
-use plm_impact::scenario::Scenario;
+use plm_impact::materials::read;
 use plm_impact::scene::quantity::{DENSITY, HARDENING_EXPONENT, HARDNESS, MODULUS, POISSONS_RATIO, Quantity};
 use plm_impact::strength::hardness::flow_stress;
 
-use crate::common::command::Desk;
+use crate::common::prelude::*;
 
 fn quantity(property: Property) -> &'static Quantity {
     match property {

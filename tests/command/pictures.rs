@@ -4,12 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use plm_impact::scenario::Kind;
-use roxmltree::Document;
-
-use crate::common::STEEL;
-use crate::common::command::Desk;
-use crate::common::picture::has_free_border;
+use crate::common::prelude::*;
 
 fn is_png(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "png")
@@ -66,27 +61,6 @@ fn pictures_of_the_program_keep_their_text() {
 }
 
 #[test]
-fn pictures_of_the_repository_keep_their_text() {
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("plots")];
-    let mut pictures = 0;
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                // the picture of a run in LAMMPS is drawn by Matplotlib, not by this program
-                if !path.ends_with("plots/lammps") {
-                    folders.push(path);
-                }
-            } else if is_png(&path) {
-                assert!(has_free_border(&std::fs::read(&path).unwrap()), "{}", path.display());
-                pictures += 1;
-            }
-        }
-    }
-    assert!(pictures > 20, "{pictures}");
-}
-
-#[test]
 fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
     for (kind, _) in Kind::ALL {
         let desk = Desk::with("");
@@ -112,18 +86,5 @@ fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
             let parts = |name: &str| svg.descendants().filter(|node| node.has_tag_name(name)).count();
             assert!(parts("text") > 5 && parts("polyline") > 2 && parts("image") == 0, "{kind}: {name}");
         }
-    }
-}
-
-#[test]
-fn the_report_of_a_validation_shows_its_pictures_as_svg() {
-    let desk = Desk::with("");
-    desk.ends(&["validate", "--out", "v", "--pictures", "svg"], 0);
-    let page = desk.read("v/README.md");
-    let shown: Vec<&str> = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
-    let pictures: Vec<&&str> = shown.iter().filter(|name| name.contains(".svg")).collect();
-    assert!(pictures.len() > 3 && !page.contains(".png"), "{shown:?}");
-    for name in pictures {
-        assert!(Document::parse(&desk.read(&format!("v/{name}"))).is_ok(), "{name}");
     }
 }

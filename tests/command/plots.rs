@@ -1,14 +1,10 @@
 //! Pictures: curves lie at the places of their values, text stays text and on the sheet. Places are read from the SVG;
 //! one test compares it with the PNG, which is drawn from the same data.
 
-use plm_impact::impact::{Contact, Impact, Solver};
-use plm_impact::law::Plm;
-use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::plot::{self, Axis, Chart, Guide, Panel, PlotError, Series, heatmap, histogram};
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
-use crate::common::command::text;
-use crate::common::picture::{has_free_border, has_white_border, pixels};
+use crate::common::prelude::*;
 
 /// Units of the drawing per pixel.
 const UNITS: f64 = 10.0;
@@ -117,16 +113,6 @@ fn history_shows_force_indentations_and_speed_one_below_the_other() {
             let inside: Vec<_> = curve.iter().filter(|(x, _)| (left..=right).contains(x)).collect();
             assert!(inside.len() > 100 && inside.iter().all(|(_, y)| (top..=bottom).contains(y)), "{color}");
         }
-    }
-}
-
-#[test]
-fn the_same_data_give_the_same_bytes() {
-    let impact = impact(210e9, Some(345e6), 3.0);
-    for draw in [plot::force_indentation, plot::history] {
-        let [one, other] = [(); 2].map(|()| draw(&impact).unwrap());
-        assert_eq!(one.to_png().unwrap(), other.to_png().unwrap());
-        assert_eq!(one.to_svg().unwrap(), other.to_svg().unwrap());
     }
 }
 
@@ -285,13 +271,11 @@ fn long_titles_names_and_notes_stay_on_the_sheet() {
     };
     let axes = |title: &str| [Axis::engineering(title, "m/s"), Axis::engineering(title, "N")];
     let assert_fits = |chart: &Chart, what: &str| assert!(has_free_border(&chart.to_png().unwrap()), "{what}");
-    for title in ["short", LONG, &endless] {
-        for axis in ["v", LONG, &endless] {
-            assert_fits(&Chart::new(title, axes(axis), curves(2, "curve")), &format!("{title} / {axis}"));
-        }
-        assert_fits(&Chart::new(title, axes("v"), curves(3, title)).with_notes([title, LONG]), title);
+    for (title, other) in [("short", endless.as_str()), (LONG, LONG), (&endless, "short")] {
+        let chart = Chart::new(title, axes(other), curves(3, title)).with_notes([title, LONG]);
+        assert_fits(&chart, &format!("{title} / {other}"));
     }
-    for count in [1, 17, 40, 300] {
+    for count in [1, 40, 300] {
         assert_fits(&Chart::new(LONG, axes("v"), curves(count, "curve")).with_notes([LONG]), &format!("{count}"));
     }
     let linear = || Axis::linear(LONG, "");

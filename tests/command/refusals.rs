@@ -3,11 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use plm_impact::run;
-use plm_impact::scenario::Scenario;
 use serde::Deserialize;
 
-use crate::common::command::{Desk, text};
+use crate::common::prelude::*;
 
 #[derive(Deserialize)]
 struct Refusals {

@@ -1,11 +1,6 @@
 //! `[repeat]`: what is read, and what is written.
 
-use plm_impact::math::power::max_or_nan;
-use plm_impact::repeat::{Drive, Place};
-use plm_impact::run::repeat::prepare_repeat;
-use plm_impact::scenario::Scenario;
-
-use crate::common::command::{Desk, column, numbers};
+use crate::common::prelude::*;
 
 const BODIES: &str = r#"[sphere]
 radius = "5 mm"
@@ -46,39 +41,21 @@ fn what_is_asked_for_is_understood() {
 }
 
 #[test]
-fn a_bouncing_ball_writes_all_its_files() {
+fn a_bouncing_ball_says_where_and_when_it_ends() {
     let desk = Desk::with(format!("{BODIES}{BOUNCING}"));
-    let (table, _) = desk.ends(&["run", "s.toml"], 0);
-    let files = ["force_indentation.png", "height.png", "impacts.csv", "impacts.png", "summary.json", "trace.csv"];
-    assert_eq!(desk.files("plots/s"), files);
+    let (table, _) = desk.ends(&["run", "s.toml", "--pictures", "none"], 0);
+    assert_eq!(desk.files("plots/s"), ["impacts.csv", "summary.json", "trace.csv"]);
     assert!(table.starts_with("impacts") && table.contains("fresh spot"), "{table}");
     assert!(table.contains("as many impacts as were asked for") && table.contains("time to rest"), "{table}");
-
-    let impacts = desk.read("plots/s/impacts.csv");
-    assert_eq!(column(&impacts, "impact"), ["1", "2", "3", "4"]);
-    let numbers = |name: &str| numbers(&impacts, name);
-    let (e, speed, rebound) =
-        (numbers("restitution"), numbers("impact_speed_m_per_s"), numbers("rebound_speed_m_per_s"));
-    // v = √(2 g h)
-    assert!((speed[0] - (2.0 * 9.81 * 0.5_f64).sqrt()).abs() < 1e-15);
-    for i in 0..4 {
-        assert!((e[i] * speed[i] / rebound[i] - 1.0).abs() < 1e-15);
-    }
+    let (impacts, trace) = (desk.read("plots/s/impacts.csv"), desk.read("plots/s/trace.csv"));
     let summary = desk.json("plots/s/summary.json");
     assert_eq!((&summary["impacts"], &summary["ended_by"]), (&4.into(), &"impacts".into()));
-    let rest = 2.0 * rebound[3] / 9.81 / (1.0 - e[3]);
+    let last = |name: &str| *numbers(&impacts, name).last().unwrap();
+    let rest = 2.0 * last("rebound_speed_m_per_s") / 9.81 / (1.0 - last("restitution"));
     assert!((summary["remaining_time_s"].as_f64().unwrap() / rest - 1.0).abs() < 1e-14);
-    assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml");
-    assert_eq!(summary["drop_height_m"], 0.5);
-
-    let trace = desk.read("plots/s/trace.csv");
-    assert!(crate::common::command::numbers(&trace, "time_s").windows(2).all(|pair| pair[0] <= pair[1]));
-    let heights = crate::common::command::numbers(&trace, "height_m");
-    assert_eq!(heights[0], 0.5);
+    // the trace goes from the release through every impact
+    assert!(numbers(&trace, "time_s").is_sorted() && numbers(&trace, "height_m")[0] == 0.5);
     assert_eq!(column(&trace, "event").iter().filter(|event| *event == "touch").count(), 4);
-    let deepest = numbers("peak_indentation_m").into_iter().fold(0.0, max_or_nan);
-    let lowest = heights.iter().map(|height| -height).fold(0.0, max_or_nan);
-    assert!((lowest / deepest - 1.0).abs() < 1e-8);
 }
 
 #[test]
@@ -100,23 +77,4 @@ fn overrides_reach_the_series() {
     let (said, _) = desk.ends(&["check", "s.toml", "--set", "repeat.spot=same", "--set", "repeat.impacts=7"], 0);
     assert!(said.contains("all on the same spot") && said.contains("there were 7 impacts"), "{said}");
     assert!(said.contains("impact.drop_height") && said.contains("yield speed"), "{said}");
-}
-
-#[test]
-fn one_result_whatever_the_method() {
-    let e = |method: &str| -> Vec<f64> {
-        let text = format!("{BODIES}{BOUNCING}[solver]\nmethod = \"{method}\"\n");
-        let scenario = Scenario::from_text("s.toml", &text, &[]).unwrap();
-        let (scene, contact, repeat) = prepare_repeat(&scenario).unwrap();
-        let sequence = repeat.run(&contact, &scene.solver, scene.samples, None).unwrap();
-        sequence.hits.iter().map(|hit| hit.restitution).collect()
-    };
-    let exact = e("auto");
-    assert_eq!(e("closed_form"), exact);
-    for method in ["rk8", "dop853", "dopri5"] {
-        for (got, want) in e(method).into_iter().zip(&exact) {
-            // four impacts, each with an error of up to a few hundred times the tolerance 1e-10
-            assert!((got / want - 1.0).abs() < 1e-7, "{method}: {got} {want}");
-        }
-    }
 }

@@ -1,63 +1,37 @@
 //! The files of an impact agree with the computed impact: keys, values, rows.
 
-use plm_impact::impact::{Contact, Event, Impact, Solver};
-use plm_impact::law::Plm;
-use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::provenance::{FORMAT, LawOf, MethodOf, Provenance, VERSION};
-use plm_impact::report;
-use plm_impact::report::inputs::Inputs;
-use plm_impact::scenario::Scenario;
-use plm_impact::scene::Scene;
+use plm_impact::plot::Pictures;
+use plm_impact::provenance::FORMAT;
+use plm_impact::run::{Order, Run, way};
 use serde_json::Value;
 
-use crate::common::STEEL;
+use crate::common::prelude::*;
 
 const SAMPLES: usize = 40;
 
-fn contact(sphere_modulus: f64, yield_strength: Option<f64>) -> Contact {
-    let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
-    let sphere = Sphere { radius: 5e-3, material: material(sphere_modulus), density: 7850.0, yield_strength: None };
-    let half_space = HalfSpace { material: material(210e9), yield_strength, density: None };
-    Contact::try_new(sphere, half_space, &Plm::default()).unwrap()
+/// The contact, the impact, and what a run writes and shows of it.
+struct Ran {
+    contact: Contact,
+    impact: Impact,
+    summary: Value,
+    trace: String,
+    table: String,
 }
 
-fn impact(contact: &Contact, speed: f64) -> Impact {
-    contact.impact(speed, &Solver::default(), Some(SAMPLES)).unwrap()
-}
-
-/// The inputs of the scene of a contact.
-fn inputs(contact: &Contact, speed: f64) -> Inputs {
-    let scene = Scenario::from_text("steel", STEEL, &[]).unwrap().resolve().unwrap();
-    Inputs::of(&Scene { sphere: *contact.sphere(), half_space: *contact.half_space(), speed, ..scene })
-}
-
-fn provenance() -> Provenance {
-    Provenance {
-        scenario_file: "scenarios/steel.toml".into(),
-        method: Some(MethodOf { method: "dop853", tolerance: 1e-10 }),
-        law: Some(LawOf {
-            law: "plm".into(),
-            law_source: None,
-            coefficients: Some("built-in".into()),
-            coefficients_source: Some("finite elements".into()),
-        }),
-        format_version: FORMAT,
-        version: VERSION,
-        scenario_sha256: "00ff".into(),
-        command: "plm-impact run scenarios/steel.toml".into(),
-    }
-}
-
-fn summary(contact: &Contact, impact: &Impact) -> Value {
-    serde_json::from_str(&report::summary(contact, impact, &inputs(contact, impact.speed), &provenance()).unwrap())
-        .unwrap()
+fn ran(set: &[&str]) -> Ran {
+    let scenario = read(STEEL, &[&["output.samples=40"], set].concat());
+    let (_, contact, impact) = run::impact::compute(&scenario, Some(SAMPLES)).unwrap();
+    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
+    let order = Order { command: "plm-impact run", pictures: Pictures::None, progress: &Counter::default() };
+    let outcome = run(&scenario, &order).unwrap();
+    let file = |name: &str| text(&outcome.files.iter().find(|file| file.name == name).unwrap().bytes);
+    let summary = serde_json::from_str(&file("summary.json")).unwrap();
+    Ran { contact, impact, summary, trace: file("trace.csv"), table: outcome.text }
 }
 
 #[test]
 fn every_number_of_the_summary_reads_back_to_the_same_bits() {
-    let contact = contact(210e9, Some(345e6));
-    let impact = impact(&contact, 3.0);
-    let summary = summary(&contact, &impact);
+    let Ran { contact, impact, summary, .. } = ran(&[]);
     let point = contact.pair().yield_point.unwrap();
     let expected = [
         ("/restitution", impact.restitution),
@@ -104,108 +78,74 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
     assert_eq!(summary["work"]["steps"], impact.work.steps);
     assert_eq!(summary["work"]["rejected"], impact.work.rejected);
     assert_eq!(summary["work"]["force_evaluations"], impact.work.force_evaluations);
-    assert_eq!(summary["warnings"], Value::Array(vec![]));
-    assert_eq!(summary["provenance"]["scenario_sha256"], "00ff");
-    assert_eq!(summary["provenance"]["method"], "dop853");
     assert_eq!(summary["provenance"]["format_version"], FORMAT);
 }
 
 #[test]
+fn a_summary_says_what_the_scene_is() {
+    let elastic = ran(&["impact.speed=1e-3"]);
+    // an impact below the yield speed has no dent, and says so
+    for key in ["residual_radius_m", "dent_radius_m"] {
+        assert_eq!(elastic.summary.get(key), Some(&Value::Null), "{key}");
+    }
+    assert_eq!(
+        (&elastic.summary["residual_indentation_m"], &elastic.summary["energy"]["plastic_J"]),
+        (&0.0.into(), &0.0.into())
+    );
+    let rigid = ran(&["sphere.youngs_modulus=rigid"]).summary;
+    assert_eq!(
+        (&rigid["inputs"]["sphere_youngs_modulus_Pa"], &rigid["peak_sphere_indentation_m"]),
+        (&"rigid".into(), &0.0.into())
+    );
+    let said = ran(&[]);
+    assert_eq!((&said.summary["warnings"], &said.summary["provenance"]["method"]), (&json!([]), &"rk8".into()));
+    // e = 0.49246, F_m = 1105.7 N, δ_m = 36.948 µm, T = 28.86 µs: tests/reference/plain.csv
+    for text in ["0.4925", "1.106 kN", "36.95 µm", "28.86 µs", "24.25 % recovered, 75.75 % into the dent"] {
+        assert!(said.table.contains(text), "{text} not in\n{}", said.table);
+    }
+    assert!(said.table.lines().all(|line| !line.ends_with(' ')));
+}
+
+/// A half-space without a yield strength says nothing plastic.
+#[test]
 fn an_elastic_scene_says_nothing_plastic() {
-    let contact = contact(210e9, None);
-    let impact = impact(&contact, 3.0);
-    let text = report::summary(&contact, &impact, &inputs(&contact, impact.speed), &provenance()).unwrap()
-        + &report::table(&contact, &impact);
+    let desk = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"\n", ""));
+    let (table, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    let text = table + &desk.read("out/summary.json");
     for word in ["yield", "residual", "dent_", "dent ", "plastic", "unloading_radius"] {
         assert!(!text.contains(word), "{word} in\n{text}");
     }
 }
 
 #[test]
-fn an_impact_below_the_yield_speed_has_no_dent() {
-    let contact = contact(210e9, Some(345e6));
-    let summary = summary(&contact, &impact(&contact, 1e-3)); // v_Y is 9.7 mm/s
-    assert_eq!(summary["residual_indentation_m"], 0.0);
-    assert!(summary["residual_radius_m"].is_null() && summary.get("residual_radius_m").is_some());
-    assert!(summary["dent_radius_m"].is_null() && summary.get("dent_radius_m").is_some());
-    assert_eq!(summary["energy"]["plastic_J"], 0.0);
-}
-
-#[test]
-fn a_rigid_sphere_is_named_so() {
-    let contact = contact(f64::INFINITY, Some(345e6));
-    let summary = summary(&contact, &impact(&contact, 3.0));
-    assert_eq!(summary["inputs"]["sphere_youngs_modulus_Pa"], "rigid");
-    assert_eq!(summary["peak_sphere_indentation_m"], 0.0);
-}
-
-#[test]
-fn warnings_reach_the_summary() {
-    let contact = contact(210e9, Some(345e6));
-    let impact = impact(&contact, 300.0); // a/R beyond 0.45
-    assert!(!impact.warnings.is_empty());
-    assert_eq!(summary(&contact, &impact)["warnings"][0], impact.warnings[0].to_string());
-}
-
-#[test]
 fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
-    let contact = contact(210e9, Some(345e6));
-    let impact = impact(&contact, 3.0);
-    let bytes = report::trace(&impact).unwrap();
-    let mut reader = csv::Reader::from_reader(bytes.as_slice());
-    assert_eq!(
-        reader.headers().unwrap().iter().collect::<Vec<_>>(),
-        [
-            "time_s",
-            "indentation_m",
-            "sphere_indentation_m",
-            "half_space_indentation_m",
-            "speed_m_per_s",
-            "force_N",
-            "branch",
-            "event"
-        ]
-    );
-    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let number = |row: &csv::StringRecord, column: usize| row[column].parse::<f64>().unwrap();
-    let inner =
-        impact.trace.iter().filter(|row| matches!(row.event, Some(Event::Yield | Event::Knot | Event::Peak))).count();
-    // first touch and separation are samples; the events between them are additional rows
-    assert_eq!(rows.len(), SAMPLES + inner);
-    for (row, expected) in rows.iter().zip(&impact.trace) {
-        let got: Vec<f64> = (0..6).map(|column| number(row, column)).collect();
-        let want = [
-            expected.time,
-            expected.indentation,
-            expected.sphere_indentation,
-            expected.half_space_indentation,
-            expected.speed,
-            expected.force,
-        ];
-        assert_eq!(got, want);
-        assert_eq!(&row[6], expected.branch.name());
+    let Ran { impact, trace, .. } = ran(&[]);
+    let of = |name: &str| numbers(&trace, name);
+    let columns: [(&str, fn(&TraceRow) -> f64); 6] = [
+        ("time_s", |row| row.time),
+        ("indentation_m", |row| row.indentation),
+        ("sphere_indentation_m", |row| row.sphere_indentation),
+        ("half_space_indentation_m", |row| row.half_space_indentation),
+        ("speed_m_per_s", |row| row.speed),
+        ("force_N", |row| row.force),
+    ];
+    let header = columns.map(|(name, _)| name).join(",") + ",branch,event";
+    assert_eq!(trace.lines().next(), Some(header.as_str()));
+    for (name, number) in columns {
+        assert_eq!(of(name), impact.trace.iter().map(number).collect::<Vec<_>>(), "{name}");
     }
-    let named = |name: &str| rows.iter().filter(|row| &row[7] == name).collect::<Vec<_>>();
-    for name in ["touch", "yield", "peak", "separation"] {
-        assert_eq!(named(name).len(), 1, "{name}");
-    }
-    // the built-in law has knots at x = 1.7, 2.4, 3.4, 5, 9, 18, 36, 80; this impact reaches x = 136
-    assert_eq!(named("knot").len(), 8);
-    let (peak, separation) = (named("peak")[0], named("separation")[0]);
-    assert_eq!((number(peak, 4), number(peak, 5)), (0.0, impact.peak_force));
-    assert_eq!((number(separation, 0), number(separation, 5)), (impact.contact_time, 0.0));
-    approx::assert_relative_eq!(number(separation, 1), impact.residual_indentation, max_relative = 1e-12);
-    assert_eq!(&rows[0][7], "touch");
-    assert_eq!(&rows[rows.len() - 1][7], "separation");
-}
-
-#[test]
-fn the_table_is_short_and_in_engineering_units() {
-    let contact = contact(210e9, Some(345e6));
-    let table = report::table(&contact, &impact(&contact, 3.0));
-    // src/reference/oracle.csv, this scene: e = 0.49246, F_m = 1105.7 N, δ_m = 36.948 µm, T = 28.86 µs
-    for text in ["0.4925", "1.106 kN", "36.95 µm", "28.86 µs", "24.25 % recovered, 75.75 % into the dent"] {
-        assert!(table.contains(text), "{text} not in\n{table}");
-    }
-    assert!(table.lines().all(|line| !line.ends_with(' ')));
+    let branches: Vec<&str> = impact.trace.iter().map(|row| row.branch.name()).collect();
+    assert_eq!(column(&trace, "branch"), branches);
+    // first touch and separation are samples; the events between them are additional rows: first yield, the knots at
+    // x = 1.7, 2.4, 3.4, 5, 9, 18, 36, 80 of the built-in law, as this impact reaches x = 136, and the peak
+    let events = column(&trace, "event");
+    assert_eq!(events.len(), SAMPLES + 10);
+    let named = |name: &str| (0..events.len()).filter(|row| events[*row] == name).collect::<Vec<_>>();
+    assert_eq!((named("touch"), named("separation")), (vec![0], vec![events.len() - 1]));
+    assert_eq!((named("yield").len(), named("knot").len(), named("peak").len()), (1, 8, 1));
+    let peak = named("peak")[0];
+    assert_eq!((of("speed_m_per_s")[peak], of("force_N")[peak]), (0.0, impact.peak_force));
+    let end = events.len() - 1;
+    assert_eq!((of("time_s")[end], of("force_N")[end]), (impact.contact_time, 0.0));
+    assert_relative_eq!(of("indentation_m")[end], impact.residual_indentation, max_relative = 1e-12);
 }

@@ -1,15 +1,10 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::error::Error;
-use plm_impact::impact::{Damping, Method};
-use plm_impact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
-use plm_impact::plot::Pictures;
-use plm_impact::progress::Counter;
-use plm_impact::run::{Order, Run, way};
-use plm_impact::scenario::{Kind, Scenario};
-use plm_impact::scene::{Input, KEYS, Key, Scene};
+use plm_impact::scene::KEYS;
 
-use crate::common::STEEL;
+use plm_impact::scene::Scene;
+
+use crate::common::prelude::*;
 
 fn resolve(text: &str, overrides: &[&str]) -> Result<Scene, Error> {
     let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
@@ -278,38 +273,23 @@ fn the_hash_is_of_text_overrides_and_coefficients() {
     assert_ne!(hash(&named, &[], built_in), hash(&named, &[], &changed));
 }
 
+/// That they run, and to which numbers, is in tests/same_numbers.
 #[test]
-fn every_scenario_of_the_repository_opens_with_a_comment_and_runs() {
-    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios");
-    let mut names = Vec::new();
-    for entry in std::fs::read_dir(directory).unwrap() {
+fn every_scenario_of_the_repository_opens_with_a_comment_and_has_no_warning() {
+    let mut checked = 0;
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios")).unwrap() {
         let path = entry.unwrap().path();
-        if path.extension().is_none_or(|extension| extension != "toml") {
-            continue;
-        }
-        let scenario = Scenario::load(&path, &[]).unwrap();
-        assert!(scenario.document.text().starts_with("# "), "{}", path.display());
-        names.push(path.file_stem().unwrap().to_string_lossy().into_owned());
-        if let kind @ (Kind::Indentation | Kind::Repeat | Kind::Compare) = scenario.kind().unwrap() {
-            let Run::Once { run, .. } = way(kind).run else { panic!("{kind:?} is no table") };
-            let order = Order { command: "test", pictures: Pictures::None, progress: &Counter::default() };
-            let outcome = run(&scenario, &order).unwrap();
-            assert!(outcome.warnings.is_empty(), "{}", path.display());
-            if kind == Kind::Compare {
-                assert!(scenario.comparison().unwrap().compared().len() > 8, "{}", path.display());
-            }
-        } else {
-            let (scene, contact) = plm_impact::run::impact::prepare(&scenario).unwrap();
-            assert!(scene.warnings.is_empty(), "{}", path.display());
-            let impact = contact.impact(scene.speed, &scene.solver, None).unwrap();
-            assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + scene.solver.tolerance);
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            let scenario = Scenario::load(&path, &[]).unwrap();
+            assert!(scenario.document.text().starts_with("# "), "{}", path.display());
+            let warnings = plm_impact::run::check(&scenario).unwrap().warnings;
+            // a table may have rows beyond the range of the law
+            let is_table = matches!(scenario.kind().unwrap(), Kind::Sweep | Kind::MonteCarlo);
+            assert!(is_table || warnings.is_empty(), "{}: {warnings:?}", path.display());
+            checked += 1;
         }
     }
-    for name in
-        ["elastic", "micrometre-particle", "paper-case-3", "steel-on-steel", "tungsten-carbide-on-titanium-alloy"]
-    {
-        assert!(names.iter().any(|found| found == name), "{name}");
-    }
+    assert!(checked > 15, "{checked}");
 }
 
 #[test]

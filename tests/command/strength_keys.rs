@@ -2,13 +2,9 @@
 
 use std::fs;
 
-use plm_impact::law::LawChoice;
-use plm_impact::scenario::Scenario;
-use plm_impact::scene::{Input, Key, Scene};
-use plm_impact::strength::flow::FlowCurve;
+use plm_impact::scene::Scene;
 
-use crate::common::command::{Desk, numbers};
-use crate::common::{STEEL, off};
+use crate::common::prelude::*;
 
 fn scene(text: &str) -> Scene {
     Scenario::from_text("s.toml", text, &[]).unwrap().resolve().unwrap()
@@ -57,6 +53,13 @@ fn a_hardness_is_a_yield_strength_said_otherwise() {
         let strength = scene(&with_hardness(hardness)).half_space.yield_strength.unwrap();
         assert!(off(strength, 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-12, "{hardness}: {strength}");
     }
+    // also in scenes without an impact
+    let still = |table: &str| with_hardness("\"1.0005 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
+    let compared = Scenario::from_text("s.toml", &still("[compare]\npeak_indentation_ratio = 30"), &[]).unwrap();
+    assert!(off(compared.comparison().unwrap().bodies.yield_strength, 345e6) < 1e-14);
+    let pressed = Scenario::from_text("s.toml", &still("[indentation]\nsteps = [{ load = \"1 kN\" }]"), &[]).unwrap();
+    let specimens = pressed.indentation().unwrap().specimens;
+    assert!(off(specimens[0].half_space.yield_strength.unwrap(), 345e6) < 1e-14);
     for pressure in ["\"3 GPa\"", "3e9"] {
         assert!(off(scene(&with_hardness(pressure)).half_space.yield_strength.unwrap(), 3e9 / 2.9) < 1e-14);
     }

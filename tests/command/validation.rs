@@ -3,17 +3,12 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::sync::LazyLock;
 
-use approx::assert_relative_eq;
-use plm_impact::law::{LawChoice, PlmCoefficients};
-use plm_impact::math::power::max_or_nan;
-use plm_impact::progress::Counter;
-use plm_impact::validation::check::{Check, Group, Known, Tolerance, Verdict, largest};
+use plm_impact::validation::check::{Check, Group, Known, Tolerance, Verdict};
 use plm_impact::validation::{self, report};
-use tempfile::TempDir;
 
-use crate::common::command::{call, text};
-use crate::common::picture::{has_free_border, pixels};
+use crate::common::prelude::*;
 
 const BUILT_IN: &str = include_str!("../../src/law/plm/coefficients.toml");
 
@@ -31,17 +26,14 @@ fn number(row: &Row, column: &str) -> f64 {
 
 #[test]
 fn a_clean_checkout_passes_and_shows_it() {
-    let directory = TempDir::new().unwrap();
-    let output = call(directory.path(), &["validate", "--out", "v"]);
-    let table = text(&output.stdout);
-    assert_eq!(output.status.code(), Some(0), "{table}{}", text(&output.stderr));
+    let desk = Desk::with("");
+    let (table, _) = desk.ends(&["validate", "--out", "v"], 0);
     assert!(table.starts_with("quantity") && !table.contains("MISS"), "{table}");
     assert!(table.lines().all(|line| line.len() < 400), "{table}");
     // the known deviation is printed
     assert!(table.contains("known of the built-in law: load cycle: residual"), "{table}");
 
-    let read = |name: &str| fs::read_to_string(directory.path().join("v").join(name)).unwrap();
-    let checks = rows(&read("validation.csv"));
+    let checks = rows(&desk.read("v/validation.csv"));
     // 4 quantities over 5 curves and 2 largest deviations each; 63 unloadings, of which 52 have a resolved dent and 59 a
     // known spent work; 3 impacts; 43 unloadings of metals that harden; 6 rebounds of Leeb devices; 8 tangential
     // restitutions, 7 spins, 9 angles and 14 slip speeds of oblique impacts; means and rms
@@ -62,7 +54,7 @@ fn a_clean_checkout_passes_and_shows_it() {
             assert_relative_eq!(deviation, want, max_relative = 1e-9, epsilon = 1e-15);
         }
     }
-    let page = read("README.md");
+    let page = desk.read("v/README.md");
     for row in &checks {
         // the statistics of a quantity stand in its row
         let quantity = row["quantity"].trim_end_matches(", mean").trim_end_matches(", rms");
@@ -76,43 +68,38 @@ fn a_clean_checkout_passes_and_shows_it() {
     // the files in the repository are those that the command writes
     for entry in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/plots/validate")).unwrap() {
         let (name, kept) = (entry.as_ref().unwrap().file_name(), fs::read(entry.unwrap().path()).unwrap());
-        let written = fs::read(directory.path().join("v").join(&name)).unwrap();
+        let written = fs::read(desk.path("v").join(&name)).unwrap();
         assert!(kept == written, "{name:?} is stale: run `plm-impact validate --force`");
     }
 
-    let mut pictures = 0;
-    for entry in fs::read_dir(directory.path().join("v")).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|extension| extension == "png") {
-            let bytes = fs::read(&path).unwrap();
-            assert!(has_free_border(&bytes), "{}", path.display());
-            // there are blue points of the reference or of the first case
-            let blue = pixels(&bytes).1.iter().filter(|pixel| **pixel == [0x00, 0x72, 0xb2]).count();
-            assert!(blue > 100 || path.ends_with("error-restitution.png"), "{}: {blue}", path.display());
-            pictures += 1;
-        }
+    let is_picture = |name: &String| name.ends_with(".png");
+    let pictures: Vec<String> = desk.files("v").into_iter().filter(is_picture).collect();
+    for name in &pictures {
+        let bytes = fs::read(desk.path("v").join(name)).unwrap();
+        assert!(has_free_border(&bytes), "{name}");
+        // there are blue points of the reference or of the first case
+        let blue = pixels(&bytes).1.iter().filter(|pixel| **pixel == [0x00, 0x72, 0xb2]).count();
+        assert!(blue > 100 || name == "error-restitution.png", "{name}: {blue}");
     }
-    assert_eq!(pictures, 8);
+    assert_eq!(pictures.len(), 8);
 }
 
 #[test]
 fn another_law_misses_and_the_exit_code_says_so() {
-    let directory = TempDir::new().unwrap();
     // the straight pieces are a tenth too steep
     let steeper = BUILT_IN.replace(
         "slope = [2.00, 2.29, 2.62, 3.04, 3.66, 4.32, 4.84, 5.60, 6.51]",
         "slope = [2.20, 2.52, 2.88, 3.34, 4.03, 4.75, 5.32, 6.16, 7.16]",
     );
     assert_ne!(steeper, BUILT_IN);
-    fs::write(directory.path().join("steeper.toml"), steeper).unwrap();
-    let output =
-        call(directory.path(), &["validate", "--coefficients", "steeper.toml", "--out", "v", "--pictures", "none"]);
-    let (table, message) = (text(&output.stdout), text(&output.stderr));
-    assert_eq!(output.status.code(), Some(3), "{table}{message}");
+    let desk = Desk::with("");
+    desk.put("steeper.toml", steeper);
+    let arguments = ["validate", "--coefficients", "steeper.toml", "--out", "v", "--pictures", "none"];
+    let (table, message) = desk.ends(&arguments, 3);
     assert!(table.contains("MISS: loading: force, rms over the curve: case 3"), "{table}");
     assert!(message.contains("checks missed their tolerance: see v/validation.csv"), "{message}");
     // the tables are written
-    let checks = rows(&fs::read_to_string(directory.path().join("v/validation.csv")).unwrap());
+    let checks = rows(&desk.read("v/validation.csv"));
     assert!(checks.iter().any(|row| row["verdict"] == "MISS"));
     // deviations that are known for the built-in law are misses for another law
     assert!(checks.iter().all(|row| row["verdict"] != "known"), "{table}");
@@ -275,13 +262,11 @@ const CURVES: [&str; 5] = [
     include_str!("../../src/reference/fe_loading_case5.csv"),
 ];
 
-fn checks() -> Vec<Check> {
-    validation::checks(PlmCoefficients::built_in(), &Counter::default()).unwrap()
-}
+static CHECKS: LazyLock<Vec<Check>> =
+    LazyLock::new(|| validation::checks(PlmCoefficients::built_in(), &Counter::default()).unwrap());
 
 #[test]
 fn rows_of_load_cycles_follow_from_a_second_implementation() {
-    let checks = checks();
     let mut compared = 0;
     for cycle in rows(include_str!("../../src/reference/fe_unloading.csv")) {
         let case: usize = cycle["case"].trim_start_matches("case").parse().unwrap();
@@ -294,7 +279,7 @@ fn rows_of_load_cycles_follow_from_a_second_implementation() {
                 let depth: f64 = depth.parse().unwrap_or(0.0);
                 check.quantity() == quantity && run == cycle["run"] && (depth / x - 1.0).abs() < 1e-3
             };
-            checks.iter().find(is_this)
+            CHECKS.iter().find(is_this)
         };
         for (quantity, is_paper) in
             [("load cycle: restitution, exponent 3/2", true), ("load cycle: restitution, pressure-shape", false)]
@@ -327,7 +312,6 @@ fn rows_of_load_cycles_follow_from_a_second_implementation() {
 
 #[test]
 fn rows_of_loading_follow_from_a_second_implementation() {
-    let checks = checks();
     for (case, curve) in (1..).zip(CURVES) {
         let second = Second::of(curve);
         let mut squares = [0.0; 3];
@@ -347,7 +331,7 @@ fn rows_of_loading_follow_from_a_second_implementation() {
         }
         for (quantity, square) in ["force", "sphere indentation", "contact radius"].into_iter().zip(squares) {
             let name = format!("loading: {quantity}, rms over the curve");
-            let check = checks
+            let check = CHECKS
                 .iter()
                 .find(|check| check.quantity() == name && check.case.starts_with(&format!("case {case},")));
             assert_relative_eq!(check.unwrap().deviation, (square / n).sqrt(), max_relative = 1e-5);
@@ -374,8 +358,7 @@ fn whole_impacts_are_those_of_the_scenarios() {
     }
     for (name, is_paper) in [("exponent 3/2", true), ("pressure-shape", false)] {
         let quantity = format!("impact: restitution, {name}");
-        let checks = checks();
-        let check = checks.iter().find(|check| check.quantity() == quantity && check.case == "D1").unwrap();
+        let check = CHECKS.iter().find(|check| check.quantity() == quantity && check.case == "D1").unwrap();
         let [expected, got] = check.numbers.unwrap();
         assert_relative_eq!(got, second.restitution(low, is_paper), max_relative = 1e-5);
         // src/reference/fe_dynamic.csv

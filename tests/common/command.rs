@@ -18,6 +18,12 @@ impl Desk {
         desk
     }
 
+    /// Writes a file, with the folders to it.
+    pub fn put(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::create_dir_all(self.path(name).parent().unwrap()).unwrap();
+        fs::write(self.path(name), content).unwrap();
+    }
+
     pub fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }

@@ -1,8 +1,10 @@
 //! Methods, scenes and relative errors that several test files use.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 pub mod command;
 pub mod picture;
+pub mod prelude;
+pub mod reference;
 
 use std::cell::Cell;
 use std::ops::Range;
@@ -12,6 +14,9 @@ use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
+use plm_impact::scenario::Scenario;
+use plm_impact::scene;
+use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use proptest::prop_oneof;
 use proptest::strategy::{Just, Strategy};
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
@@ -31,6 +36,30 @@ yield_strength = "345 MPa"
 [impact]
 speed = "3 m/s"
 "#;
+
+/// The scenario of this text, with these overrides.
+pub fn read(text: &str, set: &[impl ToString]) -> Scenario {
+    let set: Vec<String> = set.iter().map(ToString::to_string).collect();
+    Scenario::from_text("s.toml", text, &set).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Its scene.
+pub fn scene(text: &str, set: &[impl ToString]) -> scene::Scene {
+    read(text, set).resolve().unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Its contact.
+pub fn contact(text: &str, set: &[impl ToString]) -> Contact {
+    scene(text, set).contact().unwrap()
+}
+
+/// The rows of its table.
+pub fn rows_of(text: &str, set: &[impl ToString]) -> Rows {
+    let plan = read(text, set).plan().unwrap().unwrap();
+    let mut rows = Rows::default();
+    Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
+    rows
+}
 
 /// Every adaptive stepping method, with the largest error at the end of an impact in units of its tolerance. The step
 /// control limits the error of one step; the sum over an impact depends on the method. Measured for the hard cases and

@@ -1,10 +1,6 @@
 //! Dense output: the rows of a trace between the steps are as accurate as the tolerance.
 
-use plm_impact::impact::{Impact, Method, TraceRow};
-use plm_impact::law::UnloadingExponent;
-use plm_impact::math::power::max_or_nan;
-
-use crate::common::{STEPPING, Scene};
+use crate::common::prelude::*;
 
 /// Speeds over the yield speed: elastic, just yielding, beyond each knot, far beyond the last knot.
 const SHARES: [f64; 14] = [0.1, 0.5, 0.999, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];

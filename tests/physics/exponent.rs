@@ -6,14 +6,9 @@
 //! asked for.
 
 use plm_impact::compare::Comparison;
-use plm_impact::impact::{Contact, Damping, Forces, Method, ScaledForces, Solver, Spot, WarningKind, closed_form};
-use plm_impact::indentation::{Indenter, StaticContact, Target};
-use plm_impact::law::{Bodies, Law, LawChoice, Plm, PlmCoefficients, UnloadingExponent};
-use plm_impact::material::{HalfSpace, Material};
-use plm_impact::repeat::{Drive, Place, Repeat};
-use proptest::prelude::*;
+use plm_impact::indentation::Target;
 
-use crate::common::{STEPPING, Scene, any_scene, off, solver, worst};
+use crate::common::prelude::*;
 
 fn steel(n: f64) -> Scene {
     Scene { exponent: UnloadingExponent::Fixed(n), ..Scene::steel() }
@@ -24,19 +19,6 @@ fn ruled(law: &Law, x: f64, n: f64) -> f64 {
     let peak = law.loaded_to(x);
     let gives_all = peak.force * peak.elastic_approach / law.loading.work(x) - 1.0;
     if peak.residual() > 0.0 { gives_all.max(n) } else { 1.5 }
-}
-
-#[test]
-fn steel_on_steel_just_past_yield_gives_back_what_it_took_and_no_more() {
-    // 0.012 m/s is 1.7 times the yield speed; without the rule e is 1.062 here, and the plastic share −0.13
-    let contact = steel(1.2).contact();
-    let row = contact.essentials(0.012).unwrap();
-    assert_eq!((row.restitution, row.plastic_fraction), (1.0, 0.0));
-    assert!(row.has_dent());
-    let impact = contact.closed_form(0.012).unwrap();
-    assert_eq!((impact.restitution, impact.energy.plastic), (1.0, Some(0.0)));
-    assert!(impact.unloading_exponent > 1.2 && impact.unloading_exponent < 1.5, "{}", impact.unloading_exponent);
-    assert!(impact.warnings.iter().all(|warning| warning.kind != WarningKind::EnergyGain));
 }
 
 #[test]

@@ -1,125 +1,17 @@
 //! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
-//!
-//! The expected numbers are from 30-digit arithmetic (`oracle_hardening.csv`) and from closed forms.
 
 use std::fs;
 
-use plm_impact::impact::Method;
 use plm_impact::impact::closed_form::solve;
-use plm_impact::law::Law;
 use plm_impact::law::curve::Curve;
 use plm_impact::law::piece::{Piece, Shape};
-use plm_impact::reference::hardening::{ExactImpact, Materials, impacts};
-use plm_impact::run;
-use plm_impact::scenario::Scenario;
-use plm_impact::scene::{Input, Scene};
-use plm_impact::sweep::evaluator::{Evaluator, Failure, Rows};
-use proptest::prelude::*;
 
-use crate::common::command::{Desk, column};
-use crate::common::{STEEL, off, solver};
+use plm_impact::scene::Scene;
 
-/// A scenario of an exact impact, without `[impact]`.
-fn scenario(materials: &Materials, impact: &ExactImpact) -> String {
-    let words: Vec<&str> = materials.flow.split_whitespace().collect();
-    let flow = match words[..] {
-        ["power", exponent] => format!("power = {{ exponent = {exponent} }}"),
-        ["voce", saturation, rate] => format!("voce = {{ saturation = {saturation}, rate = {rate} }}"),
-        ["linear", slope] => format!("linear = {{ slope = {slope} }}"),
-        ["table", pairs] => format!("points = [[{}]]", pairs.replace(',', "], [").replace(':', ", ")),
-        _ => panic!("{words:?}"),
-    };
-    let (sphere, half_space) = (materials.sphere(), materials.half_space().material);
-    let exponent = match impact.exponent() {
-        plm_impact::law::UnloadingExponent::PressureShape => "\"pressure-shape\"",
-        _ => "1.5",
-    };
-    format!(
-        "[sphere]\nradius = {}\nyoungs_modulus = {}\npoissons_ratio = {}\ndensity = {}\n[half_space]\nyoungs_modulus = {}\n\
-         poissons_ratio = {}\nyield_strength = {}\n[half_space.flow_stress]\n{flow}\n[law.plm]\nunloading_exponent = {exponent}\n",
-        impact.radius_m,
-        sphere.youngs_modulus,
-        sphere.poissons_ratio,
-        impact.sphere_density_kg_per_m3,
-        half_space.youngs_modulus,
-        half_space.poissons_ratio,
-        materials.yield_strength,
-    )
-}
+use crate::common::prelude::*;
 
 fn read(text: &str) -> Scenario {
     Scenario::from_text("s.toml", text, &[]).unwrap()
-}
-
-#[test]
-fn a_scenario_and_its_trace_come_to_the_exact_impact() {
-    for (materials, want) in impacts().unwrap() {
-        let speed = want.impact_speed_m_per_s;
-        let text = scenario(&materials, &want) + &format!("[impact]\nspeed = {speed}\n");
-        let (_, _, impact) = run::impact::compute(&read(&text), Some(200)).unwrap();
-        assert!(off(impact.restitution, want.restitution) < 1e-8, "{}", want.case);
-        let rows = &impact.trace;
-        let highest = rows.iter().map(|row| row.force).fold(0.0, f64::max);
-        let deepest = rows.iter().map(|row| row.indentation).fold(0.0, f64::max);
-        assert!(off(highest, want.peak_force) < 1e-8 && off(deepest, want.peak_indentation_m) < 1e-8, "{}", want.case);
-        let (first, last) = (&rows[0], rows.last().unwrap());
-        assert!(off(last.time, want.contact_time_s) < 1e-8 && off(-last.speed / speed, want.restitution) < 1e-8);
-        assert!(first.time == 0.0 && rows.windows(2).all(|pair| pair[0].time < pair[1].time));
-        // the indentation of the sphere
-        let bodies = [materials.sphere(), materials.half_space().material];
-        let [of_sphere, of_both] = [&bodies[..1], &bodies[..]].map(|bodies| {
-            bodies.iter().map(|body| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus).sum::<f64>()
-        });
-        let want_of_sphere = of_sphere / of_both * want.elastic_approach_m;
-        let peak = rows.iter().max_by(|a, b| a.indentation.total_cmp(&b.indentation)).unwrap();
-        for got in [peak.sphere_indentation, impact.peak_sphere_indentation] {
-            // a rigid sphere has no indentation
-            assert!((got - want_of_sphere).abs() <= 1e-8 * want_of_sphere, "{}: {got} {want_of_sphere}", want.case);
-        }
-    }
-}
-
-#[test]
-fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
-    for (materials, want) in impacts().unwrap() {
-        let steps =
-            format!("[indentation]\nsteps = [{{ indentation = {} }}, {{ load = 0 }}]\n", want.peak_indentation_m);
-        let (_, tested, _) = run::indentation::compute(&read(&(scenario(&materials, &want) + &steps)), None).unwrap();
-        let [loaded, unloaded] = &tested[0].indentation.steps[..] else { panic!("two steps") };
-        assert!(off(loaded.force, want.peak_force) < 1e-11, "{}", want.case);
-        assert!(off(loaded.memory.contact_radius, want.peak_contact_radius_m) < 1e-11, "{}", want.case);
-        let stiffness = want.unloading_exponent * want.peak_force / want.elastic_approach_m;
-        assert!(off(loaded.memory.unloading_stiffness, stiffness) < 1e-11, "{}", want.case);
-        // the dent of a shallow contact is a small difference
-        let lost = want.peak_indentation_m / want.residual_indentation_m;
-        assert!(off(unloaded.indentation, want.residual_indentation_m) < 1e-11 * lost, "{}", want.case);
-        // the work of loading is the whole energy of the impact
-        let mass = 4.0 / 3.0 * std::f64::consts::PI * want.radius_m.powi(3) * want.sphere_density_kg_per_m3;
-        let energy = 0.5 * mass * want.impact_speed_m_per_s.powi(2);
-        assert!(off(loaded.work, energy) < 1e-11 && off(-unloaded.work, energy * want.restitution.powi(2)) < 1e-10);
-    }
-}
-
-#[test]
-fn a_spot_that_was_hit_remembers_its_hardened_dent() {
-    for (materials, want) in impacts().unwrap() {
-        let speed = want.impact_speed_m_per_s;
-        // the second shot stays elastic; the third has more energy than the unloading gave back
-        let speeds = [speed, 0.99 * want.restitution * speed, speed];
-        for spot in ["same", "fresh"] {
-            let series = format!("[repeat]\nspot = \"{spot}\"\nspeeds = {speeds:?}\n");
-            let (scene, contact, repeat) =
-                run::repeat::prepare_repeat(&read(&(scenario(&materials, &want) + &series))).unwrap();
-            let hits = repeat.run(&contact, &scene.solver, 10, None).unwrap().hits;
-            assert!(off(hits[0].restitution, want.restitution) < 1e-11, "{}", want.case);
-            if spot == "fresh" {
-                assert_eq!(hits[2].restitution, hits[0].restitution);
-                continue;
-            }
-            assert!((hits[1].restitution - 1.0).abs() < 1e-11 && hits[1].dent_growth == 0.0, "{}", want.case);
-            assert!(hits[2].restitution > hits[0].restitution && hits[2].dent_growth > 0.0, "{}", want.case);
-        }
-    }
 }
 
 fn steel(tables: &str) -> Scene {
@@ -183,36 +75,6 @@ fn damping_acts_on_a_hardened_contact_as_its_phase_curve_says() {
     assert!(off(one.restitution, other.restitution) < 1e-8 && one.energy.drift < 1e-9);
     let fixed = plm_impact::impact::Solver { steps_per_contact: 4000, ..solver(Method::Verlet, 1e-10) };
     assert!(off(damped.impact(speed, &fixed, None).unwrap().restitution, one.restitution) < 1e-4);
-}
-
-fn rows(text: &str) -> Rows {
-    let plan = read(text).plan().unwrap().unwrap();
-    let mut rows = Rows::default();
-    Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
-    rows
-}
-
-/// Rows of a table, by closed form and by steps, equal single impacts to the last bit.
-#[test]
-fn tables_on_a_hardened_half_space_are_single_impacts() {
-    let flow = STEEL.replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]");
-    let exponents = [0.05, 0.3];
-    let speeds = [0.005, 0.02, 0.3, 2.0, 11.0];
-    let axes =
-        format!("[sweep]\n\"half_space.flow_stress.power.exponent\" = {exponents:?}\n\"impact.speed\" = {speeds:?}\n");
-    for tables in ["", "[solver]\nmethod = \"rk8\"\n", "[damping]\nviscous = 0.05\n"] {
-        let table = rows(&format!("{flow}{tables}{axes}")).results;
-        assert_eq!(table.len(), 10);
-        for (case, row) in table.iter().enumerate() {
-            let mut input = Input::of(&steel(tables));
-            let exponent = plm_impact::scene::Key::find("half_space.flow_stress.power.exponent").unwrap();
-            exponent.put(&mut input, exponents[case / 5]);
-            let scene = input.resolve();
-            let method = if tables.is_empty() { Method::Auto } else { Method::Rk8 };
-            let alone = scene.contact().unwrap().essentials_by(speeds[case % 5], &solver(method, 1e-10)).unwrap();
-            assert_eq!(row.unwrap(), alone, "{tables} {case}");
-        }
-    }
 }
 
 /// If the hardness varies, so does the yield strength: the table has it as a column, and the results are those of it.
@@ -295,48 +157,14 @@ fn check_teaches_which_strength_is_meant() {
     }
 }
 
-/// A curve steeper than Young's modulus is refused by `check`, a run and a table in the same words. Where an axis makes it so, the
+/// A curve steeper than Young's modulus is refused where it is written (command/refusals.toml); where an axis makes it so, the
 /// rows say that they are outside of the law.
 #[test]
-fn a_curve_that_no_metal_has_is_refused_everywhere() {
-    let flow = "[half_space.flow_stress]\nvoce = { saturation = 23, rate = 2300 }\n[impact]";
-    let desk = Desk::with(STEEL.replace("[impact]", flow));
-    let table = ["--set", "sweep={\"impact.speed\"=[1,2]}"];
-    for arguments in
-        [&["check", "s.toml"][..], &["run", "s.toml", "--out", "o"], &[&["run", "s.toml"], &table[..]].concat()]
-    {
-        let (_, message) = desk.ends(arguments, 2);
-        for part in ["s.toml:", "flow_stress", "between plastic strain 0 and", "Young's modulus", "give a smaller rise"]
-        {
-            assert!(message.contains(part), "{part}: {message}");
-        }
-        assert_eq!(desk.files(""), ["s.toml"]);
-    }
-    let axis = "[sweep]\n\"half_space.flow_stress.voce.saturation\" = [0.1, 1, 23]\n";
-    let got = rows(&(STEEL.replace("[impact]", &flow.replace("saturation = 23, ", "")) + axis));
+fn rows_with_a_curve_that_no_metal_has_are_outside_of_the_law() {
+    let rate = "half_space.flow_stress.voce.rate=2300";
+    let got = rows_of(STEEL, &[rate, "sweep={\"half_space.flow_stress.voce.saturation\" = [0.1, 1, 23]}"]);
     let is_outside: Vec<bool> = got.results.iter().map(|row| *row == Err(Failure::OutsideLaw)).collect();
     assert_eq!(is_outside, [false, true, true]);
-}
-
-#[test]
-fn scenes_without_an_impact_refuse_what_does_not_fit() {
-    let indentation = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[indentation]\nsteps = [{ load = \"1 kN\" }]");
-    let compare = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[compare]\npeak_indentation_ratio = 30");
-    let flow = "[half_space.flow_stress]\n";
-    for (text, want) in [
-        (format!("{indentation}{flow}points = [[0.01, 3e8], [0.02, 4e8]]\n"), "below the yield strength"),
-        (format!("{indentation}{flow}power = {{ exponent = 0.1 }}\n[law.thornton]\n"), "thornton has no hardening"),
-    ] {
-        let message = read(&text).indentation().unwrap_err().to_string();
-        assert!(message.contains("s.toml:") && message.contains(want), "{message}");
-    }
-    let message = read(&format!("{compare}{flow}power = {{ exponent = 0.1 }}\n")).comparison().unwrap_err().to_string();
-    assert!(message.contains("half_space.flow_stress") && message.contains("have no hardening"), "{message}");
-    // a hardness gives the strength there too
-    let hardness = |text: &str| text.replace("yield_strength = \"345 MPa\"", "hardness = \"1.0005 GPa\"");
-    assert!(off(read(&hardness(&compare)).comparison().unwrap().bodies.yield_strength, 345e6) < 1e-14);
-    let specimens = read(&hardness(&indentation)).indentation().unwrap().specimens;
-    assert!(off(specimens[0].half_space.yield_strength.unwrap(), 345e6) < 1e-14);
 }
 
 proptest! {

@@ -6,9 +6,7 @@ mod error_control;
 mod peak_force;
 mod properties;
 
-use plm_impact::impact::{Contact, Damping, Event, Fate, Forces, Impact, ImpactError, Method, ScaledForces, Solver};
-
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::prelude::*;
 
 const GRAVITY: f64 = 9.81;
 
@@ -34,22 +32,6 @@ fn elastic() -> Scene {
 
 fn fate(impact: &Impact) -> Fate {
     impact.under_forces.unwrap().fate
-}
-
-#[test]
-fn a_contact_with_no_forces_is_the_plain_one_to_the_last_bit() {
-    for speed in [1e-6, 0.005, 0.1, 3.0, 40.0] {
-        for (method, _) in STEPPING {
-            let plain = Scene::steel().impact(speed, method, 1e-9, Some(50));
-            let none = under(&Scene::steel(), Forces::default());
-            assert_eq!(none.impact(speed, &solver(method, 1e-9), Some(50)).unwrap(), plain);
-            assert!(plain.under_forces.is_none() && plain.trace.iter().all(|row| row.elastic_force.is_none()));
-        }
-        assert_eq!(
-            under(&Scene::steel(), Forces::default()).essentials(speed).unwrap(),
-            Scene::steel().contact().essentials(speed).unwrap()
-        );
-    }
 }
 
 #[test]
@@ -201,30 +183,6 @@ fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
     // G(−e v) = G(v) with χ v = 1000: e χ v + ln(1 − e χ v) = ln 1001 − 1000, so e χ v = 1 − e^(−992…)
     assert!(off(impact.restitution, 1e-3) < 1e-9);
     assert!(impact.trace.iter().all(|row| row.force >= 0.0));
-}
-
-#[test]
-fn hunt_crossley_on_the_plastic_law_follows_its_phase_curve() {
-    for (chi, speed) in [(0.1, 3.0), (10.0, 3.0), (0.01, 30.0), (1e-9, 1.0)] {
-        let contact = under(&Scene::steel(), hunt_crossley(chi));
-        let exact = contact.closed_form(speed).unwrap();
-        for (method, factor) in STEPPING {
-            for tolerance in [1e-4, 1e-7, 1e-10, 1e-12] {
-                let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
-                let slack = factor * tolerance.max(1e-13);
-                for (got, want) in [
-                    (impact.restitution, exact.restitution),
-                    (impact.contact_time, exact.contact_time),
-                    (impact.loading_time, exact.loading_time),
-                    (impact.peak_force, exact.peak_force),
-                ] {
-                    assert!(off(got, want) < slack, "{} {tolerance:e} {chi} {speed}: {got} {want}", method.name());
-                }
-                let (loss, all) = (|i: &Impact| i.under_forces.unwrap().damping_loss.unwrap(), exact.energy.kinetic_in);
-                assert!((loss(&impact) - loss(&exact)).abs() < slack * all, "{}", method.name());
-            }
-        }
-    }
 }
 
 #[test]

@@ -1,13 +1,6 @@
 //! Elastic impacts of random bodies by every method, compared with the closed forms of Hertz.
 
-use approx::assert_relative_eq;
-use plm_impact::impact::Method;
-use plm_impact::law::UnloadingExponent;
-use plm_impact::material::Material;
-use plm_impact::math::power::max_or_nan;
-use proptest::prelude::*;
-
-use crate::common::{STEPPING, Scene, off};
+use crate::common::prelude::*;
 
 /// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
@@ -49,7 +42,7 @@ proptest! {
         let k = 4.0 / 3.0 * e_star * scene.radius.sqrt();
         let indentation = (1.25 * m * v * v / k).powf(0.4);
         let force = k * indentation.powf(1.5);
-        for (method, factor) in STEPPING {
+        for (method, factor) in STEPPING.into_iter().chain([(Method::ClosedForm, 1e-2)]) {
             let impact = scene.impact(v, method, TOLERANCE, None);
             let error = [
                 off(impact.restitution, 1.0),
@@ -92,58 +85,30 @@ proptest! {
     }
 }
 
-#[test]
-fn golden_case_of_lammps_is_reproduced() {
-    // LAMMPS `hertz/material` against a wall of the same material: sphere of 5 mm diameter, 7000 kg/m³, 100 GPa, ν
-    // 0.25, 3.9 m/s, deepest overlap 22.6806 µm; a rigid wall gives 17.19 µm
-    let body = Material { youngs_modulus: 100e9, poissons_ratio: 0.25 };
-    let scene = Scene {
-        radius: 2.5e-3,
-        density: 7000.0,
-        sphere: body,
-        half_space: body,
-        yield_strength: None,
-        exponent: UnloadingExponent::Paper,
-    };
-    for (method, _) in STEPPING {
-        let impact = scene.impact(3.9, method, 1e-10, None);
-        assert_relative_eq!(impact.peak_indentation, 22.6806e-6, max_relative = 2e-6); // six printed digits
-        let mut rigid = scene;
-        rigid.sphere.youngs_modulus = f64::INFINITY;
-        let impact = rigid.impact(3.9, method, 1e-10, None);
-        assert_relative_eq!(impact.peak_indentation, 17.19e-6, max_relative = 3e-4); // four printed digits
-    }
-}
-
-/// Chung and Ooi (2011), test 2: spheres of 0.1 m on a rigid plane at 0.2 m/s. A rigid sphere of the same density on a
-/// half-space with the modulus of the sphere is the same problem. Half a unit of the last printed digit is allowed.
+/// Deepest overlap, peak force and contact time, with half a unit of the last printed digit.
 #[test]
 fn published_impacts_of_hertz_are_reproduced() {
     let rigid = Material { youngs_modulus: f64::INFINITY, poissons_ratio: 0.3 };
-    let aluminium = (70e9, 0.3, 2699.0, [(49.72e-6, 0.005e-6), (11_370.0, 0.5), (731.7e-6, 0.05e-6)]);
-    let magnesium = (40e9, 0.35, 1800.0, [(52.12e-6, 0.005e-6), (7233.0, 0.5), (767.1e-6, 0.05e-6)]);
-    for (youngs_modulus, poissons_ratio, density, printed) in [aluminium, magnesium] {
-        let scene = Scene {
-            radius: 0.1,
-            density,
-            sphere: rigid,
-            half_space: Material { youngs_modulus, poissons_ratio },
-            yield_strength: None,
-            exponent: UnloadingExponent::Paper,
-        };
+    let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+    let glass = body(100e9, 0.25);
+    let none = (f64::NAN, f64::NAN);
+    for ((radius, density, speed), sphere, half_space, printed) in [
+        // LAMMPS `hertz/material` against a wall of the same material, and against a rigid one
+        ((2.5e-3, 7000.0, 3.9), glass, glass, [(22.6806e-6, 5e-11), none, none]),
+        ((2.5e-3, 7000.0, 3.9), rigid, glass, [(17.19e-6, 5e-9), none, none]),
+        // Chung and Ooi (2011), test 2: spheres of aluminium and magnesium on a rigid plane; a rigid sphere of the same
+        // density on a half-space with the modulus of the sphere is the same problem
+        ((0.1, 2699.0, 0.2), rigid, body(70e9, 0.3), [(49.72e-6, 0.005e-6), (11_370.0, 0.5), (731.7e-6, 0.05e-6)]),
+        ((0.1, 1800.0, 0.2), rigid, body(40e9, 0.35), [(52.12e-6, 0.005e-6), (7233.0, 0.5), (767.1e-6, 0.05e-6)]),
+    ] {
+        let exponent = UnloadingExponent::Paper;
+        let scene = Scene { radius, density, sphere, half_space, yield_strength: None, exponent };
         for (method, _) in STEPPING {
-            let impact = scene.impact(0.2, method, 1e-10, None);
+            let impact = scene.impact(speed, method, 1e-10, None);
             let got = [impact.peak_indentation, impact.peak_force, impact.contact_time];
-            for (got, (want, half_a_digit)) in got.into_iter().zip(printed) {
+            for (got, (want, half_a_digit)) in got.into_iter().zip(printed).filter(|(_, (want, _))| want.is_finite()) {
                 assert!((got - want).abs() <= half_a_digit, "{}: {got} {want}", method.name());
             }
         }
     }
-}
-
-#[test]
-fn closed_form_is_hertzs() {
-    let impact = Scene { yield_strength: None, ..Scene::steel() }.impact(1.0, Method::ClosedForm, 1e-10, None);
-    assert_eq!(impact.restitution, 1.0);
-    assert!(off(impact.contact_time, CONTACT_TIME * impact.peak_indentation) < 1e-15);
 }

@@ -1,11 +1,6 @@
 //! Events: their places, their order, and the rows of a trace.
 
-use plm_impact::impact::{Event, Method};
-use plm_impact::law::{Branch, UnloadingExponent};
-use plm_impact::math::power::max_or_nan;
-use proptest::prelude::*;
-
-use crate::common::{STEPPING, Scene, off};
+use crate::common::prelude::*;
 
 /// Speeds in units of the yield speed: an elastic impact, impacts beyond each knot, and far beyond the last knot.
 const SPEEDS: [f64; 14] = [0.1, 0.999, 1.000_001, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];

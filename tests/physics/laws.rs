@@ -10,15 +10,7 @@ mod slow;
 mod tabulated;
 mod with_forces;
 
-use plm_impact::impact::Contact;
-use plm_impact::law::catalogue::jackson_green::{Hardness, JacksonGreen};
-use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
-use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
-use plm_impact::law::jumps::Jumps;
-use plm_impact::law::{Bodies, ContactLaw, Law, LawChoice};
-use plm_impact::material::{HalfSpace, Pair, Sphere};
-
-use crate::common::Scene;
+use crate::common::prelude::*;
 
 fn parts(scene: &Scene) -> (Sphere, HalfSpace) {
     let sphere = Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };

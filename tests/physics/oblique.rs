@@ -1,16 +1,12 @@
 //! Oblique impacts: every row of `tests/reference/oblique.csv`, the curve of Maw, Barber and Fawcett, limits, and what must
 //! hold for any scene.
 
-use approx::{assert_abs_diff_eq, assert_relative_eq};
+use crate::common::prelude::*;
+use approx::assert_abs_diff_eq;
 use plm_impact::impact::oblique::curve::Curve;
 use plm_impact::impact::oblique::mindlin::Motion;
-use plm_impact::impact::{
-    Approach, Contact, Forces, Impact, Incidence, Memory, Plate, PlateTheory, Rebound, Rub, ScaledForces, Solver,
-};
-use plm_impact::law::{LawChoice, Plm, UnloadingExponent};
-use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::strength::flow::FlowCurve;
-use proptest::prelude::*;
+
+use crate::common::reference::rows;
 
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 
@@ -40,41 +36,32 @@ fn impact(contact: &Contact, approach: Approach, samples: Option<usize>) -> (Imp
 
 #[test]
 fn twelve_impacts_are_those_of_the_reference() {
-    let text = include_str!("../reference/oblique.csv");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let mut count = 0;
-    for record in reader.records().map(Result::unwrap) {
-        let number = |i: usize| if &record[i] == "rigid" { f64::INFINITY } else { record[i].parse::<f64>().unwrap() };
-        let sphere =
-            Sphere::elastic(number(1), Material { youngs_modulus: number(2), poissons_ratio: number(3) }, number(4));
-        let material = Material { youngs_modulus: number(5), poissons_ratio: number(6) };
-        let half_space = HalfSpace { material, yield_strength: record[8].parse().ok(), density: None };
-        let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
-        let approach = approach(number(10), number(11), number(12), number(13));
+    let rows = rows(include_str!("../reference/oblique.csv"));
+    assert_eq!(rows.len(), 12);
+    for row in rows {
+        let (scene, number) = (row.scene(), |name: &str| row.number(name));
+        let (contact, approach) = (scene.contact().unwrap(), scene.approach_at(scene.speed));
         let (impact, rebound) = impact(&contact, approach, Some(20));
-        let name = &record[0];
-        let want = number(16);
+        let (name, want) = (row.name(), number("contact_point_ratio_s1_over_s0"));
         assert_abs_diff_eq!(-rebound.contact_point_restitution, want, epsilon = 1e-5);
         assert!(impact.oblique.unwrap().error < 1e-5, "{name}");
-        assert_relative_eq!(rebound.psi, number(14), max_relative = 1e-12);
-        assert_relative_eq!(impact.restitution, number(15), max_relative = 1e-9);
-        assert_relative_eq!(rebound.tangential_speed, number(17), max_relative = 2e-5);
-        assert_relative_eq!(rebound.spin, number(18), max_relative = 4e-5);
+        assert_relative_eq!(rebound.psi, number("psi_1"), max_relative = 1e-12);
+        assert_relative_eq!(impact.restitution, number("restitution"), max_relative = 1e-9);
+        assert_relative_eq!(rebound.tangential_speed, number("rebound_tangential_speed_m_s"), max_relative = 2e-5);
+        assert_relative_eq!(rebound.spin, number("rebound_spin_rad_s"), max_relative = 4e-5);
         // the regime of the spring is that of the Mindlin contact where both slide all the time
-        assert_eq!(rebound.is_sliding, &record[23] == "gross", "{name}");
+        assert_eq!(rebound.is_sliding, row.text("spring_regime") == "gross", "{name}");
         // the tangential spring of DEM codes, which the picture of the validation shows
-        let spring = stepped(&contact, approach, 2e4);
-        assert!((spring - number(20)).abs() < 3e-4, "{name}: {spring} {}", number(20));
-        if record[8].is_empty() {
+        let (spring, want_of_spring) = (stepped(&contact, approach, 2e4), number("spring_contact_point_ratio"));
+        assert!((spring - want_of_spring).abs() < 3e-4, "{name}: {spring} {want_of_spring}");
+        if scene.half_space.yield_strength.is_none() {
             let got = Motion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
-            assert_abs_diff_eq!(got, number(20), epsilon = 2e-4);
+            assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
         // a table interpolates for elastic impacts
-        let row = contact.essentials(approach).unwrap().rebound.unwrap();
-        assert_abs_diff_eq!(-row.contact_point_restitution, want, epsilon = 3e-5);
-        count += 1;
+        let of_table = contact.essentials(approach).unwrap().rebound.unwrap();
+        assert_abs_diff_eq!(-of_table.contact_point_restitution, want, epsilon = 3e-5);
     }
-    assert_eq!(count, 12);
 }
 
 /// s_1/s_0 of an impact that is stepped as DEM codes do, with force and friction of the contact: velocity Verlet in `steps`

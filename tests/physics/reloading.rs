@@ -1,12 +1,8 @@
 //! Impacts on a spot that was hit before, and the memory of a contact.
 
-use plm_impact::impact::{Contact, Event, Impact, Method, Spot, WarningKind, closed_form};
-use plm_impact::law::{Branch, Peak, UnloadingExponent};
-use plm_impact::material::Material;
 use plm_impact::math::power::quarter_period;
-use proptest::prelude::*;
 
-use crate::common::{STEPPING, Scene, off, scenes, solver};
+use crate::common::prelude::*;
 
 const EXPONENTS: [UnloadingExponent; 3] =
     [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.8)];
@@ -198,28 +194,6 @@ fn a_spot_can_be_made_from_a_memory() {
     let elastic = Scene::steel().law().loaded_to(0.9);
     assert_eq!(Spot::loaded_to(&contact, elastic), Spot::fresh());
     assert_eq!(contact.elastic_speed(&Spot::fresh()), contact.yield_speed());
-}
-
-#[test]
-fn the_deeper_memory_stays() {
-    let law = Scene::steel().law();
-    let (shallow, deep) = (law.loaded_to(20.0), law.loaded_to(50.0));
-    let once = law.reloaded(deep);
-    assert_eq!(once.reloaded(shallow), once);
-    assert_eq!(once.reloaded(deep), once);
-    let twice = law.reloaded(shallow).reloaded(deep);
-    for x in [40.0, 50.0, 51.0, 400.0] {
-        assert!(off(once.loading.force(x), twice.loading.force(x)) < 1e-14);
-        assert!(
-            off(once.elastic_approach(x, once.loading.force(x)), twice.elastic_approach(x, twice.loading.force(x)))
-                < 1e-14
-        );
-        assert!(off(once.loading.work(x), twice.loading.work(x)) < 1e-13);
-    }
-    // the law itself has the memory, and `respond` uses it if no other memory is given
-    for x in [0.0, 25.0, 40.0, 50.0, 60.0] {
-        assert!((once.respond(x, None).0 - law.respond(x, Some(deep)).0).abs() < 1e-12);
-    }
 }
 
 #[test]

@@ -1,14 +1,9 @@
 //! Series of impacts: bouncing under gravity and repeated shots.
 
-use plm_impact::impact::{Contact, Damping, Forces, Method, Solver, Spot, drop_speed};
-use plm_impact::law::UnloadingExponent;
-use plm_impact::material::Material;
-use plm_impact::math::power::max_or_nan;
 use plm_impact::repeat::flight::Flight;
-use plm_impact::repeat::{Drive, End, Hit, Place, Repeat, Sequence};
-use proptest::prelude::*;
+use plm_impact::repeat::{End, Hit, Sequence};
 
-use crate::common::{Scene, off, scenes, solver};
+use crate::common::prelude::*;
 
 const GRAVITY: f64 = 9.81;
 
@@ -26,10 +21,6 @@ fn elastic() -> Scene {
 
 fn bouncing(place: Place, speed: f64, most: u64, until: Option<f64>) -> Repeat {
     Repeat { place, drive: Drive::Bouncing { gravity: GRAVITY, drop_height: None, speed, most, until } }
-}
-
-fn shots(place: Place, speeds: &[f64]) -> Repeat {
-    Repeat { place, drive: Drive::Shots(speeds.to_vec()) }
 }
 
 /// Error of the energy balance of a series: kinetic energy + m g (height) + losses by dents and damping, relative to
@@ -249,30 +240,6 @@ fn a_drop_starts_the_clock_at_the_release() {
     let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
     assert!(off(sequence.hits[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
     assert_eq!(sequence.fall.unwrap().height, 0.5);
-}
-
-#[test]
-fn equal_shots_saturate_and_softer_ones_do_nothing() {
-    let contact = Scene::steel().contact();
-    let speeds: Vec<f64> = std::iter::repeat_n(2.0, 12).chain([1.0, 0.2, 1e-6, 2.0, 5.0, 4.0]).collect();
-    let hits = shots(Place::Same, &speeds).run(&contact, &auto(), 10, None).unwrap().hits;
-    for pair in hits[..12].windows(2) {
-        assert!(pair[1].restitution > pair[0].restitution && pair[1].dent_growth < pair[0].dent_growth);
-        assert!(pair[1].dent_growth > 0.0);
-    }
-    for hit in &hits[12..15] {
-        assert_eq!((hit.restitution, hit.dent_growth), (1.0, 0.0));
-        assert_eq!(hit.residual_indentation, hits[11].residual_indentation);
-    }
-    // the softer shots in between change nothing
-    let without: Vec<f64> = std::iter::repeat_n(2.0, 13).collect();
-    let other = shots(Place::Same, &without).run(&contact, &auto(), 10, None).unwrap().hits;
-    assert_eq!(hits[15].restitution, other[12].restitution);
-    assert!(hits[16].dent_growth > 0.0 && hits[17].time.is_none());
-    // on fresh surface equal shots are equal
-    let fresh = shots(Place::Fresh, &[2.0, 2.0]).run(&contact, &auto(), 10, None).unwrap().hits;
-    assert_eq!(fresh[0], fresh[1]);
-    assert_eq!(fresh[0].restitution, contact.closed_form(2.0).unwrap().restitution);
 }
 
 /// A random scene that yields under gravity, the first speed over v_Y, the second speed over the first, and weight over

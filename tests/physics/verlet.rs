@@ -1,10 +1,7 @@
 //! Velocity Verlet in fixed steps: the errors of its times, the times as a code with these steps observes them, and the
 //! energy ledger.
 
-use plm_impact::impact::{Contact, Damping, Forces, Impact, Method, Solver};
-use plm_impact::law::LawChoice;
-
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::prelude::*;
 
 /// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;

@@ -1,16 +1,8 @@
-//! Radiation of elastic waves: the factor of the material, the integral along an impact, known values, and the output.
+//! Radiation of elastic waves: the factor of the material, the integral along an impact, and known values.
 
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
-use plm_impact::impact::{Contact, Essentials, Impact, Method, Solver, WarningKind};
-use plm_impact::law::catalogue::jackson_green::JacksonGreen;
-use plm_impact::law::jumps::Jumps;
-use plm_impact::law::{Plm, UnloadingExponent};
-use plm_impact::material::{HalfSpace, Material, Sphere};
-use plm_impact::strength::flow::FlowCurve;
-use proptest::prelude::*;
 
-use crate::common::command::{Desk, numbers};
-use crate::common::off;
+use crate::common::prelude::*;
 
 /// A sphere on a half-space of known density.
 #[derive(Debug, Clone, Copy)]
@@ -297,54 +289,6 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
         assert_eq!(printed.essentials(speed).unwrap().wave_loss_fraction.is_none(), jumps);
         assert!(crossed.essentials(speed).unwrap().wave_loss_fraction.unwrap() > 0.0, "{times}");
     }
-}
-
-#[test]
-fn the_command_leaves_waves_out_at_a_jump_in_single_impacts_and_tables() {
-    let plm = SCENARIO.find("[law.plm]").unwrap();
-    let law = |jumps: &str| format!("{}[law.jackson_green]\njumps = \"{jumps}\"\n", &SCENARIO[..plm]);
-    let desk = Desk::with(law("printed"));
-    let (_, said) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-    assert!(said.contains("jumps = \"crossed\""), "{said}");
-    assert!(desk.summary()["wave_loss_fraction"].is_null());
-    let sweep = "[sweep]\n\"impact.speed\" = [\"1 mm/s\", 3]\n";
-    let losses = numbers(&Desk::ran(law("printed") + sweep).read("out/table.csv"), "wave_loss_fraction");
-    assert!(losses[0] > 0.0 && losses[1].is_nan(), "{losses:?}");
-}
-
-const SCENARIO: &str = include_str!("../../scenarios/alumina-on-aluminium-with-waves.toml");
-
-#[test]
-fn the_command_reports_waves_where_the_density_is_given_and_only_there() {
-    let desk = Desk::with(SCENARIO);
-    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-    assert!(printed.contains("with waves") && printed.contains("waves take 1.342 % of the energy"), "{printed}");
-    let summary = desk.summary();
-    let [e, loss, with] =
-        ["restitution", "wave_loss_fraction", "restitution_with_waves"].map(|key| summary[key].as_f64().unwrap());
-    assert!(off(with * with + loss, e * e) < 1e-14);
-    assert_eq!(summary["inputs"]["half_space_density_kg_per_m3"], 2700.0);
-
-    let without = SCENARIO.replace("density = \"2700 kg/m^3\"\n", "");
-    let desk = Desk::with(&without);
-    let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-    let printed = printed + &desk.read("out/summary.json");
-    assert!(!printed.contains("wave") && !printed.contains("half_space_density"), "{printed}");
-
-    let table = |tables: String| Desk::ran(tables).read("out/table.csv");
-    let sweep = "[sweep]\n\"impact.speed\" = [\"1 mm/s\", 3]\n";
-    assert!(!table(format!("{without}{sweep}")).contains("wave"));
-    let swept = table(format!("{SCENARIO}{sweep}"));
-    assert!(swept.starts_with("case,impact_speed_m_per_s,"), "{swept}");
-    assert!(swept.contains(",plastic_fraction,wave_loss_fraction,restitution_with_waves,status\n"), "{swept}");
-    let last = ["wave_loss_fraction", "restitution_with_waves"].map(|name| numbers(&swept, name)[1]);
-    assert!(off(last[0], loss) < 1e-8 && off(last[1], with) < 1e-8);
-    // the density is an axis, and can be drawn
-    let swept = table(format!("{without}[sweep]\n\"half_space.density\" = [2700, 10800]\n"));
-    let losses = numbers(&swept, "wave_loss_fraction");
-    assert!(swept.contains("half_space_density_kg_per_m3") && off(losses[1], 2.0 * losses[0]) < 1e-13);
-    let drawn = "[monte_carlo]\nsamples = 5\n\"half_space.density\" = { uniform = [2000, 3000] }\n";
-    assert_eq!(table(format!("{without}{drawn}")).matches(",ok\n").count(), 5);
 }
 
 proptest! {

@@ -4,14 +4,10 @@
 //! beginning of each leg. Under drag there are twelve, as many for each repeat of a step that ends on an event, and three for its continuous solution there. If
 //! you change the step control, these numbers change: check first with `plm-impact bench` that the change is better.
 
-use plm_impact::bench::problems::{Problem, problems};
-use plm_impact::impact::{Damping, Forces, Method, ScaledForces, course};
-use plm_impact::integrate::damped::Damped;
-use plm_impact::integrate::rk8::Rk8;
-use plm_impact::integrate::{Integrator, Work};
-use proptest::prelude::*;
+use plm_impact::bench::problems::Problem;
+use plm_impact::integrate::Work;
 
-use crate::common::{Scene, any_scene, solver};
+use crate::common::prelude::*;
 
 fn problem(name: &str) -> Problem {
     problems().unwrap().into_iter().find(|problem| problem.name == name).unwrap()

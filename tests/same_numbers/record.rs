@@ -116,8 +116,8 @@ pub fn differences(record: &Record, now: &Runs) -> Vec<String> {
             differences.extend(what.map(|what| format!("{run} · {file} · {name}: {what}")));
         }
     }
-    let unknown = now.keys().filter(|run| !record.contains_key(*run));
-    differences.extend(unknown.map(|run| format!("{run}: this run is not in the record; write the record anew")));
+    let unknown = now.iter().filter(|(run, columns)| !record.contains_key(*run) && !columns.is_empty());
+    differences.extend(unknown.map(|(run, _)| format!("{run}: this run is not in the record; write the record anew")));
     differences
 }
 

@@ -1,7 +1,7 @@
 //! `[output] columns`: a table with fewer results, and the output of `check` for a sweep. Tested with the command as a
 //! process.
 
-use crate::common::command::Desk;
+use crate::common::prelude::*;
 
 /// A scenario without `[output]`, which tests can add, and without a yield strength.
 const ELASTIC: &str = r#"

@@ -6,8 +6,7 @@ use std::os::unix::fs::{FileTypeExt as _, symlink};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::common::STEEL;
-use crate::common::command::{Desk, text};
+use crate::common::prelude::*;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 /// Two axes of numbers, so that there are two pictures.

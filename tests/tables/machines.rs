@@ -2,8 +2,7 @@
 
 use std::process::Command;
 
-use crate::common::STEEL;
-use crate::common::command::Desk;
+use crate::common::prelude::*;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 

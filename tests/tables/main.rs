@@ -6,7 +6,6 @@
 mod common;
 
 mod columns;
-mod evaluator;
 mod files;
 mod limits;
 mod machines;

@@ -1,67 +1,132 @@
-//! A row of a table and the single run of the same scene have the same bits, or nearly the same numbers if they are
-//! computed by different methods.
+//! A row of a table has the bits of the single case with the same values: for all laws, methods, forces and kinds of axes.
 
-use crate::common::STEEL;
-use crate::common::command::{Desk, column, text};
+use plm_impact::plan::places;
 
-/// Results that have the same name in `summary.json` and in a row.
-const NAMES: [&str; 6] =
-    ["restitution", "contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m", "dent_radius_m"];
+use crate::common::prelude::*;
 
-/// The number of a key of `summary.json`, read from its digits, because a reader of JSON may round them.
-fn number(summary: &str, key: &str) -> Option<f64> {
-    let start = format!("  \"{key}\": ");
-    let line = summary.lines().find_map(|line| line.strip_prefix(start.as_str())).unwrap();
-    line.trim_end_matches(',').parse().ok()
+/// Settings of a scenario, and axes: a key and its values, as they stand in a file.
+type Table = (&'static [&'static str], &'static [(&'static str, &'static [&'static str])]);
+
+const TABLES: [Table; 13] = [
+    (&[], &[METHODS, SPEEDS]),
+    (&["gravity.acceleration=9.81"], &[STEPPED, SPEEDS]),
+    (&["damping.hunt_crossley=0.05"], &[STEPPED, SPEEDS]),
+    (&["damping.viscous=0.1"], &[STEPPED, SPEEDS]),
+    // a sphere that is let go, and one that hardly moves; a damping of nothing
+    (&[], &[HEIGHTS, ("damping.viscous", &["0", "0.1"]), ("gravity.acceleration", &["9.81", "1e5"])]),
+    (&["solver.method=rk8"], &[HEIGHTS, ("gravity.acceleration", &["9.81", "1e5"])]),
+    (
+        &[],
+        &[
+            ("friction.coefficient", &["0.1", "0.3"]),
+            ("impact.angle", &["\"0 deg\"", "\"10 deg\"", "\"60 deg\""]),
+            ("sphere.spin", &["-50", "0"]),
+        ],
+    ),
+    (&[FLOW], &[("half_space.flow_stress.power.exponent", &["0.05", "0.3"]), SPEEDS]),
+    (&[FLOW, "solver.method=rk8"], &[("half_space.flow_stress.power.exponent", &["0.05", "0.3"]), SPEEDS]),
+    (&[FLOW, "damping.viscous=0.05"], &[("half_space.flow_stress.power.exponent", &["0.05", "0.3"]), SPEEDS]),
+    (&[], &[("half_space.yield_strength", &["200e6", "345e6", "900e6"]), ("sphere.radius", &["1e-3", "2e-3"]), SPEEDS]),
+    (
+        &["gravity.acceleration=9.81"],
+        &[("half_space.hardness", &["\"100 HV\"", "\"300 HV\""]), ("impact.speed", &["0.5", "1.0"])],
+    ),
+    (&["half_space.density=7850"], &[("half_space.thickness", &["2e-3", "5e-3"]), ("impact.speed", &["0.5", "1.0"])]),
+];
+
+/// A run of one impact has a trace, and so no closed form under forces; a table has none.
+const STEPPED: (&str, &[&str]) = ("solver.method", &["\"auto\"", "\"rk8\"", "\"dopri5\"", "\"dop853\"", "\"verlet\""]);
+const METHODS: (&str, &[&str]) = (STEPPED.0, &["\"closed_form\"", "\"auto\"", "\"rk8\"", "\"verlet\""]);
+/// Elastic, just beyond first yield, and far beyond it.
+const SPEEDS: (&str, &[&str]) = ("impact.speed", &["5e-3", "9.8e-3", "0.3", "3", "11"]);
+const HEIGHTS: (&str, &[&str]) = ("impact.drop_height", &["0", "1e-9", "0.5"]);
+const FLOW: &str = "half_space.flow_stress.power.exponent=0.1";
+
+/// The steel scenario without what the axes give in another way.
+fn bodies(axes: &[(&str, &[&str])]) -> String {
+    let has = |name: &str| axes.iter().any(|(key, _)| *key == name);
+    let steel = if has("impact.drop_height") { STEEL.replace("speed = \"3 m/s\"\n", "") } else { STEEL.to_owned() };
+    if has("half_space.hardness") { steel.replace("yield_strength = \"345 MPa\"\n", "") } else { steel }
 }
 
-/// Pairs of the numbers of the single run and of a table of one row.
-fn numbers(scenario: &str, speed: &str) -> Vec<(&'static str, Option<f64>, Option<f64>)> {
-    let desk = Desk::with(scenario);
-    let speed_of_run = format!("impact.speed=\"{speed}\"");
-    let axis = format!("sweep.\"impact.speed\"=[\"{speed}\"]");
-    for (out, set) in [("one", &speed_of_run), ("table", &axis)] {
-        let output = desk.call(&["run", "s.toml", "--out", out, "--pictures", "none", "--set", set]);
-        assert!(output.status.success(), "{scenario}: {}", text(&output.stderr));
+/// Compares every row with its single case, and returns how many have numbers.
+fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
+    let text = bodies(axes);
+    let list = |(key, values): &(&str, &[&str])| format!("\"{key}\" = [{}]", values.join(", "));
+    let sweep = format!("sweep={{ {} }}", axes.iter().map(list).collect::<Vec<_>>().join(", "));
+    let rows = rows_of(&text, &[settings, &[&sweep]].concat()).results;
+    assert_eq!(rows.len(), axes.iter().map(|(_, values)| values.len()).product::<usize>());
+    for (case, row) in rows.iter().enumerate() {
+        let mut rest = case;
+        // without a method a table has the closed form where there is one
+        let mut set = vec!["solver.method=auto".to_owned()];
+        set.extend(settings.iter().map(ToString::to_string));
+        for (key, values) in axes.iter().rev() {
+            set.push(format!("{key}={}", values[rest % values.len()]));
+            rest /= values.len();
+        }
+        let scene = scene(&text, &set);
+        let approach = scene.approach_at(scene.speed);
+        let single = scene.contact().and_then(|contact| contact.impact(approach, &scene.solver, None));
+        let single = single.map(|impact| impact.essentials).map_err(Failure::from);
+        // as text, because some numbers are none where nothing slips
+        assert_eq!(format!("{row:?}"), format!("{single:?}"), "{set:?}");
+        // e alone is that of the row by the closed form
+        if let (Ok(contact), true) = (scene.contact(), scene.forces.is_none() && scene.solver.method == Method::Auto) {
+            let alone = contact.restitution(scene.speed).ok();
+            assert_eq!(alone, contact.essentials(scene.speed).ok().map(|row| row.restitution), "{set:?}");
+        }
     }
-    let (summary, table) = (desk.read("one/summary.json"), desk.read("table/table.csv"));
-    let of_row = |name| column(&table, name)[0].parse().ok();
-    NAMES.map(|name| (name, number(&summary, name), of_row(name))).to_vec()
+    rows.iter().filter(|row| row.is_ok()).count()
 }
 
 #[test]
-fn a_row_has_the_bits_of_the_single_run() {
-    let forces = [
-        "",
-        "[gravity]\nacceleration = \"9.81 m/s^2\"\n",
-        "[damping]\nhunt_crossley = \"0.05 s/m\"\n",
-        "[damping]\nviscous = 0.1\n",
-    ];
-    let methods = ["auto", "rk8", "dopri5", "dop853", "verlet", "closed_form"];
-    for (which, of_forces) in forces.into_iter().enumerate() {
-        for method in methods {
-            // a single run writes a trace, which has no closed form under forces
-            if method == "closed_form" && which > 0 {
-                continue;
-            }
-            // elastic, just beyond first yield, and far beyond it
-            for speed in ["5 mm/s", "9.8 mm/s", "3 m/s"] {
-                let solver = format!("[solver]\nmethod = \"{method}\"\ntolerance = 1e-9\n");
-                for (name, one, row) in numbers(&format!("{STEEL}{of_forces}{solver}"), speed) {
-                    let about = format!("{name} by {method}, {of_forces:?}, {speed}: {one:?} {row:?}");
-                    // with `auto` the row is by closed form and the single run by rk8, which is accurate to ten times
-                    // the tolerance; with `closed_form` the trace of the single run changes the rounding
-                    let bound = match method {
-                        "auto" if which < 2 => 10.0 * 1e-9,
-                        "closed_form" => 1e-14,
-                        _ => 0.0,
-                    };
-                    match (one, row) {
-                        (Some(one), Some(row)) if bound > 0.0 => assert!((one - row).abs() <= bound * row, "{about}"),
-                        (one, row) => assert_eq!(one.map(f64::to_bits), row.map(f64::to_bits), "{about}"),
-                    }
-                }
-            }
-        }
+fn rows_have_the_bits_of_their_single_cases() {
+    let given: Vec<usize> = TABLES.iter().map(|(settings, axes)| compare(settings, axes)).collect();
+    assert_eq!(given, [20, 25, 25, 25, 12, 6, 12, 10, 10, 10, 30, 4, 4]);
+}
+
+#[test]
+fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
+    let whole = plm_impact::law::LawChoice::all().into_iter().filter(plm_impact::law::LawChoice::has_loading);
+    let laws: Vec<String> = whole.map(|law| law.name()).chain(["jackson_green + brake".to_owned()]).collect();
+    let laws: Vec<String> = laws.iter().map(|name| format!("{name:?}")).collect();
+    let laws: Vec<&str> = laws.iter().map(String::as_str).collect();
+    let given = compare(&[], &[("law", &laws), ("impact.speed", &["1e-3", "0.03", "1", "10"])]);
+    // some laws have no answer at some speeds
+    assert!(given > 3 * laws.len() && given < 4 * laws.len(), "{given} of 4 x {}", laws.len());
+    let exponents: &[&str] = &["1.3", "1.5", "1.7"];
+    assert_eq!(compare(&[], &[("law.plm.unloading_exponent", exponents), SPEEDS]), 15);
+    let metals: &[&str] = &["\"steel-304-annealed\"", "\"aluminium-6061-t6\""];
+    let text = STEEL.split("youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nyield").next().unwrap();
+    let sweep = format!("sweep={{ \"half_space.material\" = [{}] }}", metals.join(", "));
+    for (row, metal) in rows_of(text, &[&sweep, "impact.speed=3"]).results.iter().zip(metals) {
+        let single = scene(text, &[format!("half_space.material={metal}"), "impact.speed=3".to_owned()]);
+        assert_eq!(row.unwrap(), single.contact().unwrap().essentials(3.0).unwrap(), "{metal}");
+    }
+}
+
+/// Cases as Python gives them, with a list of values for each key.
+#[test]
+fn listed_cases_have_the_results_of_a_grid() {
+    for (settings, axes) in [TABLES[0], TABLES[3], TABLES[10], TABLES[11]] {
+        let axes: Vec<_> = axes.iter().filter(|(key, _)| *key != "solver.method").collect();
+        let lists: Vec<String> = axes.iter().map(|(key, values)| format!("\"{key}\"=[{}]", values.join(","))).collect();
+        let own: Vec<_> = axes.iter().map(|axis| **axis).collect();
+        let (text, sweep) = (bodies(&own), format!("sweep={{{}}}", lists.join(",")));
+        let plan = read(&text, &[settings, &[&*sweep]].concat()).plan().unwrap().unwrap();
+        let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
+        let (evaluator, count) = (Evaluator::new(&plan), plan.count());
+        let (mut grid, mut listed) = (Rows::default(), Rows::default());
+        evaluator.rows(0..count, &mut grid);
+        let values = |k: usize| (0..count).map(|case| axes[k].number(places(axes, case)[k])).collect();
+        let values: Vec<Vec<f64>> = (0..axes.len()).map(values).collect();
+        let keys = axes.iter().map(|axis| Key::find(axis.path()).unwrap());
+        let keys: Vec<(&Key, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
+        let count = usize::try_from(count).unwrap();
+        evaluator.listed(&keys, 0..1, &mut listed);
+        evaluator.listed(&keys, 1..count, &mut listed);
+        assert_eq!(listed.results, grid.results, "{text}");
+        assert!(listed.results.iter().all(Result::is_ok), "{text}");
     }
 }

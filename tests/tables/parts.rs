@@ -6,8 +6,7 @@ use std::os::unix::fs::MetadataExt as _;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::common::STEEL;
-use crate::common::command::{Desk, text};
+use crate::common::prelude::*;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 /// Tables of these tests are small, and so are their parts.

@@ -2,12 +2,7 @@
 
 mod random;
 
-use approx::assert_relative_eq;
-use plm_impact::scenario::Scenario;
-use plm_impact::sweep::evaluator::{Evaluator, Rows};
-
-use crate::common::STEEL;
-use crate::common::command::{Desk, column};
+use crate::common::prelude::*;
 
 /// The table of a scenario that runs, and its summary.
 fn table(text: &str) -> (String, serde_json::Value) {
@@ -73,29 +68,6 @@ fn an_elastic_half_space_has_no_plastic_columns() {
     );
 }
 
-#[test]
-fn stepped_methods_can_be_swept() {
-    let rows = rows(&format!(
-        "{STEEL}[sweep]\n\"solver.method\" = [\"closed_form\", \"dopri5\", \"dop853\"]\n\"solver.tolerance\" = [1e-12]\n"
-    ));
-    let e: Vec<f64> = rows.results.iter().map(|row| row.unwrap().restitution).collect();
-    assert_eq!(e.len(), 3);
-    for stepped in &e[1..] {
-        assert!(*stepped != e[0]);
-        // a thousand times the tolerance
-        assert_relative_eq!(*stepped, e[0], max_relative = 1e-9);
-    }
-}
-
-#[test]
-fn the_unloading_exponent_can_be_swept() {
-    let rows = rows(&format!("{STEEL}[sweep]\n\"law.plm.unloading_exponent\" = [1.4, 1.5, 2]\n"));
-    let e: Vec<f64> = rows.results.iter().map(|row| row.unwrap().restitution).collect();
-    // e² = f ε/((n + 1) w), in which only n differs
-    assert_relative_eq!(e[2] / e[1], (2.5f64 / 3.0).sqrt(), max_relative = 1e-14);
-    assert!(e[0] > e[1]);
-}
-
 /// What identifies a row of a table whatever the order of the axes: its values by the names of their columns, and its results.
 fn named_rows(bodies: &str, axes: &[&str]) -> Vec<String> {
     let (table, _) = table(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")));
@@ -135,18 +107,6 @@ fn any_order_of_axes_gives_the_same_rows() {
         for order in [[a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
             assert_eq!(named_rows(bodies, &order), wanted, "{order:?}");
         }
-    }
-    // and each row is that of its own single case
-    let rows = named_rows(STEEL, &[exponents, laws]);
-    let e = |law: &str, exponent: &str| {
-        let set = [format!("law={law}"), format!("law.plm.unloading_exponent={exponent}")];
-        let given = if law == "plm" { &set[..] } else { &set[..1] };
-        let scene = Scenario::from_text("one", STEEL, given).unwrap().resolve().unwrap();
-        format!(" restitution={:?} ", scene.contact().unwrap().closed_form(3.0).unwrap().restitution)
-    };
-    for exponent in ["1.3", "1.5", "1.7"] {
-        let found = |row: &&String| row.contains(&e("plm", exponent)) && row.contains(&format!("exponent={exponent}"));
-        assert_eq!(rows.iter().filter(found).count(), 1, "{exponent}: {rows:?}");
     }
 }
 

@@ -1,13 +1,11 @@
 //! Synthetic data of known strength: how often the interval contains the true value.
 
-use plm_impact::calibrate::Fit;
+use crate::common::prelude::*;
 use plm_impact::calibrate::data::{Data, Row, Value};
 use plm_impact::calibrate::problem::Problem;
 use plm_impact::calibrate::quantity::Measured;
 use plm_impact::math::functions::normal_quantile;
 use plm_impact::plan::free::Free;
-use plm_impact::scenario::Scenario;
-use plm_impact::scene::Key;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::{BOTH, STRENGTH, bodies, calibrated, near, pairs, restitutions, scenario};
-use crate::common::command::{Desk, numbers, text};
+use crate::common::prelude::*;
 
 #[test]
 fn other_measurements_in_the_same_file_are_other_results() {

@@ -2,9 +2,8 @@
 
 use std::fmt::Write as _;
 
-use plm_impact::calibrate::{Fit, Measurements};
-use plm_impact::progress::Counter;
-use plm_impact::scenario::Scenario;
+use crate::common::prelude::*;
+use plm_impact::calibrate::Measurements;
 use serde_json::Value;
 
 use super::{STRENGTH, calibrated, near, scenario};

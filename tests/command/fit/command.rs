@@ -2,12 +2,10 @@
 
 use std::fs;
 
-use approx::assert_relative_eq;
 use plm_impact::fit;
-use plm_impact::law::PlmCoefficients;
 
 use super::{finite_elements, plan, reference};
-use crate::common::command::Desk;
+use crate::common::prelude::*;
 
 #[test]
 fn the_command_writes_a_file_that_a_scenario_takes() {

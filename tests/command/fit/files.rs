@@ -3,14 +3,10 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use approx::assert_relative_eq;
-use plm_impact::fit::{self, LoadingCurve, LoadingPoint, Plan};
-use plm_impact::law::PlmCoefficients;
-use plm_impact::material::{HalfSpace, Material, Pair};
-use proptest::prelude::*;
+use plm_impact::fit;
 
 use super::reference;
-use crate::common::checked;
+use crate::common::prelude::*;
 
 const HEADER: &str = "# sphere.youngs_modulus = 208 GPa\n# sphere.poissons_ratio = 0.3\n# half_space.youngs_modulus = 210 GPa\n\
                       # half_space.poissons_ratio = 0.3\n# half_space.yield_strength = 345 MPa\n";
@@ -73,7 +69,7 @@ fn a_curve_as_a_spreadsheet_writes_it_is_the_same_curve() {
 
 #[test]
 fn any_curve_that_can_be_read_gives_a_law_or_an_error() {
-    let steps = prop::collection::vec((0.01..3.0_f64, 0.01..5.0_f64, 0.02..1.1_f64), 9..30);
+    let steps = prop::collection::vec((0.01..3.0_f64, 0.01..5.0_f64, 0.02..1.1_f64), 9..20);
     let curves = (steps, 1e-4..0.999_f64, 1e-5..0.5_f64, any::<bool>());
     let fitted = checked(12, &curves, |(steps, kappa, yield_radius_ratio, has_knots)| {
         let mut text = format!(

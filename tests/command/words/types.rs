@@ -1,11 +1,8 @@
 //! Values of a wrong type: the refusal uses the words of a scenario, not those of the parser.
 
-use plm_impact::error::Error;
-use plm_impact::integrate::IntegrationError;
-use plm_impact::scenario::{Kind, Scenario};
 use serde::Deserialize;
 
-use crate::common::STEEL;
+use crate::common::prelude::*;
 
 /// `types.toml`
 #[derive(Deserialize)]

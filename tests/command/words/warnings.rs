@@ -1,9 +1,6 @@
 //! Warnings are the same everywhere: terminal, `summary.json`, `check`, `--strict`.
 
-use serde_json::json;
-
-use crate::common::STEEL;
-use crate::common::command::Desk;
+use crate::common::prelude::*;
 
 const RUN: [&str; 7] = ["run", "s.toml", "--out", "out", "--pictures", "none", "--strict"];
 const NO_STRENGTH: &str = "yield_strength = \"345 MPa\"\n";

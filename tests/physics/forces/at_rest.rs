@@ -1,10 +1,6 @@
 //! Spheres that are released at rest, or nearly at rest, and are moved by their own weight.
 
-use plm_impact::impact::{ScaledForces, closed_form, course};
-use plm_impact::integrate::rk8::Rk8;
-use plm_impact::law::{Law, UnloadingExponent};
-
-use crate::common::{Scene, off};
+use crate::common::prelude::*;
 
 #[test]
 fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {

@@ -2,14 +2,8 @@
 //! error of the speed at a loose tolerance, so a step may end with a speed of the wrong sign. This is not a turning
 //! point.
 
-use plm_impact::impact::{Damping, Fate, Forces, Impact, ImpactError, Method, WarningKind};
-use plm_impact::integrate::IntegrationError;
-use plm_impact::law::UnloadingExponent;
-use plm_impact::material::Material;
-use proptest::prelude::*;
-
 use super::{GRAVITY, fate, gravity, under};
-use crate::common::{STEPPING, Scene, cases, off, solver};
+use crate::common::prelude::*;
 
 const LOOSE: [f64; 3] = [1e-2, 1e-3, 1e-4];
 

@@ -1,11 +1,7 @@
 //! Scenes in which the error control of a stepper once failed; each failed before its defect was repaired.
 
-use plm_impact::impact::{Damping, Forces, Method, WarningKind};
-use plm_impact::law::UnloadingExponent;
-use plm_impact::material::Material;
-
 use super::{gravity, under, viscous};
-use crate::common::{Scene, off, solver};
+use crate::common::prelude::*;
 
 /// A case found by the property tests. The last step of ode_solvers ended only 6e-6 of the contact time before
 /// lift-off. Newton's method missed this lift-off, the search went on after it, and 1.2 % of the energy went to gravity

@@ -1,10 +1,7 @@
 //! The largest contact force under damping: it comes before the deepest point, and is found as an event.
 
-use plm_impact::impact::{Damping, Forces, Method};
-use plm_impact::law::UnloadingExponent;
-
 use super::{hunt_crossley, under, viscous};
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::prelude::*;
 
 /// The largest force among the rows of a fine trace.
 fn largest_of_trace(contact: &plm_impact::impact::Contact, speed: f64, method: Method) -> (f64, f64) {

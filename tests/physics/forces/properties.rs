@@ -1,10 +1,7 @@
 //! Random scenes with gravity and damping: the energy ledger closes, and damping only takes energy.
 
-use plm_impact::impact::{Damping, Fate, Forces, Method};
-use proptest::prelude::*;
-
 use super::{fate, under};
-use crate::common::{STEPPING, Scene, off, scenes, solver};
+use crate::common::prelude::*;
 
 /// A random scene as in `invariants.rs`, with any damping, and with gravity from none to thousands of times the gravity
 /// at which the weight yields the half-space.
@@ -59,6 +56,7 @@ proptest! {
             prop_assert!((exact.energy.recovered - fine.energy.recovered).abs() < 1e-11 * put_in);
             if fate(&exact) == Fate::Separated && fate(&fine) == Fate::Separated && fine.restitution > 1e-3 {
                 prop_assert!(off(fine.contact_time, exact.contact_time) < 1e-9);
+                prop_assert!(off(fine.loading_time, exact.loading_time) < 1e-9);
             }
         }
     }

@@ -1,12 +1,9 @@
 //! Results that the authors of the laws give in closed form, or fitted to their own impacts.
 
-use plm_impact::impact::closed_form;
-use plm_impact::law::LawChoice;
-use plm_impact::law::catalogue::jackson_green::JacksonGreen;
-use plm_impact::law::catalogue::thornton::{self, Thornton};
+use plm_impact::law::catalogue::thornton;
 
 use super::{contact, factor, law_of};
-use crate::common::{Scene, off};
+use crate::common::prelude::*;
 
 /// Thornton (1997): e(v) in closed form, its limit 1.185 q^¼, and the yield speed in the same paper.
 #[test]

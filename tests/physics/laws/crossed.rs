@@ -1,16 +1,8 @@
 //! Laws with printed jumps, with their pieces cut where they cross: for all materials and parameters the force neither
 //! jumps nor falls.
 
-use plm_impact::law::catalogue::jackson_green::{Hardness, JacksonGreen};
-use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
-use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
-use plm_impact::law::jumps::Jumps;
-use plm_impact::law::{Bodies, ContactLaw, Law};
-use plm_impact::material::Material;
-use proptest::prelude::*;
-
 use super::bodies;
-use crate::common::Scene;
+use crate::common::prelude::*;
 
 /// A half-space with this Poisson's ratio and σ_Y/E*, and a sphere of the same material.
 fn half_space(poissons_ratio: f64, strain: f64) -> Bodies {

@@ -1,18 +1,10 @@
 //! Properties of every whole law, and the limits of their ranges.
 
-use plm_impact::impact::{Contact, Damping, Forces, ImpactError, Method, closed_form};
-use plm_impact::law::Combined;
 use plm_impact::law::catalogue::brake::Brake;
-use plm_impact::law::catalogue::jackson_green::JacksonGreen;
-use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
-use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
-use plm_impact::law::jumps::Jumps;
-use plm_impact::law::{ContactLaw, Law, LawChoice, OutsideLaw};
-use plm_impact::material::{HalfSpace, Material};
 use proptest::prop_assert;
 
 use super::{bodies, contact, factor, law_of, parts, whole_laws};
-use crate::common::{STEPPING, Scene, checked, off, run, solver, worst};
+use crate::common::prelude::*;
 
 /// Depths of peaks in units of δ_Y: below, at and around the printed jumps, and far beyond them.
 const PEAKS: [f64; 16] =
@@ -288,18 +280,6 @@ fn every_law_is_an_honest_contact() {
         Ok(true)
     });
     assert!(compared >= 40, "{compared} of 48");
-}
-
-/// The energy ledger closes in every row of a trace, also on unloading branches that are not powers.
-#[test]
-fn the_ledger_closes_under_damping_for_every_law() {
-    for (name, choice) in whole_laws() {
-        let forces = Forces { damping: Some(Damping::Viscous(0.05)), ..Forces::default() };
-        let contact = contact(&Scene::case_3(), &choice).with_forces(forces);
-        let impact = contact.impact(5.0, &solver(Method::Rk8, 1e-10), Some(50)).unwrap();
-        // ten times the tolerance
-        assert!(impact.energy.drift < 1e-9, "{name}: {}", impact.energy.drift);
-    }
 }
 
 /// At this speed the impact is outside the range of the law; with damping it is shallow enough to be inside.

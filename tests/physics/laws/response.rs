@@ -1,8 +1,6 @@
 //! The law as a force without motion: energy, stiffness, and no panic for any input.
 
-use plm_impact::impact::{Contact, ContactEnergy, Memory, Method, Solver, Warning, WarningKind};
-use plm_impact::law::{LawChoice, Plm};
-use plm_impact::material::{HalfSpace, Material, Sphere};
+use crate::common::prelude::*;
 
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 

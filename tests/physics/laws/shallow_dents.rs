@@ -3,13 +3,11 @@
 
 use std::sync::Arc;
 
-use plm_impact::impact::Contact;
 use plm_impact::law::curve::Curve;
-use plm_impact::law::published::{Loading, Recovered, RecoveryRule};
-use plm_impact::law::{About, Bodies, ContactLaw, UnloadingShape};
+use plm_impact::law::published::{Loading, RecoveryRule};
 
 use super::parts;
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::prelude::*;
 
 /// A law that loads along the curve of Hertz; the dent is this share of the indentation.
 #[derive(Debug)]

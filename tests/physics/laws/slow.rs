@@ -1,12 +1,9 @@
 //! Slow indentation with every law: the same law as in an impact, without motion.
 
-use plm_impact::impact::Method;
 use plm_impact::indentation::Target::{Indentation as To, Load};
-use plm_impact::indentation::{Indentation, IndentationError, Indenter, StaticContact};
-use plm_impact::law::{Branch, LawChoice};
 
 use super::{bodies, contact, law_of, parts, whole_laws};
-use crate::common::{Scene, off, solver};
+use crate::common::prelude::*;
 
 fn pressed(law: &LawChoice) -> StaticContact {
     let (sphere, half_space) = parts(&Scene::case_3());

@@ -1,152 +1,75 @@
-//! Forces, dents and restitutions of the published laws, compared with tables for case 3.
+//! Forces, dents and restitutions of the published laws, compared with the tables of `reference/laws.csv` for case 3. A number
+//! has to agree to half a unit of its last printed digit: forces one decimal, dents and e three.
 
-use plm_impact::law::catalogue::jackson_green::JacksonGreen;
-use plm_impact::law::catalogue::kogut_etsion::KogutEtsion;
-use plm_impact::law::catalogue::stronge::Stronge;
-use plm_impact::law::catalogue::thornton::Thornton;
 use plm_impact::law::catalogue::yigit_christoforou::YigitChristoforou;
-use plm_impact::law::published::{PeakState, Recovered};
-use plm_impact::law::{ContactLaw, Law, LawChoice, Peak, Unloading};
+use plm_impact::law::published::PeakState;
 
 use super::{case_3, factor, law_of};
-use crate::common::off;
+use crate::common::prelude::*;
+use crate::common::reference::{Row, rows};
 
-/// The six depths of the tables, in units of the yield indentation.
-const DEPTHS: [f64; 6] = [5.2, 13.5, 83.4, 105.1, 683.4, 843.1];
-
-/// F/F_Y, δ_r/δ_m and quasi-static e at a depth in units of `s` δ_Y, the yield indentation of the law itself.
-fn native(law: &Law, s: f64, depth: f64) -> (f64, f64, f64) {
-    let x = s * depth;
-    let peak = law.loaded_to(x);
-    let unloading = law.unloading(peak);
-    let e = (unloading.stored(x) / law.loading.work(x)).sqrt();
-    (peak.force / (s * s.sqrt()), peak.residual() / x, e)
+/// The rows of one table.
+fn table(name: &str) -> impl Iterator<Item = Row> {
+    let all = rows(include_str!("../../reference/laws.csv")).into_iter();
+    let rows: Vec<Row> = all.filter(|row| row.text("table") == name).collect();
+    assert!(rows.len() >= 12, "{name}: {} rows", rows.len());
+    rows.into_iter()
 }
 
-/// F/F_Y, δ_r/δ_m and e for each depth.
-type Row = [[f64; 3]; 6];
-
-/// Asserts that every number agrees with the printed digits, to half a unit of the last digit.
-fn assert_row(name: &str, law: &Law, s: f64, row: &Row) {
-    for (depth, [f, residual, e]) in DEPTHS.into_iter().zip(row) {
-        let got = native(law, s, depth);
-        // forces are printed with one decimal, the others with three
-        assert!((got.0 - f).abs() < 0.051, "{name} at {depth}: force {} against {f}", got.0);
-        assert!((got.1 - residual).abs() < 5.1e-4, "{name} at {depth}: residual {} against {residual}", got.1);
-        assert!((got.2 - e).abs() < 5.1e-4, "{name} at {depth}: e {} against {e}", got.2);
+/// The law of a name, with C_ν where the law has a yield factor.
+fn with_factor(name: &str) -> LawChoice {
+    let yield_factor = Some(factor());
+    match name {
+        "jackson_green" => LawChoice::JacksonGreen(JacksonGreen { yield_factor, ..Default::default() }),
+        "kogut_etsion" => LawChoice::KogutEtsion(KogutEtsion { yield_factor, ..Default::default() }),
+        "yigit_christoforou" => LawChoice::YigitChristoforou(YigitChristoforou { yield_factor }),
+        name => LawChoice::from_name(name).unwrap(),
     }
 }
 
-/// Loading and unloading of whole laws for case 3. The table was computed from the same published formulas by an
-/// independent program. It has 3 to 4 digits, in units of the yield point of each law.
+fn assert_near(row: &Row, [force, dent, e]: [f64; 3]) {
+    for (name, got, allowed) in [("force", force, 0.051), ("residual", dent, 5.1e-4), ("restitution", e, 5.1e-4)] {
+        if let Some(want) = row.maybe(name) {
+            assert!((got - want).abs() < allowed, "{row:?}: {name} {got}");
+        }
+    }
+}
+
 #[test]
 fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
     let bodies = case_3();
-    let jackson_green = JacksonGreen { yield_factor: Some(factor()), ..Default::default() };
-    let yigit = YigitChristoforou { yield_factor: Some(factor()) };
-    assert_row(
-        "jackson_green",
-        &law_of(&jackson_green),
-        1.0,
-        &[
-            [10.7, 0.231, 0.858],
-            [38.5, 0.436, 0.726],
-            [373.3, 0.764, 0.457],
-            [488.5, 0.792, 0.426],
-            [3563.6, 0.935, 0.229],
-            [4356.7, 0.944, 0.211],
-        ],
-    );
-    // in units of ω_c, which differs by 0.3 % from δ_Y
-    let omega = bodies.yield_at(2.8 * (0.454 + 0.41 * 0.3));
-    assert_row(
-        "kogut_etsion",
-        &law_of(&KogutEtsion::default()),
-        omega,
-        &[
-            [10.8, 0.251, 0.867],
-            [37.5, 0.432, 0.741],
-            [373.7, 0.677, 0.565],
-            [500.5, 0.699, 0.546],
-            [3553.2, 0.830, 0.393],
-            [4383.5, 0.840, 0.382],
-        ],
-    );
-    assert_row(
-        "thornton",
-        &law_of(&Thornton::default()),
-        1.0,
-        &[
-            [7.3, 0.384, 0.724],
-            [19.8, 0.602, 0.571],
-            [124.6, 0.836, 0.362],
-            [157.1, 0.854, 0.342],
-            [1024.6, 0.943, 0.214],
-            [1264.2, 0.948, 0.203],
-        ],
-    );
-    // in units of the yield point with the factor 1.5 ϑ = 1.65
-    assert_row(
-        "stronge",
-        &law_of(&Stronge::default()),
-        bodies.yield_at(1.65),
-        &[
-            [15.8, 0.236, 0.860],
-            [51.7, 0.468, 0.692],
-            [422.6, 0.754, 0.459],
-            [533.6, 0.780, 0.429],
-            [3484.0, 0.914, 0.263],
-            [4298.8, 0.922, 0.250],
-        ],
-    );
-    assert_row(
-        "yigit_christoforou",
-        &law_of(&yigit),
-        1.0,
-        &[
-            [7.3, 0.529, 0.690],
-            [19.8, 0.713, 0.535],
-            [124.6, 0.888, 0.334],
-            [157.1, 0.900, 0.315],
-            [1024.6, 0.961, 0.196],
-            [1264.2, 0.965, 0.186],
-        ],
-    );
+    for row in table("whole") {
+        // ω_c of Kogut and Etsion differs by 0.3 % from δ_Y; Stronge has the factor 1.5 ϑ = 1.65
+        let (law, unit) = match row.text("law") {
+            "kogut_etsion" => (LawChoice::from_name("kogut_etsion"), bodies.yield_at(2.8 * (0.454 + 0.41 * 0.3))),
+            "stronge" => (LawChoice::from_name("stronge"), bodies.yield_at(1.65)),
+            name => (Some(with_factor(name)), 1.0),
+        };
+        let law = law_of(law.unwrap().get());
+        let x = unit * row.number("depth");
+        let peak = law.loaded_to(x);
+        let e = (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt();
+        assert_near(&row, [peak.force / unit.powf(1.5), peak.residual() / x, e]);
+    }
 }
 
 #[test]
-fn loading_of_the_other_laws_is_the_tabulated_one() {
-    let bodies = case_3();
-    let force = |name: &str, depth: f64| law_of(LawChoice::from_name(name).unwrap().get()).loading.force(depth);
-    for (depth, smj, kk) in [
-        (5.2, 41.5, 9.7),
-        (13.5, 107.7, 34.3),
-        (83.4, 665.4, 371.0),
-        (105.1, 838.5, 503.0),
-        (683.4, 5452.3, 3613.0),
-        (843.1, 6726.4, 4436.0),
-    ] {
-        assert!((force("mesarovic_johnson", depth) - smj).abs() < 0.051);
-        // printed with three digits, the second with one unit too many in the last (34.25)
-        assert!(off(force("kogut_komvopoulos", depth), kk) < 2e-3, "{depth}");
+fn loading_of_the_other_laws_and_contact_radii_are_the_tabulated_ones() {
+    for row in table("loading") {
+        let force = law_of(with_factor(row.text("law")).get()).loading.force(row.number("depth"));
+        // Kogut and Komvopoulos are printed with three digits, the second with one unit too many in the last (34.25)
+        let allowed = if row.text("law") == "kogut_komvopoulos" { 2e-3 * force } else { 0.051 };
+        assert!((force - row.number("force")).abs() < allowed, "{row:?}: {force}");
     }
-    // contact radius over R: Jackson and Green, Kogut and Etsion, fully plastic with pile-up (2.8 R δ there, 2.86 R δ
-    // here)
-    let radius = |law: &Law, x: f64| law.contact_radius(&law.loaded_to(x)) * bodies.yield_radius_ratio();
-    let jackson_green = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
-    let kogut_etsion = law_of(&KogutEtsion { yield_factor: Some(factor()), ..Default::default() });
-    let pile_up = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
-    for (depth, jg, ke, smj) in [
-        (5.2, 0.0187, 0.0187, 0.029),
-        (13.5, 0.0324, 0.0328, 0.047),
-        (83.4, 0.0923, 0.0931, 0.116),
-        (105.1, 0.1055, 0.1063, 0.131),
-        (683.4, 0.3095, 0.2815, 0.333),
-        (843.1, 0.3492, 0.3126, 0.370),
-    ] {
-        assert!((radius(&jackson_green, depth) - jg).abs() < 5.1e-5);
-        assert!((radius(&kogut_etsion, depth) - ke).abs() < 1.1e-4, "{depth}");
-        assert!(off(radius(&pile_up, depth), smj) < 0.02);
+    for row in table("radius") {
+        let law = law_of(with_factor(row.text("law")).get());
+        let radius = law.contact_radius(&law.loaded_to(row.number("depth"))) * case_3().yield_radius_ratio();
+        let allowed = match row.text("law") {
+            "jackson_green" => 5.1e-5,
+            "kogut_etsion" => 1.1e-4,
+            _ => 0.02 * radius,
+        };
+        assert!((radius - row.number("radius")).abs() < allowed, "{row:?}: {radius}");
     }
 }
 
@@ -176,74 +99,25 @@ fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
     }
 }
 
-/// All unloading laws from the same state: indentation, force and contact radius of Jackson and Green. The expected
-/// δ_r/δ_m and e were computed from the same published formulas by an independent program.
+/// All unloading laws from the same state.
 #[test]
 fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
-    let bodies = case_3();
-    let loading = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
-    let e05 = KogutEtsion { yield_factor: Some(factor()), ..Default::default() };
-    let jcg = JacksonGreen { yield_factor: Some(factor()), ..Default::default() };
-    let named = |name: &str| LawChoice::from_name(name).unwrap();
-    let stronge_unit = bodies.yield_at(1.65);
-    // for Stronge the table uses the yield indentation of this law as δ_Y of C_ν
-    let stronge = Stronge { yield_pressure_ratio: bodies.yield_point.factor / 1.5, unloading_factor: 1.0 };
-    assert!(stronge_unit > 1.04);
-    let (johnson, thornton, brake) = (named("johnson"), named("thornton"), named("brake"));
-    let (yigit, mesarovic) = (named("yigit_christoforou"), named("mesarovic_johnson"));
-    let table: [(&str, &dyn ContactLaw, [[f64; 2]; 6]); 8] = [
-        (
-            "jackson_green",
-            &jcg,
-            [[0.231, 0.858], [0.436, 0.726], [0.764, 0.457], [0.792, 0.426], [0.935, 0.229], [0.944, 0.211]],
-        ),
-        (
-            "kogut_etsion",
-            &e05,
-            [[0.251, 0.861], [0.432, 0.748], [0.677, 0.558], [0.699, 0.537], [0.830, 0.394], [0.840, 0.381]],
-        ),
-        (
-            "johnson",
-            johnson.get(),
-            [[0.163, 0.895], [0.330, 0.792], [0.631, 0.571], [0.664, 0.542], [0.872, 0.322], [0.887, 0.300]],
-        ),
-        (
-            "thornton",
-            thornton.get(),
-            [[0.247, 0.849], [0.441, 0.724], [0.716, 0.501], [0.743, 0.475], [0.893, 0.294], [0.904, 0.277]],
-        ),
-        (
-            "stronge",
-            &stronge,
-            [[0.371, 0.776], [0.540, 0.656], [0.768, 0.453], [0.790, 0.429], [0.913, 0.265], [0.922, 0.250]],
-        ),
-        (
-            "brake",
-            brake.get(),
-            [[0.098, 0.930], [0.223, 0.853], [0.510, 0.658], [0.547, 0.630], [0.801, 0.401], [0.822, 0.377]],
-        ),
-        (
-            "yigit_christoforou",
-            yigit.get(),
-            [[0.212, 0.914], [0.368, 0.825], [0.638, 0.621], [0.669, 0.592], [0.862, 0.371], [0.878, 0.348]],
-        ),
-        (
-            "mesarovic_johnson",
-            mesarovic.get(),
-            [[0.290, 0.850], [0.431, 0.752], [0.687, 0.542], [0.715, 0.515], [0.891, 0.305], [0.904, 0.285]],
-        ),
-    ];
-    for (name, law, rows) in table {
-        let recovery = law.recovery(&bodies);
-        for (depth, [residual, e]) in DEPTHS.into_iter().zip(rows) {
-            let peak = loading.loaded_to(depth);
-            let radius = loading.contact_radius(&peak);
-            let Recovered { elastic_approach, shape } = recovery(loaded(&peak, radius));
-            let unloading = Unloading::new(Peak { elastic_approach, ..peak }, shape);
-            let got = (unloading.stored(depth) / loading.loading.work(depth)).sqrt();
-            let dent = 1.0 - elastic_approach / depth;
-            assert!((dent - residual).abs() < 5.1e-4, "{name} at {depth}: residual {dent} against {residual}");
-            assert!((got - e).abs() < 5.1e-4, "{name} at {depth}: e {got} against {e}");
-        }
+    let (bodies, loading) = (case_3(), law_of(with_factor("jackson_green").get()));
+    for row in table("from jackson_green") {
+        let choice = match row.text("law") {
+            // the table takes the yield indentation of this law as δ_Y of C_ν
+            "stronge" => LawChoice::Stronge(Stronge {
+                yield_pressure_ratio: bodies.yield_point.factor / 1.5,
+                unloading_factor: 1.0,
+            }),
+            "yigit_christoforou" => LawChoice::from_name("yigit_christoforou").unwrap(),
+            name => with_factor(name),
+        };
+        let peak = loading.loaded_to(row.number("depth"));
+        let Recovered { elastic_approach, shape } =
+            choice.get().recovery(&bodies)(loaded(&peak, loading.contact_radius(&peak)));
+        let unloading = Unloading::new(Peak { elastic_approach, ..peak }, shape);
+        let e = (unloading.stored(peak.indentation) / loading.loading.work(peak.indentation)).sqrt();
+        assert_near(&row, [peak.force, 1.0 - elastic_approach / peak.indentation, e]);
     }
 }

@@ -1,14 +1,7 @@
 //! Every law under gravity and damping, with its own unloading branch, first yield and elastic regime.
 
-use plm_impact::impact::{Contact, Damping, Event, Forces, Impact, ImpactError, Method, Spot, WarningKind};
-use plm_impact::law::catalogue::stronge::Stronge;
-use plm_impact::law::catalogue::thornton::Thornton;
-use plm_impact::law::catalogue::walton_braun::WaltonBraun;
-use plm_impact::law::{Law, LawChoice, UnloadingExponent};
-use plm_impact::material::Material;
-
 use super::{contact, whole_laws};
-use crate::common::{STEPPING, Scene, off, solver};
+use crate::common::prelude::*;
 
 const NOTHING: Damping = Damping::Viscous(0.0);
 
@@ -276,7 +269,7 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
 fn samples_between_long_steps_keep_the_tolerance_on_every_law() {
     let mut compared = 0;
     for (name, choice) in laws() {
-        for damping in [None, Some(NOTHING)] {
+        for damping in [None, Some(NOTHING), Some(Damping::Viscous(0.05))] {
             let contact = under(&Scene::case_3(), &choice, None, damping);
             for tolerance in [1e-4, 1e-6, 1e-8] {
                 // at 20 m/s the steps on the curved branch of a deep dent are long

@@ -1,11 +1,7 @@
 //! Random cases: their distributions, their independence, their statistics.
 
-use approx::assert_relative_eq;
-use plm_impact::scenario::Scenario;
-use plm_impact::sweep::evaluator::{Evaluator, Rows};
-
 use super::{rows, summary};
-use crate::common::STEEL;
+use crate::common::prelude::*;
 
 #[test]
 fn random_values_follow_their_distribution() {

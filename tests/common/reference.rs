@@ -1,0 +1,53 @@
+//! Impacts of independent programs (`tests/reference`): a row has the keys of a scenario and the results of it.
+
+use std::collections::BTreeMap;
+
+use plm_impact::impact::Contact;
+use plm_impact::scene::Scene;
+
+/// The cells of a row that are not empty, by the names of their columns.
+#[derive(Debug)]
+pub struct Row(BTreeMap<String, String>);
+
+pub fn rows(text: &str) -> Vec<Row> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let filled = |mut row: BTreeMap<String, String>| {
+        row.retain(|_, cell| !cell.is_empty());
+        Row(row)
+    };
+    reader.deserialize().map(|row| filled(row.unwrap())).collect()
+}
+
+impl Row {
+    pub fn name(&self) -> &str {
+        &self.0["case"]
+    }
+
+    pub fn text(&self, column: &str) -> &str {
+        &self.0[column]
+    }
+
+    /// A number; none where the cell is empty.
+    pub fn maybe(&self, column: &str) -> Option<f64> {
+        self.0.get(column).map(|cell| cell.parse().unwrap_or_else(|_| panic!("{column} of {self:?}")))
+    }
+
+    #[track_caller]
+    pub fn number(&self, column: &str) -> f64 {
+        self.maybe(column).unwrap_or_else(|| panic!("{column} of {self:?}"))
+    }
+
+    /// The keys that the row sets, but for those that begin with one of these words.
+    pub fn keys(&self, without: &[&str]) -> Vec<String> {
+        let is_kept = |name: &str| name.contains('.') && !without.iter().any(|begin| name.starts_with(begin));
+        self.0.iter().filter(|(name, _)| is_kept(name)).map(|(name, cell)| format!("{name}={cell}")).collect()
+    }
+
+    pub fn scene(&self) -> Scene {
+        super::scene("", &self.keys(&[]))
+    }
+
+    pub fn contact(&self) -> Contact {
+        self.scene().contact().unwrap()
+    }
+}

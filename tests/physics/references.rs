@@ -1,0 +1,184 @@
+//! Impacts of independent programs with 30 digits, no time stepping: by every method, with a trace, as a row of a table, as
+//! a slow indentation to the same depth, and in a series.
+
+use crate::common::prelude::*;
+use crate::common::reference::{Row, rows};
+
+/// A file of references.
+struct References {
+    text: &'static str,
+    count: usize,
+    /// The largest error of the closed form, and at a tolerance of 1e-12 of rk8 and of the steppers of ode_solvers.
+    allowed: [f64; 3],
+}
+
+const PLAIN: References =
+    References { text: include_str!("../reference/plain.csv"), count: 18, allowed: [5e-14, 2e-11, 1e-9] };
+const HARDENING: References =
+    References { text: include_str!("../reference/hardening.csv"), count: 8, allowed: [1e-12, 1e-11, 1e-9] };
+/// There is no closed form on a plate. Measured: 3e-13 and 1.1e-9.
+const PLATE: References =
+    References { text: include_str!("../reference/plate.csv"), count: 12, allowed: [f64::NAN, 1e-12, 2e-9] };
+
+impl References {
+    fn rows(&self) -> Vec<Row> {
+        let rows = rows(self.text);
+        assert_eq!(rows.len(), self.count);
+        rows
+    }
+}
+
+/// Compares all results that the row has; `allowed` is relative to the second number.
+fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
+    let (size, on_plate) = (impact.peak_indentation, impact.on_plate);
+    let point = contact.pair().yield_point;
+    let of_point = |of: fn(&plm_impact::material::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
+    // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
+    let radius = impact.residual_radius.unwrap_or(f64::NAN);
+    let of_plate = |of: fn(&plm_impact::impact::OnPlate) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
+    let mut compared = 0;
+    for (name, got, unit) in [
+        // e may be next to nothing, and a dent is a small difference
+        ("restitution", impact.restitution, 1.0),
+        ("plastic_fraction", impact.plastic_fraction, 1.0),
+        ("plate_energy_fraction", impact.plate_loss_fraction().unwrap_or(f64::NAN), 1.0),
+        ("residual_indentation_m", impact.residual_indentation, size),
+        ("residual_radius_m", radius, 60.0 * radius),
+        ("contact_time_s", impact.contact_time, impact.contact_time),
+        ("loading_time_s", impact.loading_time, impact.loading_time),
+        ("peak_force_N", impact.peak_force, impact.peak_force),
+        ("peak_indentation_m", size, size),
+        ("peak_contact_radius_m", impact.peak_contact_radius, impact.peak_contact_radius),
+        ("elastic_approach_m", impact.elastic_approach, impact.elastic_approach),
+        ("unloading_radius_m", impact.unloading_radius, impact.unloading_radius),
+        ("unloading_exponent", impact.unloading_exponent, 1.0),
+        ("yield_speed_m_per_s", contact.yield_speed().unwrap_or(f64::NAN), contact.yield_speed().unwrap_or(f64::NAN)),
+        ("yield_indentation_m", of_point(|point| point.indentation), of_point(|point| point.indentation)),
+        ("yield_force_N", of_point(|point| point.force), of_point(|point| point.force)),
+        ("lambda", of_plate(|plate| plate.inelasticity), of_plate(|plate| plate.inelasticity)),
+        ("plate_displacement_m", of_plate(|plate| plate.displacement), of_plate(|plate| plate.displacement)),
+    ] {
+        let Some(want) = row.maybe(name) else { continue };
+        let error = (got - want).abs() / unit;
+        assert!(error <= allowed, "{}: {name} {got:e}, not {want:e}: {error:e}", row.name());
+        compared += 1;
+    }
+    assert!(compared >= 7, "{}: {compared}", row.name());
+    let is_plain = row.maybe("yield_speed_m_per_s").is_some();
+    assert!(!is_plain || impact.residual_radius.is_some() == row.maybe("residual_radius_m").is_some());
+}
+
+#[test]
+fn every_way_to_an_impact_comes_to_the_references() {
+    for references in [PLAIN, HARDENING, PLATE] {
+        let [exact, of_rk8, of_library] = references.allowed;
+        for row in references.rows() {
+            let scene = row.scene();
+            let contact = scene.contact().unwrap();
+            let impact = |solver: &Solver, samples| contact.impact(scene.speed, solver, samples).unwrap();
+            // the default tolerance is 1e-10; as a row of a table the impact has the closed form
+            let mut row_allows = 1e-8;
+            if row.maybe("half_space.thickness").is_none() {
+                assert_near(&row, &contact, &contact.closed_form(scene.speed).unwrap(), exact);
+                row_allows = 1e-12;
+            }
+            assert_near(&row, &contact, &impact(&Solver::default(), None), 1e-8);
+            assert_near(&row, &contact, &impact(&Solver::default(), Some(50)), 1e-8);
+            for (method, allowed) in [(Method::Rk8, of_rk8), (Method::Dop853, of_library), (Method::Dopri5, of_library)]
+            {
+                assert_near(&row, &contact, &impact(&solver(method, 1e-12), None), allowed);
+            }
+            let keys =
+                [&row.keys(&["impact"])[..], &[format!("sweep={{\"impact.speed\"=[{}]}}", scene.speed)]].concat();
+            let of_table = rows_of("", &keys).results[0].unwrap();
+            for (name, got, unit) in [
+                ("restitution", of_table.restitution, 1.0),
+                ("contact_time_s", of_table.contact_time, of_table.contact_time),
+                ("peak_force_N", of_table.peak_force, of_table.peak_force),
+                ("peak_indentation_m", of_table.peak_indentation, of_table.peak_indentation),
+                ("residual_indentation_m", of_table.residual_indentation, of_table.peak_indentation),
+            ] {
+                let want = row.number(name);
+                assert!((got - want).abs() <= row_allows * unit, "{} in a table: {name} {got:e} {want:e}", row.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_trace_begins_turns_and_ends_as_the_reference_says() {
+    for row in [PLAIN, HARDENING, PLATE].iter().flat_map(References::rows) {
+        let (scene, _, impact) = run::impact::compute(&read("", &row.keys(&[])), Some(200)).unwrap();
+        let at = |event| *impact.trace.iter().find(|at| at.event == Some(event)).unwrap();
+        let (touch, peak, end) = (at(Event::Touch), at(Event::Peak), at(Event::Separation));
+        let e = row.number("restitution");
+        let speed = |row: &plm_impact::impact::TraceRow| row.sphere_speed.unwrap_or(row.speed);
+        assert!(touch.time == 0.0 && off(touch.speed, scene.speed) < 1e-15, "{}", row.name());
+        assert!(off(peak.force, row.number("peak_force_N")) < 1e-8, "{}", row.name());
+        assert!(off(peak.indentation, row.number("peak_indentation_m")) < 1e-8, "{}", row.name());
+        assert!(off(end.time, row.number("contact_time_s")) < 1e-8, "{}", row.name());
+        assert!((-speed(&end) / scene.speed - e).abs() < 1e-8, "{}", row.name());
+        assert!(impact.trace.iter().all(|at| at.force <= impact.peak_force && at.indentation <= peak.indentation));
+        assert!(impact.energy.drift < 1e-9, "{}: {:e}", row.name(), impact.energy.drift);
+        if let Some(want) = row.maybe("sphere_speed_at_peak_m_s") {
+            assert!(off(speed(&peak), want) < 1e-8, "{}", row.name());
+        }
+        // the share of the sphere of what is elastic
+        let compliance =
+            |body: &plm_impact::material::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
+        let [of_sphere, of_half_space] = [&scene.sphere.material, &scene.half_space.material].map(compliance);
+        if let Some(elastic) = row.maybe("elastic_approach_m") {
+            let want = of_sphere / (of_sphere + of_half_space) * elastic;
+            for got in [peak.sphere_indentation, impact.peak_sphere_indentation] {
+                // a rigid sphere has no indentation
+                assert!((got - want).abs() <= 1e-8 * want, "{}: {got} {want}", row.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
+    for row in [PLAIN, HARDENING].iter().flat_map(References::rows) {
+        let steps =
+            format!("indentation.steps=[{{ indentation = {} }}, {{ load = 0 }}]", row.text("peak_indentation_m"));
+        let keys = [&row.keys(&["impact", "sphere.density"])[..], &[steps]].concat();
+        let (_, tested, _) = run::indentation::compute(&read("", &keys), None).unwrap();
+        let [loaded, unloaded] = &tested[0].indentation.steps[..] else { panic!("two steps") };
+        let [force, approach, e] = ["peak_force_N", "elastic_approach_m", "restitution"].map(|name| row.number(name));
+        let [depth, dent] = ["peak_indentation_m", "residual_indentation_m"].map(|name| row.number(name));
+        assert!(off(loaded.force, force) < 1e-11, "{}", row.name());
+        assert!((unloaded.indentation - dent).abs() < 1e-11 * depth, "{}", row.name());
+        if let (Some(radius), Some(n)) = (row.maybe("peak_contact_radius_m"), row.maybe("unloading_exponent")) {
+            assert!(off(loaded.memory.contact_radius, radius) < 1e-11, "{}", row.name());
+            assert!(off(loaded.memory.unloading_stiffness, n * force / approach) < 1e-11, "{}", row.name());
+        }
+        // the work of loading is the whole energy of the impact
+        let [radius, density, speed] = ["sphere.radius", "sphere.density", "impact.speed"].map(|name| row.number(name));
+        let energy = 2.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density * speed * speed;
+        assert!(off(loaded.work, energy) < 1e-11, "{}", row.name());
+        assert!(off(-unloaded.work, energy * e * e) < 1e-10, "{}", row.name());
+    }
+}
+
+#[test]
+fn a_spot_that_was_hit_remembers_its_dent() {
+    for row in HARDENING.rows() {
+        let (speed, e) = (row.number("impact.speed"), row.number("restitution"));
+        // the second shot stays elastic; the third has more energy than the unloading gave back
+        let speeds = [speed, 0.99 * e * speed, speed];
+        for spot in ["same", "fresh"] {
+            let series = format!("repeat={{ spot = \"{spot}\", speeds = {speeds:?} }}");
+            let scenario = read("", &[&row.keys(&["impact"])[..], &[series]].concat());
+            let (scene, contact, repeat) = run::repeat::prepare_repeat(&scenario).unwrap();
+            let hits = repeat.run(&contact, &scene.solver, 10, None).unwrap().hits;
+            assert!(off(hits[0].restitution, e) < 1e-11, "{}", row.name());
+            if spot == "fresh" {
+                assert_eq!(hits[2].restitution, hits[0].restitution);
+                continue;
+            }
+            assert!((hits[1].restitution - 1.0).abs() < 1e-11 && hits[1].dent_growth == 0.0, "{}", row.name());
+            assert!(hits[2].restitution > hits[0].restitution && hits[2].dent_growth > 0.0, "{}", row.name());
+        }
+    }
+}
