@@ -49,19 +49,6 @@ fn overrides_directory_and_quiet_do_what_they_say_and_other_files_are_left_alone
 }
 
 #[test]
-fn check_prints_what_was_understood_and_writes_nothing() {
-    let desk = Desk::with(STEEL);
-    let (table, _) = desk.ends(&["check", "s.toml", "--set", "sphere.youngs_modulus=rigid"], 0);
-    for want in ["0.005 m (5 mm)", "rigid", "3.45e8 Pa (345 MPa)", "yield speed v_Y", "effective modulus E*", "kappa  "]
-    {
-        assert!(table.contains(want), "{want}: {table}");
-    }
-    assert_eq!(desk.files(""), ["s.toml"]);
-    let elastic = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"", ""));
-    assert!(elastic.ends(&["check", "s.toml"], 0).0.contains("stays elastic"));
-}
-
-#[test]
 fn a_reader_who_has_left_is_no_failure() {
     let desk = Desk::with(STEEL);
     // the first command prints results and warnings, the second an error

@@ -84,10 +84,3 @@ fn without_a_closed_form_the_energy_ledger_stands_in_for_it() {
     assert!(line.ends_with("  none"), "{line}");
     assert!(warnings.is_empty(), "{warnings:?}");
 }
-
-#[test]
-fn a_range_without_an_upper_end_is_told_so() {
-    let text = STEEL.replace("3 m/s", "1 m/s") + "[law.mesarovic_johnson]\n";
-    let (_, warnings) = closed_form_and_warnings(&Scenario::from_text("s.toml", &text, &[]).unwrap());
-    assert!(warnings.iter().any(|warning| warning.contains("and more, the range that the law")), "{warnings:?}");
-}

@@ -27,6 +27,7 @@ mod programs;
 mod refusals;
 mod repeat_cli;
 mod report;
+mod says;
 mod scenario;
 mod strength_keys;
 mod units;

@@ -49,28 +49,3 @@ fn a_table_has_columns_of_friction_where_an_angle_varies() {
     // straight tables have no such columns
     assert!(names("[sweep]\n\"impact.speed\" = [1, 2]\n").iter().all(|name| !name.contains("angle")));
 }
-
-#[test]
-fn friction_where_nothing_slides_is_told() {
-    let output = Desk::with(STEEL.to_owned() + FRICTION).call(&["check", "s.toml"]);
-    assert!(
-        text(&output.stderr).contains("friction.coefficient is not used: without impact.angle"),
-        "{}",
-        text(&output.stderr)
-    );
-    let swept = STEEL.to_owned() + "[sweep]\n\"friction.coefficient\" = [0.1, 0.2]\n";
-    let output = Desk::with(swept).call(&["check", "s.toml"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("nothing slides"), "{}", text(&output.stderr));
-}
-
-#[test]
-fn a_deep_dent_at_a_flat_angle_and_unlike_materials_are_told() {
-    let warned = |scene: String| text(&Desk::with(scene).call(&["check", "s.toml"]).stderr);
-    let deep = warned(oblique("60 deg").replace("3 m/s", "40 m/s"));
-    assert!(deep.contains("the sphere ploughs"), "{deep}");
-    // a rigid ball on steel: beta = 0.29; at 2 degrees hardly anything slips
-    let unlike = warned(oblique("2 deg").replacen("youngs_modulus = \"210 GPa\"", "youngs_modulus = \"rigid\"", 1));
-    assert!(unlike.contains("Dundurs' beta"), "{unlike}");
-    assert!(!warned(oblique("20 deg")).contains("warning"));
-}

@@ -70,11 +70,3 @@ fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
     );
     assert_eq!(column(&impacts, "restitution"), ["1.0", "1.0"]);
 }
-
-#[test]
-fn overrides_reach_the_series() {
-    let desk = Desk::with(format!("{BODIES}{BOUNCING}"));
-    let (said, _) = desk.ends(&["check", "s.toml", "--set", "repeat.spot=same", "--set", "repeat.impacts=7"], 0);
-    assert!(said.contains("all on the same spot") && said.contains("there were 7 impacts"), "{said}");
-    assert!(said.contains("impact.drop_height") && said.contains("yield speed"), "{said}");
-}

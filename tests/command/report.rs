@@ -121,18 +121,13 @@ fn an_elastic_scene_says_nothing_plastic() {
 fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
     let Ran { impact, trace, .. } = ran(&[]);
     let of = |name: &str| numbers(&trace, name);
-    let columns: [(&str, fn(&TraceRow) -> f64); 6] = [
-        ("time_s", |row| row.time),
-        ("indentation_m", |row| row.indentation),
-        ("sphere_indentation_m", |row| row.sphere_indentation),
-        ("half_space_indentation_m", |row| row.half_space_indentation),
-        ("speed_m_per_s", |row| row.speed),
-        ("force_N", |row| row.force),
-    ];
-    let header = columns.map(|(name, _)| name).join(",") + ",branch,event";
-    assert_eq!(trace.lines().next(), Some(header.as_str()));
-    for (name, number) in columns {
-        assert_eq!(of(name), impact.trace.iter().map(number).collect::<Vec<_>>(), "{name}");
+    let columns =
+        ["time_s", "indentation_m", "sphere_indentation_m", "half_space_indentation_m", "speed_m_per_s", "force_N"];
+    assert_eq!(trace.lines().next().unwrap(), columns.join(",") + ",branch,event");
+    for (row, want) in impact.trace.iter().enumerate() {
+        let want =
+            [want.time, want.indentation, want.sphere_indentation, want.half_space_indentation, want.speed, want.force];
+        assert_eq!(columns.map(|name| of(name)[row]), want, "row {row}");
     }
     let branches: Vec<&str> = impact.trace.iter().map(|row| row.branch.name()).collect();
     assert_eq!(column(&trace, "branch"), branches);

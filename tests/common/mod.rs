@@ -124,6 +124,19 @@ pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
     .fold(0.0, max_or_nan)
 }
 
+/// The largest relative error among restitution, times, peak force and peak indentation of two impacts.
+pub fn apart(got: &Impact, want: &Impact) -> f64 {
+    [
+        off(got.restitution, want.restitution),
+        off(got.contact_time, want.contact_time),
+        off(got.loading_time, want.loading_time),
+        off(got.peak_force, want.peak_force),
+        off(got.peak_indentation, want.peak_indentation),
+    ]
+    .into_iter()
+    .fold(0.0, max_or_nan)
+}
+
 /// A sphere on a half-space, SI units.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene {

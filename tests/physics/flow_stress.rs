@@ -1,7 +1,5 @@
 //! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
 
-use std::fs;
-
 use plm_impact::impact::closed_form::solve;
 use plm_impact::law::curve::Curve;
 use plm_impact::law::piece::{Piece, Shape};
@@ -115,45 +113,6 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
                 assert!(off(strength.parse().unwrap(), 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-14);
             }
         }
-    }
-}
-
-/// `check` explains which strength the law needs, only if a yield strength of a metal is given and the contact is deep.
-/// A run prints no such hint.
-#[test]
-fn check_teaches_which_strength_is_meant() {
-    let desk = Desk::with(STEEL);
-    let flow = "half_space.flow_stress.power.exponent=0";
-    let table = "sweep={\"impact.speed\"=[\"3 m/s\",\"1 cm/s\"]}";
-    let indentation = STEEL.replace("[impact]\nspeed = \"3 m/s\"", "[indentation]\nsteps = [{ load = \"1 kN\" }]");
-    fs::write(desk.path("i.toml"), &indentation).unwrap();
-    fs::write(desk.path("h.toml"), STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"")).unwrap();
-    for (file, set, is_said) in [
-        ("s.toml", None, true),
-        ("s.toml", Some(table), true),
-        ("s.toml", Some("repeat={spot=\"same\",impacts=2}"), true),
-        ("i.toml", None, true),
-        // a shallow contact, not a metal, a flow curve, a law without yield
-        ("s.toml", Some("impact.speed=1 cm/s"), false),
-        ("s.toml", Some("half_space.youngs_modulus=3 GPa"), false),
-        ("s.toml", Some(flow), false),
-        ("i.toml", Some(flow), false),
-        ("h.toml", None, false),
-        ("s.toml", Some("law=hertz"), false),
-    ] {
-        let set: Vec<&str> = set.iter().flat_map(|set| ["--set", set]).collect();
-        let repeat = if set.iter().any(|set| set.starts_with("repeat")) {
-            vec!["--set", "gravity.acceleration=9.81"]
-        } else {
-            vec![]
-        };
-        let (printed, _) = desk.ends(&[&["check", file], &set[..], &repeat[..]].concat(), 0);
-        assert_eq!(printed.contains("Which strength?"), is_said, "{file} {set:?}: {printed}");
-        let (printed, said) = desk
-            .ends(&[&["run", file, "--out", "o", "--force", "--pictures", "none"], &set[..], &repeat[..]].concat(), 0);
-        let hints =
-            |line: &str| line.contains("strength") && !line.ends_with("hardly any solid reaches: check the units");
-        assert!(!printed.contains("Which strength?") && !said.lines().any(hints), "{file} {set:?}: {said}");
     }
 }
 

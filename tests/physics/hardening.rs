@@ -33,17 +33,10 @@ fn a_curve_that_does_not_rise_is_the_law_without_hardening() {
             // elastic, just past yield, on every piece, and beyond the last knot (250 yield indentations at 6.3 m/s)
             for speed in [1e-3, 0.0097, 0.012, 0.02, 0.05, 0.2, 1.0, 3.0, 10.0, 30.0] {
                 let (got, want) = (hardening.closed_form(speed).unwrap(), plain.closed_form(speed).unwrap());
-                for (got, want) in [
-                    (got.restitution, want.restitution),
-                    (got.contact_time, want.contact_time),
-                    (got.peak_force, want.peak_force),
-                    (got.peak_indentation, want.peak_indentation),
-                    (got.elastic_approach, want.elastic_approach),
-                    (got.unloading_exponent, want.unloading_exponent),
-                    (got.peak_contact_radius, want.peak_contact_radius),
-                ] {
-                    assert!(off(got, want) < 1e-13, "{curve:?} {speed}: {got} {want}");
-                }
+                assert!(apart(&got, &want) < 1e-13, "{curve:?} {speed}: {got:?} {want:?}");
+                assert!(off(got.elastic_approach, want.elastic_approach) < 1e-13, "{curve:?} {speed}");
+                assert!(off(got.unloading_exponent, want.unloading_exponent) < 1e-13, "{curve:?} {speed}");
+                assert!(off(got.peak_contact_radius, want.peak_contact_radius) < 1e-13, "{curve:?} {speed}");
             }
         }
     }
@@ -219,32 +212,6 @@ fn an_exponent_that_no_branch_can_have_gives_back_what_was_spent() {
         }
         assert!(held > 5, "{held}");
     }
-}
-
-/// A stress that rises by half within 0.1 % of strain is outside of the law: a contact that strains the metal so far says so.
-#[test]
-fn a_step_of_the_flow_curve_warns_where_the_contact_reaches_it() {
-    let step = |strain: f64, after: f64| {
-        let points = [(strain, 350e6), (strain + 0.0009, after), (1.0, 1.01 * after)];
-        FlowCurve::through(points.map(|(strain, stress)| FlowPoint { strain, stress }).to_vec()).unwrap()
-    };
-    let warns = |flow: FlowCurve, speed: f64| {
-        let impact = steel(Some(flow), UnloadingExponent::Paper).closed_form(speed).unwrap();
-        impact.warnings.iter().map(ToString::to_string).find(|text| text.contains("rises by"))
-    };
-    let text = warns(step(0.01, 530e6), 3.0).unwrap();
-    assert!(text.contains("rises by 51 % within 0.1 % of strain, from a plastic strain of 0.0099 on"), "{text}");
-    for (flow, speed) in [
-        // too small a rise, a contact that does not come so far, a formula that bends at first
-        (step(0.01, 510e6), 3.0),
-        (step(0.01, 530e6), 0.03),
-        (FlowCurve::Power { exponent: 0.5 }, 3.0),
-        (FlowCurve::Voce { saturation: 1.0, rate: 400.0 }, 3.0),
-    ] {
-        assert_eq!(warns(flow, speed), None);
-    }
-    assert!(warns(FlowCurve::Voce { saturation: 1.0, rate: 600.0 }, 3.0).is_none());
-    assert!(warns(FlowCurve::Voce { saturation: 0.6, rate: 1000.0 }, 3.0).is_none());
 }
 
 /// The statement of the pages on one constant strength instead of the flow curve: the strength at 0.2 % plastic strain,

@@ -39,23 +39,3 @@ fn a_table_has_the_columns_named_and_the_same_digits() {
         assert_eq!(few.iter().collect::<Vec<_>>(), same);
     }
 }
-
-#[test]
-fn check_says_what_a_sweep_will_be() {
-    let strengths = "\"half_space.yield_strength\" = [\"200 MPa\", \"345 MPa\"]\n";
-    let check = |tables: &str| Desk::with(format!("{ELASTIC}{YIELDING}{tables}")).ends(&["check", "s.toml"], 0).0;
-    let text = check(&format!("{SWEEP}{strengths}"));
-    for want in [
-        "42 cases",
-        "21 values from 1 mm/s to 10 m/s, evenly in the logarithm",
-        "200 MPa, 345 MPa",
-        "columns case,impact_speed_m_per_s,",
-        "the scene of the first case",
-    ] {
-        assert!(text.contains(want), "{want}: {text}");
-    }
-    let random = "[monte_carlo]\nsamples = 10\nseed = 3\n\"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"300 MPa\" } }\n";
-    let text = check(random);
-    // the share of the normal distribution above 0 is Φ(345/300) = Φ(1.15) = 0.8749
-    assert!(text.contains("10 cases, drawn with seed 3") && text.contains("keeps 87.49 %"), "{text}");
-}
