@@ -136,21 +136,6 @@ fn a_power_law_by_name_has_the_proof_stress_of_its_metal() {
             assert!((0.0..0.075).contains(&off), "{strength} at {speed} m/s: {off}");
         }
     }
-    // 304: proof stress and hardness of two sources, MatWeb and AK Steel (82 HRB is 160 HV), have nearly one exponent
-    for (proof, vickers, wanted) in [(215e6, 129.0, 0.234), (290e6, 160.0, 0.217)] {
-        let flow = 9.806_65e6 * vickers / 0.9272 / 2.9;
-        let (mut low, mut high) = (0.01, 0.5);
-        for _ in 0..60 {
-            let exponent = 0.5 * (low + high);
-            let (mut below, mut above) = (1e5, flow);
-            for _ in 0..200 {
-                let start = f64::sqrt(below * above);
-                if power(start, 193e9, exponent, 0.08) < flow { below = start } else { above = start }
-            }
-            if power(below, 193e9, exponent, 0.002) > proof { low = exponent } else { high = exponent }
-        }
-        assert!((low - wanted).abs() < 1e-3, "{low}");
-    }
 }
 
 #[test]

@@ -1,8 +1,6 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::scene::KEYS;
-
-use plm_impact::scene::Scene;
+use plm_impact::scene::{KEYS, Scene};
 
 use crate::common::prelude::*;
 
@@ -75,70 +73,60 @@ fn a_diameter_is_twice_the_radius() {
     assert_eq!(resolve(&by_diameter, &[]).unwrap(), resolve(STEEL, &[]).unwrap());
 }
 
+/// What a key needs beside it, and the line of the steel scenario that it takes the place of.
+fn beside(path: &str) -> (&'static [&'static str], &'static str) {
+    match path {
+        "sphere.mass" => (&["sphere.mass=7"], "density = \"7850 kg/m^3\"\n"),
+        "half_space.hardness" => (&["half_space.hardness=7e9"], "yield_strength = \"345 MPa\"\n"),
+        "impact.drop_height" => (&["gravity.acceleration=9.81", "impact.drop_height=7"], "speed = \"3 m/s\"\n"),
+        // without an angle nothing slides
+        "sphere.moment_of_inertia" | "friction.coefficient" => {
+            (&["impact.angle=30 deg", "friction.coefficient=0.1"], "")
+        }
+        "sphere.spin" | "impact.angle" => (&["friction.coefficient=0.1"], ""),
+        // a plate needs a density, and an edge needs a plate
+        "half_space.thickness" | "half_space.edge_distance" => {
+            (&["half_space.density=7", "half_space.thickness=7"], "")
+        }
+        // a key of a flow curve needs a curve of its form
+        path if path.contains(".power.") => (&["half_space.flow_stress.power.exponent=0.1"], ""),
+        path if path.contains(".voce.") => {
+            (&["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"], "")
+        }
+        path if path.contains(".linear.") => (&["half_space.flow_stress.linear.slope=1e9"], ""),
+        _ => (&[], ""),
+    }
+}
+
 #[test]
 fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     for key in KEYS.iter() {
+        let is_share =
+            ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path.ends_with(name));
         // a value inside of the range of the key
         let value = match key.path {
             "solver.tolerance" => 1e-3,
             "half_space.hardness" => 1.25e9,
+            _ if is_share => 0.25,
             _ => 1.25,
         };
-        let shares = ["poissons_ratio", "stiffness_ratio", "power.exponent"];
-        let is_share = shares.iter().any(|name| key.path.ends_with(name));
-        let value = if is_share { 0.25 } else { value };
-        let text = STEEL.replace("radius = \"5 mm\"\n", "");
-        let text = if key.path == "sphere.radius" { text } else { text.replace("[sphere]", "[sphere]\ndiameter = 1") };
-        // a drop height replaces the speed, and needs gravity
-        let is_height = key.path == "impact.drop_height";
-        // a mass replaces the density, and a hardness replaces the yield strength
-        let text = match key.path {
-            "sphere.mass" => text.replace("density = \"7850 kg/m^3\"\n", ""),
-            "half_space.hardness" => text.replace("yield_strength = \"345 MPa\"\n", ""),
-            _ => text,
-        };
-        // a key of a flow curve needs a curve of its form
-        let curve = match key.path.strip_prefix("half_space.flow_stress.").and_then(|rest| rest.split('.').next()) {
-            Some("power") => vec!["half_space.flow_stress.power.exponent=0.1"],
-            Some("voce") => vec!["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"],
-            Some("linear") => vec!["half_space.flow_stress.linear.slope=1e9"],
-            _ => Vec::new(),
-        };
-        let text = if is_height { text.replace("[impact]\nspeed = \"3 m/s\"", "[impact]") } else { text };
-        let gravity = if is_height { vec!["gravity.acceleration=9.81"] } else { Vec::new() };
-        let beside = match key.path {
-            "sphere.mass" => vec!["sphere.mass=7"],
-            "half_space.hardness" => vec!["half_space.hardness=7e9"],
-            // without an angle nothing slides
-            "sphere.moment_of_inertia" | "friction.coefficient" => {
-                vec!["impact.angle=30 deg", "friction.coefficient=0.1"]
-            }
-            "sphere.spin" | "impact.angle" => vec!["friction.coefficient=0.1"],
-            // a plate needs a density, and an edge needs a plate
-            "half_space.thickness" | "half_space.edge_distance" => {
-                vec!["half_space.density=7", "half_space.thickness=7"]
-            }
-            _ => Vec::new(),
-        };
-        let given = |more: &[&str]| resolve(&text, &[&gravity[..], &curve, &beside, more].concat()).unwrap();
+        let (beside, without) = beside(key.path);
+        let size = if key.path == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
+        let text = STEEL.replace("radius = \"5 mm\"\n", "").replace("[sphere]", size);
+        let text = if without.is_empty() { text } else { text.replace(without, "") };
+        let given = |more: &[&str]| resolve(&text, &[beside, more].concat()).unwrap();
         // an angle always carries its unit
         let unit = if key.path == "impact.angle" { " rad" } else { "" };
         let by_file = given(&[&format!("{}={value}{unit}", key.path)]);
         // a key of a law needs this law
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
-        let any = if is_height { "impact.drop_height=7" } else { "sphere.diameter=1" };
-        let mut by_key = Input::of(&given(&[any, &format!("law.{law}={{}}")]));
-        key.put(&mut by_key, value);
-        let by_key = by_key.resolve();
         if key.path != "sphere.radius" {
-            assert_eq!(by_file, by_key, "{}", key.path);
+            let mut by_key = Input::of(&given(&[&format!("law.{law}={{}}")]));
+            key.put(&mut by_key, value);
+            assert_eq!(by_file, by_key.resolve(), "{}", key.path);
         }
-        assert_eq!(
-            (key.get)(&Input::of(&by_file)),
-            Some(value).filter(|_| key.path != "sphere.diameter"),
-            "{}",
-            key.path
-        );
+        let got = (key.get)(&Input::of(&by_file));
+        assert_eq!(got, Some(value).filter(|_| key.path != "sphere.diameter"), "{}", key.path);
     }
     assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
     assert!(Key::find("solver.method").is_none());

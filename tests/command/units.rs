@@ -22,15 +22,6 @@ fn an_angle_carries_its_unit() {
     for text in ["45 deg", "45°", "0.7853981633974483 rad"] {
         assert!((ANGLE.parse(text).unwrap() - std::f64::consts::FRAC_PI_4).abs() < 1e-15, "{text}");
     }
-    for message in [ANGLE.parse("45").unwrap_err(), ANGLE.plain(45.0).unwrap_err()] {
-        assert!(
-            message.ends_with("45 has no unit; write an angle such as \"30 deg\"")
-                || message.contains("\"45\" has no unit"),
-            "{message}"
-        );
-    }
-    assert!(ANGLE.parse("91 deg").unwrap_err().contains("an angle must be >= 0 rad and < 1.5707963267948966 rad"));
-    assert!(ANGLE.parse("3 m").unwrap_err().contains("is a length, but an angle is needed"));
 }
 
 #[test]

@@ -265,15 +265,3 @@ fn tables_of_200_knots_and_of_knots_1e_12_apart_make_laws() {
         assert!(law_restitution.windows(2).all(|pair| pair[0] > pair[1]), "{law_restitution:?}");
     }
 }
-
-/// The limit of laws that take the sphere for a paraboloid: at a = 0.3 R the exact force of a rigid sphere (Sneddon 1965) is 1 %
-/// below that of Hertz.
-#[test]
-fn a_sphere_is_a_paraboloid_to_one_percent_up_to_three_tenths_of_its_radius() {
-    let sneddon = |ratio: f64| {
-        let logarithm = ((1.0 + ratio) / (1.0 - ratio)).ln();
-        let (force, depth) = (0.5 * ((1.0 + ratio * ratio) * logarithm - 2.0 * ratio), 0.5 * ratio * logarithm);
-        4.0 / 3.0 * depth.powf(1.5) / force - 1.0
-    };
-    assert!((sneddon(0.3) - 0.01).abs() < 1e-3 && (sneddon(0.45) - 0.02).abs() < 3e-3, "{}", sneddon(0.45));
-}

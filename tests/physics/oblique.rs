@@ -91,30 +91,14 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
 
 #[test]
 fn the_curve_of_maw_barber_and_fawcett() {
-    // chi = 7 (1 - nu)/(2 (2 - nu)) for nu = 0.3; extrapolated from finer runs of an independent program, error 1e-6. The last
-    // two lie on the straight line of gross sliding from 4 chi - 1 on.
-    let table = [
-        (0.1, 0.020_591),
-        (0.25, 0.041_611),
-        (0.5, 0.047_831),
-        (0.75, 0.014_149),
-        (1.0, -0.059_697),
-        (1.25, -0.218_829),
-        (1.5, -0.428_017),
-        (1.75, -0.640_030),
-        (2.0, -0.837_210),
-        (2.5, -1.162_290),
-        (3.0, -1.379_683),
-        (3.5, -1.477_327),
-        (4.0, -1.436_512),
-        (4.5, -1.217_617),
-        (4.764_706, -1.0),
-        (5.0, -0.764_706),
-    ];
     let motion = Motion::elastic().unwrap();
-    for (psi, want) in table {
+    let rows = rows(include_str!("../reference/maw.csv"));
+    assert_eq!(rows.len(), 16);
+    for row in rows {
+        // chi = 7 (1 - nu)/(2 (2 - nu)) for nu = 0.3
+        let psi = row.number("psi_1");
         let got = psi * motion.run(psi, 4.9 / 3.4, 1, |_, _| ());
-        assert_abs_diff_eq!(got, want, epsilon = 2e-6);
+        assert_abs_diff_eq!(got, row.number("psi_2"), epsilon = 2e-6);
     }
 }
 

@@ -5,7 +5,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod columns;
 mod files;
 mod limits;
 mod machines;

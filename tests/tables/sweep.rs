@@ -57,6 +57,24 @@ fn axes_multiply_and_the_first_varies_slowest() {
     assert_relative_eq!(number(10) + number(11), 1.0, max_relative = 1e-14);
 }
 
+/// The columns of a table by their names.
+fn columns(text: &str) -> Vec<(String, Vec<String>)> {
+    let (table, _) = table(text);
+    let names: Vec<String> = table.lines().next().unwrap().split(',').map(str::to_owned).collect();
+    names.into_iter().map(|name| (name.clone(), column(&table, &name))).collect()
+}
+
+#[test]
+fn a_table_has_the_columns_named_and_the_same_digits() {
+    let sweep = format!("{STEEL}[sweep]\n\"impact.speed\" = {{ logspace = [\"1 mm/s\", \"10 m/s\"], points = 21 }}\n");
+    let few = columns(&format!("{sweep}[output]\ncolumns = [\"dent_radius_m\", \"peak_force_N\"]\n"));
+    let names: Vec<&str> = few.iter().map(|(name, _)| name.as_str()).collect();
+    let want = ["case", "impact_speed_m_per_s", "restitution", "peak_force_N", "dent_radius_m", "status"];
+    assert_eq!(names, want);
+    let whole = columns(&sweep);
+    assert!(few.iter().all(|column| whole.contains(column)), "{few:?}");
+}
+
 #[test]
 fn an_elastic_half_space_has_no_plastic_columns() {
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
