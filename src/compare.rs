@@ -58,7 +58,7 @@ impl Comparison {
 
     /// Every law's branch.
     pub fn compared(&self) -> Vec<Compared> {
-        let unload = |law: &LawChoice| self.peak.unload(&law.get().recovery(&self.bodies));
+        let unload = |law: &LawChoice| self.peak.unload(&law.get().rules(&self.bodies).recovery);
         self.laws.iter().map(|law| Compared { name: law.name(), unloading: unload(law) }).collect()
     }
 

@@ -15,7 +15,7 @@ mod specimen;
 use thiserror::Error;
 
 use crate::impact::{Warning, WarningKind, of_dent, of_peak};
-use crate::law::{Branch, ContactLaw, Law, OutsideLaw};
+use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
 use machine::{Machine, Stroke};
@@ -230,7 +230,7 @@ impl StaticContact {
             let peak = &stroke.memory().peak;
             self.law.accept(peak).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
-                trace.extend(stroke.points(samples).map(|point| self.row(number, &point)));
+                trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
             }
             let step = self.step(*target, &stroke)?;
             if stroke.is_new_peak() {
@@ -242,19 +242,19 @@ impl StaticContact {
         Ok(Indentation { steps, trace, doubts })
     }
 
-    fn row(&self, step: usize, point: &machine::Point) -> TraceRow {
+    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (Peak, Branch)) -> TraceRow {
         let Units { length, force, .. } = self.units;
-        let sphere_indentation = self.pair.sphere_compliance * point.elastic_approach * length;
+        let sphere_indentation = self.pair.sphere_compliance * state.elastic_approach * length;
         TraceRow {
             step,
-            indentation: point.indentation * length,
+            indentation: state.indentation * length,
             sphere_indentation,
-            half_space_indentation: match point.branch {
-                Branch::Separated => point.residual * length,
-                _ => point.indentation * length - sphere_indentation,
+            half_space_indentation: match branch {
+                Branch::Separated => stroke.dent() * length,
+                _ => state.indentation * length - sphere_indentation,
             },
-            force: point.force * force,
-            branch: point.branch,
+            force: state.force * force,
+            branch,
         }
     }
 
@@ -262,7 +262,7 @@ impl StaticContact {
         let Units { length, force, contact_radius } = self.units;
         let energy = force * length;
         let end = stroke.end();
-        let row = self.row(0, &end);
+        let row = self.row(0, stroke, end);
         let unloading = stroke.memory();
         let peak = unloading.peak;
         let peak_force = normal("peak force (N)", peak.force * force)?;
@@ -275,7 +275,7 @@ impl StaticContact {
             force: row.force,
             work: stroke.work() * energy,
             plastic_work: stroke.plastic_work() * energy,
-            stored_energy: unloading.stored(end.indentation) * energy,
+            stored_energy: unloading.stored(end.0.indentation) * energy,
             memory: Memory {
                 force: peak_force,
                 indentation: peak.indentation * length,

@@ -10,7 +10,6 @@ pub mod damped;
 mod dense;
 mod dop853;
 mod event;
-pub mod exact;
 mod landing;
 pub mod library;
 mod nystrom;

@@ -16,6 +16,7 @@ mod contact_law;
 pub(crate) mod crossing;
 pub mod curve;
 pub mod jumps;
+mod memory;
 mod panel;
 pub mod piece;
 pub mod plm;
@@ -26,40 +27,22 @@ pub mod unloading;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 use curve::Curve;
+use memory::Reloaded;
+pub use plm::rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
-use plm::{ContactRadius, ElasticLine, Hardening};
-
-use crate::math::functions::pow;
-use published::WIDEST_PARABOLOID;
-pub use published::{Loading, OutsideLaw, Published};
+use published::{Limits, Published, WIDEST_PARABOLOID};
+pub use published::{Loading, OutsideLaw};
 pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
-/// The part of the approach that would be recovered, ε, along the loading curve.
+/// How a contact unloads that was loaded beyond the elastic regime.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ElasticApproach {
-    /// All of it: ε = x.
-    All,
-    /// The polyline of the PLM, ε = min(x, `ε_line(f)`).
-    Line(ElasticLine),
-    /// The same on a half-space that hardens.
-    Hardening(Box<Hardening>),
-    /// Hertz-type unloading of fixed stiffness k: ε = (f/k)^(2/3), as in the test problems of the speed report.
-    FixedStiffness(f64),
+pub enum Rule {
+    /// Back along Hertz's curve, at any load.
+    Elastic,
+    /// By the polyline of the PLM and an exponent.
+    Polyline(Box<PlmRule>),
     /// By the rules of a published law.
     Published(Box<Published>),
-    /// On a spot that was loaded before.
-    Reloaded(Box<Reloaded>),
-}
-
-/// The law of a spot that was loaded before.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reloaded {
-    /// The unloading branch from the largest state so far.
-    pub branch: Unloading,
-    /// a/a_Y there: the dent keeps its shape, so that on the branch the contact radius falls in proportion to f/ε.
-    radius: f64,
-    /// The law of fresh surface.
-    fresh: Law,
 }
 
 /// The branch of its law that a contact is on.
@@ -95,35 +78,51 @@ impl Branch {
 pub struct Law {
     /// Loading force.
     pub loading: Curve,
-    /// Elastic approach along the loading curve.
-    pub elastic: ElasticApproach,
-    /// Contact radius along it.
-    pub radius: ContactRadius,
-    /// Exponent of the unloading branch.
-    pub exponent: UnloadingExponent,
+    /// Where the loading holds.
+    pub limits: Limits,
+    /// How it unloads.
+    pub rule: Rule,
+    /// What a spot remembers that was loaded before.
+    pub(crate) memory: Option<Box<Reloaded>>,
 }
 
 impl Law {
-    /// Hertz without end: loading and unloading on f = x^1.5.
-    pub fn hertz() -> Self {
-        Self {
-            loading: Curve::hertz(),
-            elastic: ElasticApproach::All,
-            radius: ContactRadius::default(),
-            exponent: UnloadingExponent::Paper,
-        }
+    /// The law of a surface that was not loaded before.
+    pub fn new(loading: Curve, limits: Limits, rule: Rule) -> Self {
+        Self { loading, limits, rule, memory: None }
     }
 
-    /// Elastic approach ε at a point (x, f) of the loading curve; 0 < ε ≤ x.
+    /// Hertz without end: loading and unloading on f = x^1.5.
+    pub fn hertz() -> Self {
+        Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), Rule::Elastic)
+    }
+
+    /// The PLM of a loading curve and a rule.
+    pub fn plm(loading: Curve, rule: PlmRule) -> Self {
+        Self::new(loading, rule.limits(), Rule::Polyline(Box::new(rule)))
+    }
+
+    /// The law of a published loading with a published unloading.
+    pub fn published(loading: Loading, recovery: published::RecoveryRule) -> Self {
+        let Loading { curve, limits, radius } = loading;
+        Self::new(curve, limits, Rule::Published(Box::new(Published { radius, recovery })))
+    }
+
+    /// How fresh surface unloads from x; the last digit of x does not count.
     #[inline(always)]
+    fn rule_at(&self, x: f64) -> &Rule {
+        if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &Rule::Elastic } else { &self.rule }
+    }
+
+    /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match &self.elastic {
-            ElasticApproach::Published(law) => law.elastic_approach(x, force),
-            ElasticApproach::Reloaded(reloaded) => reloaded.elastic_approach(x, force),
-            ElasticApproach::Line(line) if x > 1.0 => line.at(force).min(x),
-            ElasticApproach::Hardening(hardening) if x > 1.0 => hardening.elastic_approach(x, force),
-            ElasticApproach::FixedStiffness(stiffness) if x > 1.0 => pow(force / stiffness, 2.0 / 3.0).min(x),
-            _ => x,
+        if let Some(branch) = self.branch_at(x) {
+            return x - branch.peak.residual();
+        }
+        match self.rule_at(x) {
+            Rule::Elastic => x,
+            Rule::Polyline(rule) => rule.elastic_approach(x, force),
+            Rule::Published(rule) => rule.unloading(x, force, self.work_since_fresh(x)).peak.elastic_approach,
         }
     }
 
@@ -133,97 +132,46 @@ impl Law {
         Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. Where loading was elastic (x ≤ 1, or ε = x), n = 3/2 whatever the choice. It never
-    /// gives back more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is
-    /// that branch.
+    /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
+    /// more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is that branch.
     pub fn unloading(&self, peak: Peak) -> Unloading {
-        match &self.elastic {
-            ElasticApproach::Published(law) => law.unloading(peak),
-            ElasticApproach::Reloaded(reloaded) => reloaded.unloading(peak),
-            _ => self.unloading_within(peak, self.loading.work(peak.indentation)),
+        if let Some(branch) = self.branch_at(peak.indentation) {
+            return branch.below(peak);
+        }
+        match self.rule_at(peak.indentation) {
+            Rule::Elastic => Unloading::power(peak, 1.5),
+            Rule::Polyline(rule) => rule.unloading(peak, self.work_since_fresh(peak.indentation)),
+            Rule::Published(rule) => rule.unloading_of(peak, self.work_since_fresh(peak.indentation)),
         }
     }
 
-    /// The unloading branch from a turn at a distance from the start of a piece, where loading took the work `spent`.
+    /// The unloading branch from a turn at a distance from the start of a piece, where loading took the work `spent` from
+    /// first touch on.
     #[inline(always)]
     pub(crate) fn turned_at(&self, index: usize, distance: f64, spent: f64) -> Unloading {
-        if let ElasticApproach::Reloaded(_) = self.elastic {
+        if self.memory.is_some() {
             return self.unloading(self.state_at(index, distance));
         }
         let piece = &self.loading.pieces()[index];
         let indentation = piece.start + distance;
         let force = piece.force_at(indentation);
-        if let ElasticApproach::Published(law) = &self.elastic {
-            return law.unloading_from(indentation, force, spent);
-        }
-        let elastic_approach = self.elastic_approach(indentation, force);
-        self.unloading_within(Peak { indentation, force, elastic_approach }, spent)
-    }
-
-    /// The branch of the exponent that the law asks for, if it gives back no more than was spent.
-    #[inline(always)]
-    fn unloading_within(&self, peak: Peak, spent: f64) -> Unloading {
-        Unloading::power(peak, unloading::exponent_within(spent, &peak, self.exponent_asked(&peak)))
-    }
-
-    /// The exponent that the law asks for, even if the branch would give back more than was spent.
-    #[inline(always)]
-    fn exponent_asked(&self, peak: &Peak) -> f64 {
-        match self.exponent {
-            UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
-            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
-            _ => 1.5,
-        }
-    }
-
-    /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
-    #[inline(always)]
-    fn pressure_shape(&self, peak: &Peak) -> f64 {
-        let equivalent = peak.force / peak.elastic_approach;
-        match &self.elastic {
-            ElasticApproach::Hardening(hardening) => {
-                let shape = hardening.shape(peak.indentation, equivalent);
-                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
-            }
-            _ => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
-        }
-    }
-
-    /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
-    #[inline(always)]
-    pub fn elastic_until(&self) -> f64 {
-        match &self.elastic {
-            ElasticApproach::All => f64::INFINITY,
-            ElasticApproach::Line(_) | ElasticApproach::Hardening(_) | ElasticApproach::FixedStiffness(_) => 1.0,
-            ElasticApproach::Published(law) => law.loading.elastic_until,
-            ElasticApproach::Reloaded(reloaded) => reloaded.branch.peak.indentation,
+        let peak = |elastic_approach| Peak { indentation, force, elastic_approach };
+        match self.rule_at(indentation) {
+            Rule::Elastic => Unloading::power(peak(indentation), 1.5),
+            Rule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(indentation, force)), spent),
+            Rule::Published(rule) => rule.unloading(indentation, force, spent),
         }
     }
 
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
-        match &self.fresh().elastic {
-            ElasticApproach::Published(law) if self.branch_at(peak.indentation).is_none() => law.outside_stated(peak),
-            _ => None,
-        }
-    }
-
-    /// Largest a/R of the data behind the loading, or of what it takes for granted.
-    pub(crate) fn widest_contact(&self) -> f64 {
-        match &self.fresh().elastic {
-            ElasticApproach::All => WIDEST_PARABOLOID,
-            ElasticApproach::Hardening(_) => 0.32,
-            ElasticApproach::Published(law) => law.loading.widest,
-            _ => 0.45,
-        }
+        let x = peak.indentation;
+        self.limits.stated.filter(|(from, to)| !self.is_elastic_to(x) && !(*from..=*to).contains(&x))
     }
 
     /// How a half-space that hardens changes the law.
-    pub(crate) fn hardening(&self) -> Option<&Hardening> {
-        match &self.fresh().elastic {
-            ElasticApproach::Hardening(hardening) => Some(hardening),
-            _ => None,
-        }
+    pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
+        if let Rule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }
 
     /// Checks that the law has an answer for a peak.
@@ -232,8 +180,17 @@ impl Law {
     /// [`OutsideLaw`] where a published law has no answer there.
     #[inline]
     pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
-        match &self.fresh().elastic {
-            ElasticApproach::Published(law) if self.branch_at(peak.indentation).is_none() => law.accept(peak),
+        let indentation = peak.indentation;
+        match self.rule_at(indentation) {
+            Rule::Published(rule) if self.branch_at(indentation).is_none() => {
+                if indentation > self.limits.holds_until {
+                    return Err(OutsideLaw::Range {
+                        indentation,
+                        problem: "outside the range of its loading formulas",
+                    });
+                }
+                rule.accept(peak, self.work_since_fresh(indentation))
+            }
             _ => Ok(()),
         }
     }
@@ -245,21 +202,21 @@ impl Law {
         if self.loading.falls() { self.loading.largest_force(peak.indentation, peak.force) } else { peak.force }
     }
 
-    /// Contact radius a/a_L at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε (a_L: Hertz radius at x = 1).
+    /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1); on the branch of a spot that was loaded before the dent
+    /// keeps its shape, so that the radius goes with f/ε.
     ///
     /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
     /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
-        let equivalent = peak.force / peak.elastic_approach;
-        let geometry = self.radius.geometry_at(equivalent);
-        match &self.elastic {
-            ElasticApproach::Published(law) => law.contact_radius(peak),
-            ElasticApproach::Reloaded(reloaded) => reloaded.contact_radius(peak),
-            ElasticApproach::Hardening(hardening) => {
-                let shape = hardening.shape(peak.indentation, equivalent);
-                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
-            }
-            _ => equivalent / (self.radius.ratio_at(equivalent) * geometry),
+        if let Some(memory) = self.memory.as_ref().filter(|memory| memory.holds_at(peak.indentation)) {
+            let deepest = &memory.branch.peak;
+            // exactly 1 at the old peak
+            return memory.radius * ((peak.force / peak.elastic_approach) / (deepest.force / deepest.elastic_approach));
+        }
+        match (&self.rule, self.rule_at(peak.indentation)) {
+            (Rule::Polyline(rule), _) => rule.contact_radius(peak),
+            (_, Rule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
+            _ => peak.force / peak.elastic_approach,
         }
     }
 

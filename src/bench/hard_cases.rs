@@ -3,11 +3,11 @@
 //! All are dimensionless: a [`Law`] and a speed ratio. Some come from scenes in SI units that are hard, such as nanometres or
 //! a modulus ratio of 10¹².
 
-use crate::bench::problems::{kinked_law, steel_speed_ratio};
+use crate::bench::problems::{kinked_law, steel_speed_ratio, stiff_law};
 use crate::impact::closed_form::energy_balance;
 use crate::impact::{Contact, ImpactError};
 use crate::law::curve::Curve;
-use crate::law::{ElasticApproach, Law, Plm};
+use crate::law::{Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{pow, powi};
 
@@ -87,8 +87,7 @@ fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
 /// [`ImpactError`], which none of their numbers is near.
 pub fn hard_cases() -> Result<Vec<HardCase>, ImpactError> {
     let (steel, _) = STEEL.law()?;
-    let stiff = |factor| Law { elastic: ElasticApproach::FixedStiffness(factor), ..kinked_law() };
-    let (hertz, stiffest, as_stiff) = (Law::hertz(), stiff(1e12), stiff(1.0));
+    let (hertz, stiffest, as_stiff) = (Law::hertz(), stiff_law(1e12), stiff_law(1.0));
     let (many, close) = (many_knots(&steel, 200, 1.02), many_knots(&steel, 5, 1.0 + 1e-12));
     let mut cases: Vec<HardCase> = [
         ("v = v_Y (1 - 1e-3)", &steel, 1.0 - 1e-3),

@@ -70,108 +70,72 @@ impl Measurement {
     }
 }
 
-/// A method with its setting.
-enum Runner {
-    Method(Solver),
-    /// Fixed steps of this length.
-    Verlet {
-        step: f64,
-        most_steps: u64,
-    },
-    Exact,
-}
-
-impl Runner {
-    fn new(method: Method, rung: Rung, phase: f64, problem: &Problem) -> Self {
-        match rung {
-            Rung::Steps(steps) => {
-                let step = problem.exact.contact_time / (f64::from(steps) + phase);
-                Self::Verlet { step, most_steps: 10 * u64::from(steps) }
-            }
-            Rung::Tolerance(tolerance) => Self::Method(Solver { method, tolerance, ..Solver::default() }),
-            Rung::Exact => Self::Exact,
-        }
-    }
-
-    /// One impact with its cost.
-    fn run(&self, problem: &Problem) -> Result<Computed, IntegrationError> {
+impl Rung {
+    /// One impact with its cost. Fixed steps have a phase.
+    fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Computed, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
-            Self::Method(solver) => run(law, speed, forces, None, solver, None),
-            Self::Verlet { step, most_steps } => verlet::march(law, speed, forces, *step, *most_steps),
             Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), Work::default())),
+            Self::Tolerance(tolerance) => {
+                run(law, speed, forces, None, &Solver { method, tolerance, ..Solver::default() }, None)
+            }
+            Self::Steps(steps) => {
+                let step = problem.exact.contact_time / (f64::from(steps) + phase);
+                verlet::march(law, speed, forces, step, 10 * u64::from(steps))
+            }
         }
     }
 
     /// The same for its time alone. An exact outcome is not moved, because the move would show in its time.
-    fn spend(&self, problem: &Problem) {
-        let (law, speed) = (black_box(&problem.law), black_box(problem.speed));
+    fn spend(self, method: Method, problem: &Problem) {
         match self {
-            Self::Exact => _ = black_box(&closed_form::solve(law, speed)),
-            _ => _ = black_box(&self.run(problem)),
+            Self::Exact => _ = black_box(&closed_form::solve(black_box(&problem.law), black_box(problem.speed))),
+            _ => _ = black_box(&self.run(method, PHASES[0], problem)),
         }
+    }
+
+    /// Its errors and its cost, but for the time; `None` if a run fails, as with a Verlet step so coarse that the sphere never
+    /// leaves. With a fixed step the largest error of all phases counts.
+    fn measured(self, method: Method, problem: &Problem) -> Option<Measurement> {
+        let relative = |got: f64, want: f64| (got / want - 1.0).abs();
+        let phases = if matches!(self, Self::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
+        let exact = &problem.exact;
+        let runs: Result<Vec<Computed>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
+        let runs = runs.ok()?;
+        let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, max_or_nan);
+        let seen = |run: &Computed| run.fixed_steps.map_or(run.outcome.contact_time, |fixed| fixed.contact_time);
+        Some(Measurement {
+            method,
+            rung: self,
+            restitution_error: worst(&|run| relative(run.outcome.restitution, exact.restitution)),
+            contact_time_error: worst(&|run| relative(run.outcome.contact_time, exact.contact_time)),
+            separation_error: worst(&|run| relative(seen(run), exact.contact_time)),
+            peak_force_error: worst(&|run| relative(run.outcome.largest_force, exact.largest_force)),
+            work: runs.first()?.work,
+            ns_per_impact: f64::INFINITY,
+        })
     }
 }
 
-/// Relative errors of e, contact time, separation as it is seen, and peak force. With a fixed step the largest of all phases
-/// counts. `None` if a run fails.
-fn errors(method: Method, rung: Rung, problem: &Problem) -> Option<[f64; 4]> {
-    let relative = |got: f64, want: f64| (got / want - 1.0).abs();
-    let phases = if matches!(rung, Rung::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
-    let exact = &problem.exact;
-    let mut worst = [0.0_f64; 4];
-    for phase in phases {
-        let Computed { outcome, fixed_steps, .. } = Runner::new(method, rung, *phase, problem).run(problem).ok()?;
-        let seen = fixed_steps.map_or(outcome.contact_time, |fixed| fixed.contact_time);
-        let errors = [
-            relative(outcome.restitution, exact.restitution),
-            relative(outcome.contact_time, exact.contact_time),
-            relative(seen, exact.contact_time),
-            relative(outcome.largest_force, exact.largest_force),
-        ];
-        for (worst, error) in worst.iter_mut().zip(errors) {
-            *worst = max_or_nan(*worst, error);
-        }
-    }
-    Some(worst)
-}
-
-/// Measures every method on a problem. A setting that fails, such as a Verlet step so coarse that the sphere never leaves,
-/// is left out. Each round times every other setting for about `burst`.
+/// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.
 pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
-    let mut entries: Vec<(Runner, u32, Measurement)> = Vec::new();
-    for method in METHODS.into_iter().filter(|method| serves(*method, problem)) {
-        for rung in rungs(method, is_quick) {
-            let runner = Runner::new(method, rung, PHASES[0], problem);
-            let Some(errors) = errors(method, rung, problem) else { continue };
-            let Ok(Computed { work, .. }) = runner.run(problem) else { continue };
-            let started = Instant::now();
-            runner.spend(problem);
-            let once = started.elapsed().max(Duration::from_nanos(20));
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-            let repetitions = (burst.as_secs_f64() / once.as_secs_f64()).clamp(1.0, 1e5) as u32;
-            let measurement = Measurement {
-                method,
-                rung,
-                restitution_error: errors[0],
-                contact_time_error: errors[1],
-                separation_error: errors[2],
-                peak_force_error: errors[3],
-                work,
-                ns_per_impact: f64::INFINITY,
-            };
-            entries.push((runner, repetitions, measurement));
+    let methods = METHODS.into_iter().filter(|method| serves(*method, problem));
+    let settings = methods.flat_map(|method| rungs(method, is_quick).into_iter().map(move |rung| (method, rung)));
+    let mut all: Vec<Measurement> = settings.filter_map(|(method, rung)| rung.measured(method, problem)).collect();
+    let time = |of: &Measurement, repetitions: u32| {
+        let started = Instant::now();
+        for _ in 0..repetitions {
+            of.rung.spend(of.method, problem);
         }
-    }
+        1e9 * started.elapsed().as_secs_f64() / f64::from(repetitions)
+    };
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let fit = |once: f64| (1e9 * burst.as_secs_f64() / once.max(20.0)).clamp(1.0, 1e5) as u32;
+    let repetitions: Vec<u32> = all.iter().map(|of| fit(time(of, 1))).collect();
     for _ in 0..rounds {
-        for (runner, repetitions, measurement) in &mut entries {
-            let started = Instant::now();
-            for _ in 0..*repetitions {
-                runner.spend(problem);
-            }
-            let ns = started.elapsed().as_secs_f64() * 1e9 / f64::from(*repetitions);
-            measurement.ns_per_impact = measurement.ns_per_impact.min(ns);
+        for (of, repetitions) in all.iter_mut().zip(&repetitions) {
+            of.ns_per_impact = of.ns_per_impact.min(time(of, *repetitions));
         }
     }
-    entries.into_iter().map(|(.., measurement)| measurement).collect()
+    all
 }

@@ -12,7 +12,8 @@ use crate::impact::scales::ACCELERATION;
 use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
 use crate::integrate::Drag;
 use crate::law::curve::Curve;
-use crate::law::{ContactLaw, ElasticApproach, Law, Plm};
+use crate::law::published::{Loading, hertzian};
+use crate::law::{ContactLaw, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::pow;
 use crate::math::power::quarter_period;
@@ -68,11 +69,13 @@ pub fn steel_speed_ratio(speed: f64) -> f64 {
 
 /// Hertz up to x = 1, then straight with Hertz's slope there, 3/2; unloading √2 times as stiff as the loading.
 pub fn kinked_law() -> Law {
-    Law {
-        loading: Curve::hertz().then_straight(1.0, 1.5),
-        elastic: ElasticApproach::FixedStiffness(SQRT_2),
-        ..Law::hertz()
-    }
+    stiff_law(SQRT_2)
+}
+
+/// The same with another stiffness of the unloading, ε = (f/k)^(2/3).
+pub(super) fn stiff_law(k: f64) -> Law {
+    let loading = Loading::new(Curve::hertz().then_straight(1.0, 1.5), 1.0, |x, _| x.sqrt());
+    Law::published(loading, hertzian(move |peak| pow(peak.force / k, 2.0 / 3.0)))
 }
 
 /// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.

@@ -16,36 +16,33 @@ use crate::units::aligned::markdown;
 /// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
 
+/// A column of `speed_vs_error.csv`: its name and its text.
+type Column = (&'static str, fn(&Measurement) -> String);
+
+/// The columns behind that of the problem.
+const COLUMNS: [Column; 9] = [
+    ("method", |m| m.method.name().to_owned()),
+    ("tolerance", |m| if let Rung::Tolerance(tolerance) = m.rung { error(tolerance) } else { String::new() }),
+    ("restitution_error", |m| error(m.restitution_error)),
+    ("contact_time_error", |m| error(m.contact_time_error)),
+    ("separation_error", |m| error(m.separation_error)),
+    ("peak_force_error", |m| error(m.peak_force_error)),
+    ("force_evaluations", |m| m.work.force_evaluations.to_string()),
+    ("steps", |m| m.work.steps.to_string()),
+    ("ns_per_impact", |m| format!("{:.1}", m.ns_per_impact)),
+];
+
+fn error(value: f64) -> String {
+    format!("{value:.3e}")
+}
+
 pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "problem",
-        "method",
-        "tolerance",
-        "restitution_error",
-        "contact_time_error",
-        "separation_error",
-        "peak_force_error",
-        "force_evaluations",
-        "steps",
-        "ns_per_impact",
-    ])?;
+    writer.write_record(std::iter::once("problem").chain(COLUMNS.map(|(name, _)| name)))?;
     for (problem, measurements) in all {
         for m in measurements {
-            let tolerance =
-                if let Rung::Tolerance(tolerance) = m.rung { format!("{tolerance:.3e}") } else { String::new() };
-            writer.write_record([
-                problem.name,
-                m.method.name(),
-                &tolerance,
-                &format!("{:.3e}", m.restitution_error),
-                &format!("{:.3e}", m.contact_time_error),
-                &format!("{:.3e}", m.separation_error),
-                &format!("{:.3e}", m.peak_force_error),
-                &m.work.force_evaluations.to_string(),
-                &m.work.steps.to_string(),
-                &format!("{:.1}", m.ns_per_impact),
-            ])?;
+            let cells = COLUMNS.map(|(_, cell)| cell(m));
+            writer.write_record(std::iter::once(problem.name).chain(cells.iter().map(String::as_str)))?;
         }
     }
     let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;

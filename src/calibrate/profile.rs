@@ -2,7 +2,6 @@
 
 use super::fit::Fit;
 use super::minimum::{Place, polished};
-use super::problem::NoAnswer;
 use super::statistics::{LEVELS, reach};
 use crate::math::functions::{exp, hypot, ln, ln_1p, pow, sinh};
 use crate::math::root::bracketed;
@@ -89,10 +88,10 @@ impl Fit<'_> {
         let rise = |t: f64| {
             let root = self.excess(key, at(t)).sqrt();
             let slope = root / (at(t) - self.best().shares[key]) * width;
-            Ok::<_, NoAnswer>((reach - root, -slope))
+            (reach - root, -slope)
         };
         let is_near = |t: f64, next: f64| (t - next).abs() < 1e-6;
-        bracketed((0.0, 1.0), 0.9, is_near, rise).ok().map(at)
+        Some(at(bracketed((0.0, 1.0), 0.9, is_near, rise)))
     }
 
     /// The likelihood over that of the best place. If the noise is estimated, the likelihood is integrated over the

@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{Method, Solver, run};
 use super::{closed_form, validity};
-use crate::law::ElasticApproach;
+use crate::law::Rule;
 
 impl Case<'_> {
     /// The exact outcome, where there is one.
@@ -19,8 +19,8 @@ impl Case<'_> {
     fn exact(&self) -> Option<Outcome> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
-        match self.law.elastic {
-            ElasticApproach::All if self.q == 1.0 && self.forces.is_none() => Some(*ELASTIC),
+        match self.law.rule {
+            Rule::Elastic if self.q == 1.0 && self.forces.is_none() => Some(*ELASTIC),
             _ => closed_form::solve_with(self.law, self.q, &self.forces),
         }
     }

@@ -25,7 +25,7 @@ use super::case::Case;
 use super::contact::Contact;
 use super::outcome::Outcome;
 use crate::integrate::IntegrationError;
-use crate::law::ElasticApproach;
+use crate::law::Rule;
 use crate::material::{Material, OutOfFloatRange};
 use crate::math::functions::{atan2, sin_cos};
 use mindlin::{Motion, SPRINGS};
@@ -210,13 +210,13 @@ impl<'a> Inclined<'a> {
     /// The stops of other laws may jump: they are run.
     fn slides(&self) -> bool {
         let Outcome { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.law.elastic {
+        let rate = match self.case.law.rule {
             _ if self.psi.is_infinite() => 0.0,
             // a plate gives way: its contact does not end at the speed of the rebound
             _ if !self.case.forces.is_none() => return false,
-            ElasticApproach::All => 1.0,
-            ElasticApproach::Line(_) | ElasticApproach::Hardening(_) => 2.0,
-            _ => return false,
+            Rule::Elastic => 1.0,
+            Rule::Polyline(_) => 2.0,
+            Rule::Published(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
@@ -240,7 +240,7 @@ impl<'a> Inclined<'a> {
 
     /// Whether the normal motion is that of all elastic impacts.
     fn is_elastic(&self) -> bool {
-        matches!(self.case.law.elastic, ElasticApproach::All) && self.case.forces.is_none()
+        self.case.law.rule == Rule::Elastic && self.case.forces.is_none()
     }
 
     /// The slip for a row of a table.

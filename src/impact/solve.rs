@@ -6,7 +6,6 @@ use super::forces::ScaledForces;
 use super::outcome::{Computed, Outcome};
 use super::record::{Recorder, even_times};
 use super::verlet;
-use crate::integrate::exact::Exact;
 use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
@@ -25,7 +24,7 @@ pub enum Method {
     Dop853,
     /// Velocity Verlet with a fixed step, as DEM codes do.
     Verlet,
-    /// Energy balance and exact times, no stepping.
+    /// Energy balance and exact times, no stepping; a trace is run by rk8 at a tolerance of 1e-14.
     ClosedForm,
 }
 
@@ -96,6 +95,9 @@ pub(super) fn free_time(
     course::integrate(law, q, &free, &mut rk8, None).map(|outcome| outcome.contact_time)
 }
 
+/// Tolerance of the run that fills the trace of a closed form.
+const FINEST: f64 = 1e-14;
+
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
 /// [`Method::ClosedForm`] without one, rk8 computes it. With `samples` it comes with a trace of that many points evenly spaced
 /// over the contact, first touch and separation among them, and a point for every other event.
@@ -119,7 +121,9 @@ pub fn run(
     let tolerance = solver.tolerance;
     match (solver.method.chosen(forces, exact.is_some(), samples.is_some()), exact) {
         (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
-        (Method::ClosedForm, _) if forces.is_none() => along(&mut Exact),
+        (Method::ClosedForm, _) if forces.is_none() => {
+            Ok(Computed { work: Work::default(), ..along(&mut Rk8::new(FINEST))? })
+        }
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(&mut Rk8::new(tolerance)),
         (Method::Dopri5, _) => along(&mut Library::new(Scheme::Dopri5, tolerance)),
         (Method::Dop853, _) => along(&mut Library::new(Scheme::Dop853, tolerance)),

@@ -4,7 +4,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::result::Impact;
 use super::solve::{Method, Solver};
-use crate::law::{ElasticApproach, Law, Peak};
+use crate::law::{Law, Peak};
 
 /// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
 /// the depth of the dent.
@@ -72,8 +72,7 @@ impl Contact {
         let case = self.case(spot.law.as_ref(), speed)?;
         let (impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
         let (law, peak) = (case.law, outcome.unloading.peak);
-        // an elastic impact has units of its own, in which x = 1 is its peak and not first yield
-        if !(matches!(law.elastic, ElasticApproach::All) || law.is_elastic_to(peak.indentation)) {
+        if !law.is_elastic_to(peak.indentation) {
             spot.law = Some(law.reloaded(peak));
         }
         Ok(impact)

@@ -64,7 +64,7 @@ pub(crate) fn of_dent(
     pressure: f64,
     strength: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let limit = law.widest_contact();
+    let limit = law.limits.widest;
     let deep = Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
             "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and dent as estimates, or let the dent be shallower"
@@ -129,12 +129,12 @@ impl Contact {
         let radius = self.sphere().radius;
         let Some((scales, law)) = &self.yielding else {
             // Hertz: a^2 = R delta
-            let limit = hertz().widest_contact();
+            let limit = hertz().limits.widest;
             return limit * limit * radius;
         };
         let reaches = |x: f64| {
             let Some(peak) = law.respond(x, None).1 else { return true };
-            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.widest_contact() * radius;
+            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.limits.widest * radius;
             let is_before = law.outside_stated(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
             !is_wide && of_peak(law, &peak).all(is_harmless)

@@ -6,21 +6,6 @@ use crate::law::{Branch, Law, Peak, Unloading};
 /// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
 
-/// A state of the contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Point {
-    /// x.
-    pub indentation: f64,
-    /// f.
-    pub force: f64,
-    /// The part of x that would be recovered from here.
-    pub elastic_approach: f64,
-    /// x_r.
-    pub residual: f64,
-    /// Branch of the law.
-    pub branch: Branch,
-}
-
 /// A contact that is indented slowly: where it is, and what it remembers.
 #[derive(Debug, Clone)]
 pub(super) struct Machine<'a> {
@@ -83,35 +68,39 @@ impl Stroke<'_> {
         self.to > self.deepest_before()
     }
 
+    /// x_r before the step.
+    pub fn dent(&self) -> f64 {
+        self.before.map_or(0.0, |unloading| unloading.peak.residual())
+    }
+
     /// The largest x before the step.
     fn deepest_before(&self) -> f64 {
         self.before.map_or(0.0, |unloading| unloading.peak.indentation)
     }
 
-    /// The state at x between the two ends.
-    fn point(&self, x: f64) -> Point {
+    /// The state at x between the two ends, and its branch.
+    fn point(&self, x: f64) -> (Peak, Branch) {
         if let Some(unloading) = self.before.filter(|unloading| x <= unloading.peak.indentation) {
-            let residual = unloading.peak.residual();
-            let branch = match (x < residual, self.to > self.from) {
+            let recovered = x - unloading.peak.residual();
+            let branch = match (recovered < 0.0, self.to > self.from) {
                 (true, _) => Branch::Separated,
                 (false, true) => Branch::Reloading,
                 (false, false) => Branch::Unloading,
             };
-            let elastic_approach = (x - residual).max(0.0);
-            return Point { indentation: x, force: unloading.force(x), elastic_approach, residual, branch };
+            let elastic_approach = recovered.max(0.0);
+            return (Peak { indentation: x, force: unloading.force_of(recovered), elastic_approach }, branch);
         }
-        let Peak { indentation, force, elastic_approach } = self.law.loaded_to(x);
-        let branch = if elastic_approach < indentation { Branch::Plastic } else { Branch::Elastic };
-        Point { indentation, force, elastic_approach, residual: indentation - elastic_approach, branch }
+        let state = self.law.loaded_to(x);
+        (state, if state.elastic_approach < x { Branch::Plastic } else { Branch::Elastic })
     }
 
     /// Where the step ends.
-    pub fn end(&self) -> Point {
+    pub fn end(&self) -> (Peak, Branch) {
         self.point(self.to)
     }
 
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
-    pub fn points(&self, samples: usize) -> impl Iterator<Item = Point> {
+    pub fn points(&self, samples: usize) -> impl Iterator<Item = (Peak, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
         let changes = self.before.map(|unloading| [unloading.peak.residual(), unloading.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples

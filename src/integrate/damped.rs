@@ -10,10 +10,9 @@
 use super::dop853::{self, CONTINUOUS_EVALUATIONS, Continuous, EVALUATIONS};
 use super::event::{Stretch, has_crested};
 use super::oscillation::Oscillation;
-use super::piece::power::{DraggedHertz, DraggedPower};
-use super::piece::smooth::DraggedCurve;
+use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
-use super::piece::{Dragged, Quad};
+use super::piece::{AnyDragged, Dragged, Quad};
 use super::{Arrival, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Restoring, Segment, State, Work};
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
@@ -207,17 +206,10 @@ impl Damped {
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 self.run(DraggedHertz::<M>::along(coefficient, path), path, state, track)
             }
-            Restoring::Power { coefficient, exponent } => {
-                self.run(DraggedPower::<M>::along(coefficient, exponent, path), path, state, track)
+            Restoring::Smooth { force, .. } if force.variable() == Variable::Indentation => {
+                self.run(AnyDragged::<1>(*path), path, state, track)
             }
-            Restoring::Smooth { force, start, factor } => match force.variable() {
-                Variable::Indentation => {
-                    self.run(DraggedCurve::<1>::along(force, start, factor, path), path, state, track)
-                }
-                Variable::RootOfDistance => {
-                    self.run(DraggedCurve::<M>::along(force, start, factor, path), path, state, track)
-                }
-            },
+            Restoring::Power { .. } | Restoring::Smooth { .. } => self.run(AnyDragged::<M>(*path), path, state, track),
         }
     }
 }
@@ -247,10 +239,10 @@ pub(super) fn segment<P: Dragged>(solution: Continuous, end: f64) -> Segment {
     Segment::new(end, move |time| {
         let miss = |theta| {
             let (at, rate) = solution.part(2, theta);
-            Ok::<_, std::convert::Infallible>((time - at, -rate))
+            (time - at, -rate)
         };
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
-        let theta = bracketed((0.0, 1.0), 1.0, is_near, miss).unwrap_or(1.0);
+        let theta = bracketed((0.0, 1.0), 1.0, is_near, miss);
         let [y, speed, _, loss] = solution.at(theta);
         State { time, distance: P::distance_at(y), speed, loss }
     })

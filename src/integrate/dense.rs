@@ -8,7 +8,7 @@
 use super::landing::Node;
 use super::piece::Variables;
 use super::{Segment, State, nystrom};
-use crate::math::root::kept_between;
+use crate::math::root::bracketed;
 
 const TERMS: usize = 5;
 
@@ -85,10 +85,11 @@ pub(super) fn segment<F: Variables>(field: F, from: Node, to: Node, length: f64,
         let wanted = time - from.t;
         let mut theta = wanted / (to.t - from.t);
         if !F::IS_TIME {
-            // the clock rises (as θ² at first touch), so Newton's method from above converges
-            theta = kept_between((0.0, 1.0), theta, 1e-16, |theta| {
+            // the clock rises
+            let is_near = |last: f64, next: f64| (next - last).abs() <= 1e-16;
+            theta = bracketed((0.0, 1.0), theta, is_near, |theta| {
                 let (value, slope) = clock.at(theta);
-                if slope <= 0.0 { 0.0 } else { (value - wanted) / slope }
+                (wanted - value, -slope)
             });
         }
         let (y, speed) = if F::IS_POLYNOMIAL {

@@ -46,10 +46,10 @@ impl Stretch<'_> {
     fn falls(&self, part: usize, sign: f64, level: f64, limit: f64) -> f64 {
         let at = |theta| {
             let (value, slope) = self.solution.part(part, theta);
-            Ok::<_, std::convert::Infallible>((sign * (value - level), sign * slope))
+            (sign * (value - level), sign * slope)
         };
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
-        bracketed((0.0, limit), limit, is_near, at).unwrap_or(limit)
+        bracketed((0.0, limit), limit, is_near, at)
     }
 
     /// The contact force over √g', which is not steep near the zero of g. Beyond that zero there is no contact.

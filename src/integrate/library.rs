@@ -19,7 +19,7 @@ use ode_solvers::System;
 use super::damped::Damped;
 use super::dop853::{self, Continuous};
 use super::event::Stretch;
-use super::piece::{Dragged, Motion, Quad};
+use super::piece::{AnyDragged, Motion};
 use super::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Segment, Sizes, State, Work};
 use crate::math::power::max_or_nan;
 use driver::Node;
@@ -28,18 +28,6 @@ pub use driver::{Library, Scheme};
 /// The loosest tolerance of a leg that may end in a creep. The error of the speed is measured against the largest speed of the
 /// impact, and a creep is much slower: with a looser tolerance the steps may stop before the creep has ended.
 const LOOSEST_CREEP: f64 = 1e-5;
-
-/// A leg along the time, in SI or any other units.
-#[derive(Debug, Clone, Copy)]
-struct Plain(Path);
-
-impl Motion for Plain {
-    fn rates(&self, distance: f64, speed: f64) -> Quad {
-        let (force, in_contact, on_motion) = self.0.forces(distance, speed);
-        let drag = in_contact + on_motion;
-        [speed, self.0.pull - force - drag, 1.0, drag * speed]
-    }
-}
 
 /// The equations in variables of size one, y = (d, u, loss), up to the last step before an event.
 struct Equations<'a> {
@@ -51,7 +39,7 @@ struct Equations<'a> {
 impl System<f64, Vector3<f64>> for Equations<'_> {
     fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
         let Sizes { distance, speed } = self.path.sizes;
-        let [_, acceleration, _, loss] = Plain(*self.path).rates(y[0] * distance, y[1] * speed);
+        let [_, acceleration, _, loss] = AnyDragged::<1>(*self.path).rates(y[0] * distance, y[1] * speed);
         let unit = distance / (speed * speed);
         *dy = Vector3::new(y[1], acceleration * unit, loss * unit / speed);
     }
@@ -79,21 +67,11 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
     }
 }
 
-impl Dragged for Plain {
-    const ROOT: i32 = 1;
-    fn frequency(&self, distance: f64) -> f64 {
-        self.0.restoring.root_of_slope(distance)
-    }
-}
-
-impl Plain {
-    /// The continuous solution of the step between two states.
-    fn between(self, from: &State, to: &State) -> Continuous {
-        let node = [from.distance, from.speed, from.time, from.loss];
-        let h = to.time - from.time;
-        let rates = self.rates(from.distance, from.speed);
-        dop853::step(self, &node, &rates, h, &[1.0; 3]).continuous(self, &node, h)
-    }
+/// The continuous solution of the step between two states.
+fn between(path: &Path, from: &State, to: &State) -> Continuous {
+    let (motion, node) = (AnyDragged::<1>(*path), [from.distance, from.speed, from.time, from.loss]);
+    let h = to.time - from.time;
+    dop853::step(motion, &node, &motion.rates(from.distance, from.speed), h, &[1.0; 3]).continuous(motion, &node, h)
 }
 
 impl Library {
@@ -150,8 +128,8 @@ impl Integrator for Library {
             let [from, to] = [pair[0], pair[1]];
             let falls = |state: &State| path.growth_of_force(state.distance, state.speed) <= 0.0;
             if path.drag.is_in_contact() && !falls(&from) && falls(&to) {
-                let solution = Plain(*path).between(&from, &to);
-                largest = Stretch { path, end: path.leg.end(), solution }.crest::<Plain>(1.0);
+                let solution = between(path, &from, &to);
+                largest = Stretch { path, end: path.leg.end(), solution }.crest::<AnyDragged<1>>(1.0);
             }
         }
         if let Some(track) = track {
@@ -160,7 +138,7 @@ impl Integrator for Library {
         *state = states.last().copied().unwrap_or(begun);
         if landing.is_none() {
             let mut stepper = Damped::new(tolerance);
-            let arrival = stepper.run(Plain(*path), path, state, None);
+            let arrival = stepper.run(AnyDragged::<1>(*path), path, state, None);
             self.work = self.work + stepper.work();
             let Arrival { landing: landed, largest_force } = arrival?;
             landing = Some(landed);

@@ -76,12 +76,12 @@ impl Oscillation {
         } else {
             let ahead = |time| {
                 let (y, u) = self.moved(time);
-                Ok::<_, std::convert::Infallible>((end - self.start.distance - (y - self.y), -u))
+                (end - self.start.distance - (y - self.y), -u)
             };
             let way = end - self.start.distance;
             let first = (way / self.start.speed).min(turning);
             let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON * next;
-            let time = bracketed((0.0, turning), first, is_near, ahead).unwrap_or(turning);
+            let time = bracketed((0.0, turning), first, is_near, ahead);
             *state = self.state(time, Some(end));
             (Landing::End, time)
         };

@@ -24,6 +24,7 @@ pub(super) mod power;
 pub(super) mod smooth;
 pub(super) mod straight;
 
+use super::Path;
 use crate::math::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
@@ -96,5 +97,32 @@ pub(super) trait Dragged: Motion + 'static {
     /// d for y.
     fn distance_at(y: f64) -> f64 {
         powi(y, Self::ROOT)
+    }
+}
+
+/// Any piece with drag, by the forces of its path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AnyDragged<const M: u8>(pub Path);
+
+impl<const M: u8> Motion for AnyDragged<M> {
+    fn rates(&self, y: f64, u: f64) -> Quad {
+        // dd/dr, which is also dt/dσ
+        let clock = f64::from(M) * powi(y, i32::from(M) - 1);
+        let (force, in_contact, on_motion) = self.0.forces(Self::distance_at(y), u);
+        let drag = in_contact + on_motion;
+        [u, clock * (self.0.pull - force - drag), clock, clock * drag * u]
+    }
+}
+
+impl<const M: u8> Dragged for AnyDragged<M> {
+    const ROOT: i32 = M as i32;
+    /// √ of about −du'/dr.
+    fn frequency(&self, y: f64) -> f64 {
+        if M == 1 {
+            return self.0.restoring.root_of_slope(y).max(f64::MIN_POSITIVE);
+        }
+        let (m, distance) = (f64::from(M), Self::distance_at(y));
+        let [force, slope, _] = self.0.restoring.derivatives(distance);
+        (m * powi(y, i32::from(M) - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
     }
 }

@@ -20,12 +20,12 @@ pub mod yigit_christoforou;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 use super::plm;
-use super::published::{Loading, RecoveryRule};
+use super::published::Rules;
 use crate::strength::flow::FlowCurve;
 
 macro_rules! laws {
     ($($file:ident::$law:ident),* $(,)?) => {
-        /// A law with its parameters.
+        /// A law with its parameters. Its file has its name.
         #[derive(Debug, Clone, PartialEq)]
         pub enum LawChoice {
             $(#[doc = concat!("See [`", stringify!($file), "::", stringify!($law), "`].")] $law($file::$law),)*
@@ -37,6 +37,14 @@ macro_rules! laws {
             /// Every law but combinations, with its default parameters.
             pub fn all() -> Vec<Self> {
                 vec![$(Self::$law($file::$law::default())),*]
+            }
+
+            /// Where it comes from.
+            pub fn about(&self) -> &'static About {
+                match self {
+                    $(Self::$law(_) => About::of(stringify!($file)),)*
+                    Self::Combined(_) => About::of("combined"),
+                }
             }
 
             /// The law itself.
@@ -97,11 +105,6 @@ impl LawChoice {
         }
     }
 
-    /// Where it comes from.
-    pub fn about(&self) -> &'static About {
-        self.get().about()
-    }
-
     /// Whether it says how a contact loads. All laws unload, if need be by the paper's law.
     pub fn has_loading(&self) -> bool {
         self.about().loading != "none"
@@ -143,56 +146,13 @@ pub struct Combined {
 }
 
 impl ContactLaw for Combined {
-    fn about(&self) -> &'static About {
-        About::of("combined")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        self.loading.get().loading(bodies)
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        self.unloading.get().recovery(bodies)
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().rules(bodies));
+        Rules { recovery: unloading.recovery, ..loading }
     }
 }
 
-/// A law that is not here, and why.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct NotPublic {
-    /// Authors and year.
-    pub title: &'static str,
-    /// Why.
-    pub reason: &'static str,
+/// The laws that Xie et al. (2024) name and that could not be implemented, each with the reason.
+pub fn not_public() -> impl Iterator<Item = (&'static str, &'static str)> {
+    include_str!("not_public.csv").lines().skip(1).filter_map(|line| line.split_once('|'))
 }
-
-/// The laws that Xie et al. (2024) name and that could not be implemented.
-pub const NOT_PUBLIC: &[NotPublic] = &[
-    NotPublic {
-        title: "PLM's own unloading (Weng et al. 2021)",
-        reason: "Tribol. Int. 162, 107114: no public text states it; the loading is fitted anew, the unloading is the paper's",
-    },
-    NotPublic {
-        title: "Kogut and Komvopoulos 2004, unloading",
-        reason: "a fit of the residual indentation whose constants are in no public text; its loading is here",
-    },
-    NotPublic {
-        title: "MYC (Majeed, Yigit, Christoforou 2012)",
-        reason: "no public text; its ancestor of 1994 is here as yigit_christoforou",
-    },
-    NotPublic {
-        title: "CYM (Christoforou, Yigit, Majeed 2013)",
-        reason: "no public text; its ancestor of 1994 is here as yigit_christoforou",
-    },
-    NotPublic { title: "Rathbone et al. 2015", reason: "equations in no public text" },
-    NotPublic { title: "Du and Wang 2009", reason: "equations in no public text" },
-    NotPublic { title: "Zhao et al. 2015", reason: "equations in no public text (hardening, stick contact)" },
-    NotPublic {
-        title: "Dong et al. 2018",
-        reason: "the fitted factor f_u of its unloading is in no public text; stronge takes f_u as a key",
-    },
-    NotPublic { title: "Chen et al. (power-law hardening)", reason: "the fitted factors are in no public text" },
-    NotPublic {
-        title: "Brake 2012 and 2015, loading",
-        reason: "coefficients of the mixed regime could not be verified; the unloading is here",
-    },
-];

@@ -3,8 +3,8 @@
 use std::fmt::Debug;
 use std::sync::LazyLock;
 
-use super::published::{Loading, OutsideLaw, Published, RecoveryRule};
-use super::{ElasticApproach, Law};
+use super::Law;
+use super::published::{OutsideLaw, Rules};
 use crate::material::{HalfSpace, Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
@@ -98,31 +98,23 @@ impl Bodies {
 
 /// A contact law: its own parameters, and the law of two bodies that follows from them.
 pub trait ContactLaw: Debug {
-    /// Where it comes from.
-    fn about(&self) -> &'static About;
+    /// Its loading and unloading for these bodies, in units of δ_Y and F_Y by C_ν.
+    fn rules(&self, bodies: &Bodies) -> Rules;
 
-    /// Its loading for these bodies, in units of δ_Y and F_Y by C_ν; `None` for a law of unloading only.
-    fn loading(&self, _: &Bodies) -> Option<Loading> {
-        None
-    }
-
-    /// Its unloading for these bodies.
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule;
-
-    /// The whole law; `None` if it lacks its loading.
-    fn law(&self, bodies: &Bodies) -> Option<Law> {
-        let (loading, recovery) = (self.loading(bodies)?, self.recovery(bodies));
-        let curve = loading.curve.clone();
-        let elastic = ElasticApproach::Published(Box::new(Published { loading, recovery }));
-        Some(Law { loading: curve, elastic, ..Law::hertz() })
+    /// The whole law.
+    ///
+    /// # Errors
+    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
+    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+        let Rules { loading, recovery } = self.rules(bodies);
+        Ok(Law::published(loading?, recovery))
     }
 
     /// The whole law of a pair of bodies; `None` for a half-space without a yield strength, on which every contact is Hertz's.
     ///
     /// # Errors
-    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
+    /// As of [`ContactLaw::law`].
     fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
-        let incomplete = || OutsideLaw::Incomplete { name: self.about().name };
-        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies).ok_or_else(incomplete)).transpose()
+        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies)).transpose()
     }
 }

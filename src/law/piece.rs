@@ -136,7 +136,7 @@ impl Piece {
             Shape::Straight { slope, .. } => {
                 2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
             }
-            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, self.work, rest),
+            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, rest, 0.0),
             // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
             Shape::Power { stiffness, exponent, lead } => {
                 let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);

@@ -17,19 +17,22 @@ pub mod coefficients;
 pub mod contact_radius;
 pub mod hardening;
 pub mod lines;
+pub mod rule;
 
 use std::sync::{Arc, LazyLock};
 
-use super::contact_law::{About, Bodies, ContactLaw};
-use super::published::{Loading, Recovered, RecoveryRule};
+use super::contact_law::{Bodies, ContactLaw};
+use super::curve::Curve;
+use super::published::{Loading, PeakState, Recovered, Rules};
 use super::unloading::exponent_within;
-use super::{ElasticApproach, Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
+use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
 use crate::material::{HalfSpace, Pair};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
 pub use contact_radius::ContactRadius;
 pub use hardening::Hardening;
 pub use lines::ElasticLine;
+pub use rule::PlmRule;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
@@ -61,51 +64,47 @@ impl Plm {
 
     /// The law of these bodies.
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
+        let (loading, rule) = self.halves(bodies);
+        Law::plm(loading, rule)
+    }
+
+    fn halves(&self, bodies: &Bodies) -> (Curve, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let perfect = self.coefficients.law(pair, ratio, self.exponent);
-        let Some(flow) = &self.flow else { return perfect };
+        let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);
+        let Some(flow) = &self.flow else { return (perfect, rule) };
         let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
-        let loading = hardening.loading(&perfect.loading);
-        Law { loading, elastic: ElasticApproach::Hardening(Box::new(hardening)), ..perfect }
+        (hardening.loading(&perfect), PlmRule { hardening: Some(hardening), ..rule })
     }
 }
 
 impl ContactLaw for Plm {
-    fn about(&self) -> &'static About {
-        About::of("plm")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let law = self.of_bodies(bodies);
-        let (curve, widest) = (law.loading.clone(), law.widest_contact());
-        let radius = move |x, force| {
-            let elastic_approach = law.elastic_approach(x, force);
-            law.contact_radius(&Peak { indentation: x, force, elastic_approach })
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let (curve, rule) = self.halves(bodies);
+        let (limits, of_unloading) = (rule.limits(), rule.clone());
+        let radius = move |indentation, force| {
+            let elastic_approach = rule.elastic_approach(indentation, force);
+            rule.contact_radius(&Peak { indentation, force, elastic_approach })
         };
-        Some(Loading { widest, ..Loading::new(curve, 1.0, radius) })
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let law = self.of_bodies(bodies);
-        Arc::new(move |at| {
-            let of_plm = || law.elastic_approach(at.indentation, at.force);
+        let recovery = move |at: PeakState| {
+            let of_plm = || of_unloading.elastic_approach(at.indentation, at.force);
             let elastic_approach = at.elastic_approach.unwrap_or_else(of_plm);
             let peak = |elastic_approach| Peak { indentation: at.indentation, force: at.force, elastic_approach };
-            let exponent = match law.exponent {
+            let exponent = match of_unloading.exponent {
                 UnloadingExponent::Paper => 1.5,
                 UnloadingExponent::Fixed(n) => {
                     // what even 3/2 cannot keep within the work is for the bounds of published laws
                     exponent_within(at.spent, &peak(elastic_approach.min(at.indentation)), n).min(n.max(1.5))
                 }
-                UnloadingExponent::PressureShape => law.pressure_shape(&peak(elastic_approach)),
+                UnloadingExponent::PressureShape => of_unloading.pressure_shape(&peak(elastic_approach)),
             };
             Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
-        })
+        };
+        Rules::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
     }
 
-    fn law(&self, bodies: &Bodies) -> Option<Law> {
-        Some(self.of_bodies(bodies))
+    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+        Ok(self.of_bodies(bodies))
     }
 
     fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {

@@ -43,9 +43,29 @@ impl PeakState {
     /// # Errors
     /// [`OutsideLaw`] where the law has no answer.
     pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
-        let raw = recovery(*self);
-        raw.accept(self)?;
-        Ok(raw.branch(self, raw.bounded(self)))
+        let (unloading, problem) = self.unloaded(recovery(*self));
+        let indentation = self.indentation;
+        problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { indentation, problem }))
+    }
+
+    /// The branch whose ε is at most x and at most what the work of loading allows, and the limit that the law's own formulas
+    /// break by more than [`LARGEST_CUT`].
+    fn unloaded(&self, raw: Recovered) -> (Unloading, Option<&'static str>) {
+        let &Self { indentation, force, spent, .. } = self;
+        let branch = |elastic_approach| Unloading::new(Peak { indentation, force, elastic_approach }, raw.shape);
+        let approach = raw.elastic_approach;
+        let within = if approach > 0.0 { approach.min(indentation) } else { indentation };
+        let most = (branch(within).exponent + 1.0) * spent / force;
+        let bounded = within.min(most);
+        let problem = match () {
+            () if approach.is_nan() || approach <= 0.0 => {
+                Some("its residual indentation is the whole indentation or more")
+            }
+            () if approach > (1.0 + LARGEST_CUT) * indentation => Some("its residual indentation is negative"),
+            () if within > (1.0 + LARGEST_CUT) * most => Some("it gives back more energy than was spent"),
+            () => None,
+        };
+        (branch(if bounded < (1.0 - NO_DENT) * indentation { bounded } else { indentation }), problem)
     }
 }
 
@@ -61,44 +81,8 @@ pub struct Recovered {
     pub shape: UnloadingShape,
 }
 
-impl Recovered {
-    /// The branch with this elastic approach.
-    fn branch(&self, at: &PeakState, elastic_approach: f64) -> Unloading {
-        let &PeakState { indentation, force, .. } = at;
-        Unloading::new(Peak { indentation, force, elastic_approach }, self.shape)
-    }
-
-    /// ε, at most x and at most what the work of loading allows.
-    fn bounded(&self, at: &PeakState) -> f64 {
-        let &PeakState { indentation: x, force, spent, .. } = at;
-        let raw = self.elastic_approach;
-        let bounded = if raw > 0.0 { raw.min(x) } else { x };
-        let bounded = bounded.min((self.branch(at, bounded).exponent + 1.0) * spent / force);
-        if bounded < (1.0 - NO_DENT) * x { bounded } else { x }
-    }
-
-    /// Refuses formulas that break a limit by more than [`LARGEST_CUT`].
-    fn accept(&self, at: &PeakState) -> Result<(), OutsideLaw> {
-        let &PeakState { indentation: x, force, spent, .. } = at;
-        let refuse = |problem| Err(OutsideLaw::Range { indentation: x, problem });
-        let raw = self.elastic_approach;
-        if raw.is_nan() || raw <= 0.0 {
-            return refuse("its residual indentation is the whole indentation or more");
-        }
-        if raw > (1.0 + LARGEST_CUT) * x {
-            return refuse("its residual indentation is negative");
-        }
-        let bounded = raw.min(x);
-        let given_back = force * bounded / (self.branch(at, bounded).exponent + 1.0);
-        if given_back > (1.0 + LARGEST_CUT) * spent {
-            return refuse("it gives back more energy than was spent");
-        }
-        Ok(())
-    }
-}
-
 /// The rule of Hertz-type unloading, n = 3/2, with this elastic approach.
-pub(super) fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
+pub fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
     let shape = UnloadingShape::Power(1.5);
     Arc::new(move |peak| Recovered { elastic_approach: elastic_approach(peak), shape })
 }
@@ -110,12 +94,10 @@ pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 /// itself (Sneddon 1965, a rigid one), at 0.45 it is 2 %.
 pub const WIDEST_PARABOLOID: f64 = 0.3;
 
-/// The loading half of a law.
-#[derive(Clone)]
-pub struct Loading {
-    /// f(x).
-    pub curve: Curve,
-    /// x up to which it is elastic.
+/// Where a loading holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// x up to which it is elastic, Hertz's curve.
     pub elastic_until: f64,
     /// x up to which a peak can be on it: beyond, the law has no answer.
     pub holds_until: f64,
@@ -123,16 +105,50 @@ pub struct Loading {
     pub stated: Option<(f64, f64)>,
     /// Largest a/R of the data behind it, or of what it takes for granted.
     pub widest: f64,
-    /// a/a_Y at (x, f) of the loading curve.
-    pub radius: Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>,
 }
+
+impl Limits {
+    /// A loading that is elastic up to `elastic_until` and holds everywhere beyond.
+    pub fn of(elastic_until: f64, widest: f64) -> Self {
+        Self { elastic_until, holds_until: f64::INFINITY, stated: None, widest }
+    }
+}
+
+/// The loading half of a law.
+#[derive(Clone)]
+pub struct Loading {
+    /// f(x).
+    pub curve: Curve,
+    /// Where it holds.
+    pub limits: Limits,
+    /// a/a_Y at (x, f) of the loading curve.
+    pub radius: RadiusRule,
+}
+
+/// The contact radius a/a_Y at (x, f) of a loading curve.
+pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
-        let (holds_until, widest) = (f64::INFINITY, WIDEST_PARABOLOID);
-        let curve = curve.with_crossings_of_panels();
-        Self { curve, elastic_until, holds_until, stated: None, widest, radius: Arc::new(radius) }
+        let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
+        Self { curve: curve.with_crossings_of_panels(), limits, radius: Arc::new(radius) }
+    }
+}
+
+/// The two halves of a law.
+#[derive(Clone)]
+pub struct Rules {
+    /// How it loads; [`OutsideLaw::Incomplete`] of a law of unloading only.
+    pub loading: Result<Loading, OutsideLaw>,
+    /// How it unloads.
+    pub recovery: RecoveryRule,
+}
+
+impl Rules {
+    /// Both halves.
+    pub fn of(loading: Loading, recovery: RecoveryRule) -> Self {
+        Self { loading: Ok(loading), recovery }
     }
 }
 
@@ -163,97 +179,55 @@ pub enum OutsideLaw {
     },
 }
 
-/// A published law: both halves.
+/// The rules of a published law beyond its elastic regime.
 #[derive(Clone)]
 pub struct Published {
-    /// How it loads.
-    pub loading: Loading,
+    /// a/a_Y of its loading.
+    pub radius: RadiusRule,
     /// How it unloads.
     pub recovery: RecoveryRule,
 }
 
 impl fmt::Debug for Published {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Published").field("curve", &self.loading.curve).finish_non_exhaustive()
+        f.debug_struct("Published").finish_non_exhaustive()
     }
 }
 
 impl PartialEq for Published {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.loading.radius, &other.loading.radius) && Arc::ptr_eq(&self.recovery, &other.recovery)
+        Arc::ptr_eq(&self.radius, &other.radius) && Arc::ptr_eq(&self.recovery, &other.recovery)
     }
 }
 
 impl Published {
-    /// Whether loading to x is elastic, but for the last digit of x.
-    fn is_elastic(&self, x: f64) -> bool {
-        x <= self.loading.elastic_until * (1.0 + f64::EPSILON)
-    }
-
-    /// A point of the loading curve that took the work `spent`, and the unloading from it by the law's own formulas.
-    fn recovered(&self, indentation: f64, force: f64, spent: f64) -> (PeakState, Recovered) {
-        let radius = (self.loading.radius)(indentation, force);
-        let at = PeakState { indentation, force, radius, elastic_approach: None, spent };
-        (at, (self.recovery)(at))
-    }
-
-    /// ε, at most x and at most what the work of loading allows.
-    #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
-    pub(super) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        self.unloading_from(x, force, self.loading.curve.work(x)).peak.elastic_approach
+    /// A point of the loading curve that took the work `spent`.
+    fn loaded(&self, indentation: f64, force: f64, spent: f64) -> PeakState {
+        let radius = (self.radius)(indentation, force);
+        PeakState { indentation, force, radius, elastic_approach: None, spent }
     }
 
     /// The branch from a point of the loading curve that took the work `spent`.
-    #[cold]
-    pub(super) fn unloading_from(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
-        if self.is_elastic(indentation) {
-            return Unloading::power(Peak { indentation, force, elastic_approach: indentation }, 1.5);
-        }
-        let (at, recovered) = self.recovered(indentation, force, spent);
-        recovered.branch(&at, recovered.bounded(&at))
+    #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
+    pub(super) fn unloading(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
+        let at = self.loaded(indentation, force, spent);
+        at.unloaded((self.recovery)(at)).0
     }
 
-    /// The branch from a peak.
+    /// The branch from a peak that took the work `spent`.
     #[cold]
-    pub(super) fn unloading(&self, peak: Peak) -> Unloading {
-        if self.is_elastic(peak.indentation) {
-            return Unloading::power(peak, 1.5);
-        }
-        let spent = self.loading.curve.work(peak.indentation);
-        Unloading::new(peak, self.recovered(peak.indentation, peak.force, spent).1.shape)
+    pub(super) fn unloading_of(&self, peak: Peak, spent: f64) -> Unloading {
+        Unloading::new(peak, (self.recovery)(self.loaded(peak.indentation, peak.force, spent)).shape)
     }
 
-    /// a/a_Y at a peak.
+    /// Whether the law has an answer for a peak that took the work `spent`.
     #[cold]
-    pub(super) fn contact_radius(&self, peak: &Peak) -> f64 {
-        if self.is_elastic(peak.indentation) {
-            return peak.indentation.sqrt();
-        }
-        (self.loading.radius)(peak.indentation, peak.force)
-    }
-
-    /// The range that its authors state, where a plastic peak is outside of it.
-    pub(super) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
-        let is_inside = |(from, to): (f64, f64)| (from..=to).contains(&peak.indentation);
-        self.loading.stated.filter(|range| !self.is_elastic(peak.indentation) && !is_inside(*range))
-    }
-
-    /// Whether the law has an answer for a peak.
-    #[cold]
-    pub(super) fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
+    pub(super) fn accept(&self, peak: &Peak, spent: f64) -> Result<(), OutsideLaw> {
         let &Peak { indentation, force, elastic_approach } = peak;
-        if self.is_elastic(indentation) {
-            return Ok(());
-        }
-        if indentation > self.loading.holds_until {
-            return Err(OutsideLaw::Range { indentation, problem: "outside the range of its loading formulas" });
-        }
-        let spent = self.loading.curve.work(indentation);
         // an approach that is well below both limits (n is at least 1) is that of the formulas
         if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
             return Ok(());
         }
-        let (at, recovered) = self.recovered(indentation, force, spent);
-        recovered.accept(&at)
+        self.loaded(indentation, force, spent).unload(&self.recovery).map(drop)
     }
 }

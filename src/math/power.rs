@@ -1,7 +1,7 @@
 //! The power law d^n: its value, and the time that a motion d'' = −k d^n takes.
 
-use crate::math::functions::{asin, atan, gamma, pow, sin, sin_cos};
-use crate::math::root::{Bracket, fallen_from};
+use crate::math::functions::{atan, gamma, pow};
+use crate::math::root::fallen_from;
 
 /// d^n; n = 3/2 without a call to `powf`. Continued smoothly (as an odd function) to d < 0.
 #[inline]
@@ -145,32 +145,6 @@ fn other_quarter_period(exponent: f64) -> f64 {
     }
     // √π Γ(1 + a)/Γ(½ + a)
     1.772_453_850_905_516 * gamma(1.0 + a) / gamma(0.5 + a)
-}
-
-/// Distance and speed at `time` after leaving the zero of a power law at speed `entry`, on the way to `farthest`: the
-/// inverse of [`power_time`].
-///
-/// Solved for φ in u = entry cos φ, (d/d_max)^(n+1) = sin² φ, by Newton's method kept inside a bracket.
-pub(crate) fn power_state(exponent: f64, farthest: f64, entry: f64, time: f64) -> (f64, f64) {
-    let a = 1.0 / (exponent + 1.0);
-    let at = |phi: f64| {
-        let (sin, cos) = sin_cos(phi);
-        (farthest * pow(sin, 2.0 * a), entry * cos)
-    };
-    let mut bracket = Bracket { low: 0.0, high: std::f64::consts::FRAC_PI_2 };
-    // d = entry t is exact at first
-    let mut phi = asin(pow((entry * time / farthest).clamp(0.0, 1.0), 0.5 / a));
-    for _ in 0..100 {
-        let (distance, speed) = at(phi);
-        let miss = power_time(exponent, distance, entry, speed) - time;
-        let slope = 2.0 * a * farthest / entry * pow(sin(phi), 2.0 * a - 1.0);
-        let next = bracket.next(phi, (-miss, -slope));
-        if (next - phi).abs() <= 1e-16 || miss == 0.0 {
-            break;
-        }
-        phi = next;
-    }
-    at(phi)
 }
 
 /// The positive root of k d^(n+1)/(n+1) = rest + w d.

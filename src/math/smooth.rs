@@ -4,9 +4,6 @@
 //! The formula of a force is written once, in the file of its law, for any [`Number`]. With plain `f64` it gives the force,
 //! with a [`Jet`] the force and its first two derivatives.
 
-use std::convert::Infallible;
-
-use crate::math::functions::{exp, ln};
 use crate::math::quadrature;
 use crate::math::root::{bracketed, fallen_from};
 
@@ -32,18 +29,14 @@ pub struct Formula {
     variable: Variable,
     value: fn(&Parameters, f64) -> f64,
     jet: fn(&Parameters, Jet) -> Jet,
-    /// An antiderivative ∫ f dd as a function of the variable, where there is one in closed form.
+    /// Of a function of √d: ∫ f dd, where there is one in closed form.
     integral: Option<fn(&Parameters, f64) -> f64>,
 }
 
 impl Formula {
     /// A function of x.
-    pub const fn new(
-        value: fn(&Parameters, f64) -> f64,
-        jet: fn(&Parameters, Jet) -> Jet,
-        integral: Option<fn(&Parameters, f64) -> f64>,
-    ) -> Self {
-        Self { variable: Variable::Indentation, value, jet, integral }
+    pub const fn new(value: fn(&Parameters, f64) -> f64, jet: fn(&Parameters, Jet) -> Jet) -> Self {
+        Self { variable: Variable::Indentation, value, jet, integral: None }
     }
 
     /// A function of √d.
@@ -130,10 +123,7 @@ impl Smooth {
     #[cold] // so that these calls do not slow the pieces in closed form
     pub fn work(&self, start: f64, from: f64, to: f64) -> f64 {
         match (self.formula.variable, self.formula.integral) {
-            (Variable::Indentation, Some(integral)) => {
-                integral(&self.parameters, start + to) - integral(&self.parameters, start + from)
-            }
-            (Variable::Indentation, None) => {
+            (Variable::Indentation, _) => {
                 quadrature::over_decades(start + from, start + to, |x| (self.formula.value)(&self.parameters, x))
             }
             (Variable::RootOfDistance, Some(integral)) => {
@@ -149,50 +139,25 @@ impl Smooth {
         }
     }
 
-    /// The distance at which the work from the start is `work` ≥ 0; `before` is the work of the way to the start.
-    ///
-    /// Newton's method, first in ln x and ln w, in which the work of a contact is almost a straight line; then in x, in which the
-    /// work is convex, so that the steps end on the root. Each step integrates from the last point on.
+    /// The distance at which the work from the start, less that of a constant `pull`, is `work` ≥ 0, beyond where the pull and
+    /// the force balance.
     #[cold]
-    pub(crate) fn distance_at_work(&self, start: f64, before: f64, work: f64) -> f64 {
-        if work <= 0.0 || !work.is_finite() {
+    pub(crate) fn distance_at_work(&self, start: f64, work: f64, pull: f64) -> f64 {
+        if !(work > 0.0 || pull > 0.0) || !work.is_finite() {
             return work.max(0.0);
         }
-        let (mut distance, mut done) = (0.0, 0.0);
-        // on a piece that begins without force the logarithm is that of the distance
-        let (origin, before) = if self.value(start, 0.0) > 0.0 && before > 0.0 { (start, before) } else { (0.0, 0.0) };
-        if before == 0.0 {
-            distance = if start > 0.0 { start } else { 1.0 };
-            done = self.work(start, 0.0, distance);
-            // beyond its range a formula may give no number
-            while !done.is_finite() && distance > f64::MIN_POSITIVE {
-                distance *= 0.5;
-                done = self.work(start, 0.0, distance);
-            }
-        }
-        let total = before + work;
+        // convex, and falling beyond the balance
+        let missing = |distance: f64| work + pull * distance - self.work(start, 0.0, distance);
+        let (mut low, mut high) = (0.0, if start > 0.0 { start } else { 1.0 });
         for _ in 0..200 {
-            let (x, reached) = (origin + distance, before + done);
-            let force = self.value(start, distance);
-            let miss = work - done;
-            let newton = miss / force;
-            let logarithmic = x * exp(ln(total / reached) * reached / (x * force)) - x;
-            let is_near = newton.abs() < 1e-3 * x;
-            let step = if is_near || !logarithmic.is_finite() { newton } else { logarithmic };
-            let next = (distance + step).max(0.0);
-            let moved = next - distance;
-            if moved == 0.0 || !moved.is_finite() {
-                break;
-            }
-            done += self.work(start, distance, next);
-            distance = next;
-            if moved.abs() <= 1e-9 * (start + distance) {
-                // the next step would be below rounding: take it without integrating
-                distance += (work - done) / self.value(start, distance);
-                break;
+            match missing(high) {
+                left if left > 0.0 => (low, high) = (high, 2.0 * high),
+                // beyond its range a formula may give no number
+                left if left.is_nan() => high = 0.5 * (low + high),
+                _ => break,
             }
         }
-        distance
+        fallen_from(high, |distance| missing(distance) / (pull - self.value(start, distance)))
     }
 
     /// The distance at which f = `force` > f(0), by Newton's method on a function that rises, kept between bounds.
@@ -203,27 +168,8 @@ impl Smooth {
         }
         let is_near = |distance: f64, next: f64| (next - distance).abs() <= f64::EPSILON * distance;
         // what is missing falls; it is no number beyond the range of the formula
-        let at = |distance: f64| Ok((force - self.value(start, distance), -self.slope(start, distance)));
-        bracketed((low, high), 0.5 * (low + high), is_near, at).unwrap_or_else(|never: Infallible| match never {})
-    }
-
-    /// The distance at which the work from the start less that of a constant `pull` is `work` ≥ 0, beyond where they balance.
-    pub(crate) fn distance_at_work_against(&self, start: f64, before: f64, work: f64, pull: f64) -> f64 {
-        let mut distance = self.distance_at_work(start, before, work);
-        if pull == 0.0 {
-            return distance;
-        }
-        let miss = |d: f64| self.work(start, 0.0, d) - pull * d - work;
-        let mut step = if distance > 0.0 { distance } else { f64::max(start, 1.0) };
-        while miss(distance) < 0.0 || self.value(start, distance) <= pull {
-            distance += step;
-            step *= 2.0;
-            if !distance.is_finite() {
-                return distance;
-            }
-        }
-        // convex from here down to the root
-        fallen_from(distance, |d| miss(d) / (self.value(start, d) - pull)).max(0.0)
+        let at = |distance: f64| (force - self.value(start, distance), -self.slope(start, distance));
+        bracketed((low, high), 0.5 * (low + high), is_near, at)
     }
 
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
@@ -245,10 +191,8 @@ mod tests {
     use crate::math::functions::pow;
     use crate::math::power::{power_time, quarter_period};
 
-    /// x^1.5 as a formula, with its antiderivative.
-    static POWER: Formula = Formula::new(raised::<f64>, raised::<Jet>, Some(|_, x| 0.4 * pow(x, 2.5)));
-    /// The same without.
-    static HERTZ: Formula = Formula::new(raised::<f64>, raised::<Jet>, None);
+    /// x^1.5 as a formula.
+    static HERTZ: Formula = Formula::new(raised::<f64>, raised::<Jet>);
     /// The same as a function of the root: y³.
     static CUBE: Formula = Formula::of_root(cube::<f64>, cube::<Jet>, None);
 
@@ -264,15 +208,14 @@ mod tests {
 
     #[test]
     fn work_and_its_inverse_are_those_of_the_power_law() {
-        for smooth in [Smooth::new(&HERTZ, P), Smooth::new(&POWER, P)] {
-            for (from, to) in [(1.0, 1.000_001), (1.0, 2.0), (1.9, 1e4), (3.0, 1e7)] {
-                let work = 0.4 * (pow(to, 2.5) - pow(from, 2.5));
-                // the difference of two antiderivatives loses the digits that they share
-                let lost = pow(to, 2.5) / (pow(to, 2.5) - pow(from, 2.5));
-                approx::assert_relative_eq!(smooth.work(from, 0.0, to - from), work, max_relative = 2e-15 * lost);
-                let distance = smooth.distance_at_work(from, 0.4 * pow(from, 2.5), work);
-                approx::assert_relative_eq!(distance, to - from, max_relative = 4e-15 * lost);
-            }
+        let smooth = Smooth::new(&HERTZ, P);
+        for (from, to) in [(1.0, 1.000_001), (1.0, 2.0), (1.9, 1e4), (3.0, 1e7)] {
+            let work = 0.4 * (pow(to, 2.5) - pow(from, 2.5));
+            // the difference of two powers loses the digits that they share
+            let lost = pow(to, 2.5) / (pow(to, 2.5) - pow(from, 2.5));
+            approx::assert_relative_eq!(smooth.work(from, 0.0, to - from), work, max_relative = 2e-15 * lost);
+            let distance = smooth.distance_at_work(from, work, 0.0);
+            approx::assert_relative_eq!(distance, to - from, max_relative = 4e-15 * lost);
         }
     }
 
@@ -301,7 +244,7 @@ mod tests {
         approx::assert_relative_eq!(root.work(7.0, 0.0, to), 0.4 * pow(to, 2.5), max_relative = 1e-15);
         let time = root.time(7.0, 0.0, to, 0.0, 1.0);
         approx::assert_relative_eq!(time, to / entry * quarter_period(1.5), max_relative = 1e-13);
-        approx::assert_relative_eq!(root.distance_at_work(7.0, 0.0, 0.4 * pow(to, 2.5)), to, max_relative = 1e-14);
+        approx::assert_relative_eq!(root.distance_at_work(7.0, 0.4 * pow(to, 2.5), 0.0), to, max_relative = 1e-14);
         approx::assert_relative_eq!(root.slope(7.0, 4.0), 3.0, max_relative = 1e-15);
     }
 }

@@ -5,7 +5,7 @@ use serde::Deserialize;
 use super::rows;
 use super::unloading::Unloaded;
 use crate::error::Error;
-use crate::law::{Bodies, Plm, UnloadingExponent};
+use crate::law::Bodies;
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 
@@ -64,11 +64,6 @@ impl Materials {
             }
             _ => None,
         }
-    }
-
-    /// The PLM with this flow curve.
-    pub fn law(&self, exponent: UnloadingExponent) -> Plm {
-        Plm { exponent, flow: self.curve(), ..Plm::default() }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::law::LawChoice;
-use crate::law::catalogue::NOT_PUBLIC;
+use crate::law::catalogue::not_public;
 
 /// A paragraph for every law, then the laws that are missing, each with the reason.
 pub fn list() -> String {
@@ -25,8 +25,8 @@ pub fn list() -> String {
         text.push('\n');
     }
     text.push_str("Not here:\n\n");
-    for law in NOT_PUBLIC {
-        let _ = writeln!(text, "{}\n  {}", law.title, law.reason);
+    for (title, reason) in not_public() {
+        let _ = writeln!(text, "{title}\n  {reason}");
     }
     text
 }

@@ -40,54 +40,6 @@ const KILOGRAM_FORCE: f64 = 9.806_65;
 /// Projected area over the area of the faces of a pyramid of 136°.
 const VICKERS_AREA: f64 = 0.9272;
 
-/// HB and HV of unalloyed and low-alloy steels (DIN 50150, now ISO 18265, table A.1).
-const BRINELL: [(f64, f64); 12] = [
-    (76.0, 80.0),
-    (95.0, 100.0),
-    (143.0, 150.0),
-    (190.0, 200.0),
-    (238.0, 250.0),
-    (285.0, 300.0),
-    (333.0, 350.0),
-    (380.0, 400.0),
-    (428.0, 450.0),
-    (475.0, 500.0),
-    (523.0, 550.0),
-    (570.0, 600.0),
-];
-
-/// HRC and HV of the same table.
-const ROCKWELL_C: [(f64, f64); 28] = [
-    (20.3, 240.0),
-    (22.2, 250.0),
-    (24.0, 260.0),
-    (25.6, 270.0),
-    (27.1, 280.0),
-    (28.5, 290.0),
-    (29.8, 300.0),
-    (32.2, 320.0),
-    (34.4, 340.0),
-    (36.6, 360.0),
-    (38.8, 380.0),
-    (40.8, 400.0),
-    (42.7, 420.0),
-    (44.5, 440.0),
-    (46.1, 460.0),
-    (47.7, 480.0),
-    (49.1, 500.0),
-    (51.7, 540.0),
-    (54.1, 580.0),
-    (56.3, 620.0),
-    (58.3, 660.0),
-    (60.1, 700.0),
-    (61.8, 740.0),
-    (63.3, 780.0),
-    (64.7, 820.0),
-    (65.9, 860.0),
-    (67.0, 900.0),
-    (68.0, 940.0),
-];
-
 /// The hardness number is outside of the conversion table of its scale.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
@@ -131,22 +83,27 @@ impl Scale {
     /// # Errors
     /// [`OutsideTable`] for a Brinell or Rockwell hardness without a Vickers hardness in the table.
     pub fn mean_pressure(self, value: f64) -> Result<f64, OutsideTable> {
-        let vickers = match self {
-            Self::Vickers => value,
-            Self::Brinell => self.converted(value, &BRINELL)?,
-            Self::RockwellC => self.converted(value, &ROCKWELL_C)?,
-        };
+        let vickers = if self == Self::Vickers { value } else { self.converted(value)? };
         Ok(1e6 * KILOGRAM_FORCE * vickers / VICKERS_AREA)
     }
 
-    /// The Vickers hardness, by linear interpolation between the rows of a table.
-    fn converted(self, value: f64, table: &[(f64, f64)]) -> Result<f64, OutsideTable> {
-        let (first, last) = (table[0].0, table[table.len() - 1].0);
-        if !(first..=last).contains(&value) {
-            return Err(OutsideTable { value, scale: self, range: (first, last) });
-        }
-        let above = table.partition_point(|row| row.0 < value).max(1);
-        let (low, high) = (table[above - 1], table[above]);
+    /// The rows of the conversion table of this scale, by rising number: number and HV.
+    fn table(self) -> Vec<(f64, f64)> {
+        let row = |line: &str| {
+            let (number, vickers) = line.strip_prefix(self.symbol())?.strip_prefix(',')?.split_once(',')?;
+            Some((number.parse().ok()?, vickers.parse().ok()?))
+        };
+        include_str!("hardness.csv").lines().filter_map(row).collect()
+    }
+
+    /// The Vickers hardness, by linear interpolation between the rows of its table.
+    fn converted(self, value: f64) -> Result<f64, OutsideTable> {
+        let table = self.table();
+        let between = |pair: &&[(f64, f64)]| (pair[0].0..=pair[1].0).contains(&value);
+        let Some([low, high]) = table.windows(2).find(between) else {
+            let end = |row: Option<&(f64, f64)>| row.map_or(f64::NAN, |row| row.0);
+            return Err(OutsideTable { value, scale: self, range: (end(table.first()), end(table.last())) });
+        };
         Ok(low.1 + (value - low.0) / (high.0 - low.0) * (high.1 - low.1))
     }
 }

@@ -87,7 +87,7 @@ proptest! {
     #[test]
     fn unloading_leaves_the_peak_and_ends_at_the_dent(scene in any_scene(), log_x in -1.0..4.0_f64, exponent in 0..3_usize) {
         let exponent = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape][exponent];
-        let law = Law { exponent, ..scene.law() };
+        let law = Scene { exponent, ..scene }.law();
         let x = 10_f64.powf(log_x);
         let peak = law.loaded_to(x);
         let unloading = law.unloading(peak);
@@ -170,7 +170,7 @@ fn radius_ratio_and_exponent_have_their_end_values() {
     assert!(off(pressure_shape_exponent(1.1), 1.5 - 0.080_746) < 1e-6);
     // after elastic loading, unloading follows Hertz for every choice
     for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
-        let law = Law { exponent, ..Scene::case_3().law() };
+        let law = Scene { exponent, ..Scene::case_3() }.law();
         assert_eq!(law.unloading(law.loaded_to(0.9)).exponent, 1.5);
     }
 }

@@ -61,7 +61,7 @@ fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
             if pull > 0.0 { 2.0 * rest / (pull + root) } else { (root - pull) / slope }
         }
         Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(stiffness, exponent, rest, weight),
-        Shape::Smooth(smooth) => smooth.distance_at_work_against(piece.start, piece.work, rest, weight),
+        Shape::Smooth(smooth) => smooth.distance_at_work(piece.start, rest, weight),
         Shape::Power { stiffness, exponent, lead } => {
             let p = exponent + 1.0;
             let from_zero = rest + stiffness * power(lead, exponent) * lead / p - weight * lead;

@@ -1,8 +1,9 @@
-//! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`.
+//! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`; with drag it
+//! alone has its own rates.
 
 use super::{Dragged, Field, Motion, Quad, Variables};
 use crate::integrate::{Drag, Path};
-use crate::math::functions::{pow, powi};
+use crate::math::functions::pow;
 use crate::math::power::power_turn;
 
 /// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
@@ -86,16 +87,7 @@ impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
     }
 }
 
-/// Any power law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
-#[derive(Debug, Clone, Copy)]
-pub struct DraggedPower<const M: u8> {
-    k: f64,
-    n: f64,
-    drag: Drag,
-    pull: f64,
-}
-
-/// The same for n = 3/2.
+/// Hertz's law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
 #[derive(Debug, Clone, Copy)]
 pub struct DraggedHertz<const M: u8> {
     pub k: f64,
@@ -103,19 +95,11 @@ pub struct DraggedHertz<const M: u8> {
     pub pull: f64,
 }
 
-impl<const M: u8> DraggedPower<M> {
-    /// The piece k d^n with the pull and the drag of a path.
-    pub fn along(k: f64, n: f64, path: &Path) -> Self {
-        let Drag { chi, eta, theta } = path.drag;
-        Self { k, n, drag: Drag { chi, eta: eta * (k * n).sqrt(), theta: theta * (k * n) }, pull: path.pull }
-    }
-}
-
 impl<const M: u8> DraggedHertz<M> {
     /// The piece k d^1.5 with the pull and the drag of a path.
     pub fn along(k: f64, path: &Path) -> Self {
-        let DraggedPower { drag, pull, .. } = DraggedPower::<M>::along(k, 1.5, path);
-        Self { k, drag, pull }
+        let (Drag { chi, eta, theta }, slope) = (path.drag, 1.5 * k);
+        Self { k, drag: Drag { chi, eta: eta * slope.sqrt(), theta: theta * slope }, pull: path.pull }
     }
 }
 
@@ -145,35 +129,10 @@ impl<const M: u8> Motion for DraggedHertz<M> {
 
 impl<const M: u8> Dragged for DraggedHertz<M> {
     const ROOT: i32 = M as i32;
+    /// √ of −du'/dr.
     fn frequency(&self, y: f64) -> f64 {
-        frequency(self.k, 1.5, y, Self::ROOT)
-    }
-}
-
-impl<const M: u8> Motion for DraggedPower<M> {
-    #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
         let m = f64::from(M);
-        let clock = m * powi(y, i32::from(M) - 1);
-        let size = y.abs();
-        let force = clock * self.k * pow(size, m * self.n);
-        let root = if self.drag.needs_slope() { pow(size, 0.5 * m * (self.n - 1.0)) } else { 0.0 };
-        let Drag { chi, eta, theta } = self.drag;
-        let drag = (force * chi + clock * eta * root + clock * theta * root * root) * u;
-        [u, clock * self.pull - force - drag, clock, drag * u]
+        let p = 2.5 * m - 1.0;
+        (m * self.k * p * pow(y, p - 1.0)).sqrt()
     }
-}
-
-impl<const M: u8> Dragged for DraggedPower<M> {
-    const ROOT: i32 = M as i32;
-    fn frequency(&self, y: f64) -> f64 {
-        frequency(self.k, self.n, y, Self::ROOT)
-    }
-}
-
-/// √ of −du'/dr of a power law.
-fn frequency(k: f64, n: f64, y: f64, m: i32) -> f64 {
-    let m = f64::from(m);
-    let p = m - 1.0 + m * n;
-    (m * k * p * pow(y, p - 1.0)).sqrt()
 }

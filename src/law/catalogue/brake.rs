@@ -1,7 +1,7 @@
 //! Brake (2015): unloading only.
 
-use crate::law::contact_law::{About, Bodies, ContactLaw};
-use crate::law::published::{RecoveryRule, hertzian};
+use crate::law::contact_law::{Bodies, ContactLaw};
+use crate::law::published::{OutsideLaw, Rules, hertzian};
 
 /// The unloading of Brake.
 ///
@@ -22,11 +22,8 @@ use crate::law::published::{RecoveryRule, hertzian};
 pub struct Brake;
 
 impl ContactLaw for Brake {
-    fn about(&self) -> &'static About {
-        About::of("brake")
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
-        hertzian(|peak| peak.force / peak.indentation.sqrt())
+    fn rules(&self, _: &Bodies) -> Rules {
+        let loading = Err(OutsideLaw::Incomplete { name: "brake" });
+        Rules { loading, recovery: hertzian(|peak| peak.force / peak.indentation.sqrt()) }
     }
 }

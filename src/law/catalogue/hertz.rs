@@ -1,9 +1,9 @@
 //! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
 
 use crate::law::Law;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, RecoveryRule, hertzian};
+use crate::law::published::{Loading, OutsideLaw, Rules, hertzian};
 
 use crate::math::functions::pow;
 
@@ -25,19 +25,12 @@ use crate::math::functions::pow;
 pub struct Hertz;
 
 impl ContactLaw for Hertz {
-    fn about(&self) -> &'static About {
-        About::of("hertz")
+    fn rules(&self, _: &Bodies) -> Rules {
+        let loading = Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt());
+        Rules::of(loading, hertzian(|peak| pow(peak.force, 2.0 / 3.0)))
     }
 
-    fn loading(&self, _: &Bodies) -> Option<Loading> {
-        Some(Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt()))
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
-        hertzian(|peak| pow(peak.force, 2.0 / 3.0))
-    }
-
-    fn law(&self, _: &Bodies) -> Option<Law> {
-        Some(Law::hertz())
+    fn law(&self, _: &Bodies) -> Result<Law, OutsideLaw> {
+        Ok(Law::hertz())
     }
 }

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::jumps::{Jumps, crossing};
-use crate::law::published::{Loading, RecoveryRule, hertzian};
+use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -63,8 +63,8 @@ const STATED_RADIUS: f64 = 0.412;
 const LARGEST_STRAIN: f64 = 0.05;
 
 /// Parameters s = δ_y/δ_Y, σ_Y/E*, C.
-static EXPONENTIAL: Formula = Formula::new(exponential::<f64>, exponential::<Jet>, None);
-static COSINE: Formula = Formula::new(cosine::<f64>, cosine::<Jet>, None);
+static EXPONENTIAL: Formula = Formula::new(exponential::<f64>, exponential::<Jet>);
+static COSINE: Formula = Formula::new(cosine::<f64>, cosine::<Jet>);
 
 /// B.
 fn growth(strain: f64) -> f64 {
@@ -102,19 +102,9 @@ fn residual(x: f64) -> f64 {
     1.02 * (1.0 - pow((x + 5.9) / 6.9, -0.54))
 }
 
-impl JacksonGreen {
-    fn factor(&self, bodies: &Bodies) -> f64 {
-        self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio))
-    }
-}
-
 impl ContactLaw for JacksonGreen {
-    fn about(&self) -> &'static About {
-        About::of("jackson_green")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let factor = self.factor(bodies);
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio));
         let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
         let formula = match self.hardness {
             Hardness::Exponential => &EXPONENTIAL,
@@ -144,13 +134,9 @@ impl ContactLaw for JacksonGreen {
             let own = x / s;
             if own <= TRANSITION { x.sqrt() } else { (x * from * pow(own, b)).sqrt() }
         });
-        loading.holds_until = if starts.is_some() { end * s } else { s };
-        loading.widest = STATED_RADIUS;
-        Some(loading)
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let s = bodies.yield_at(self.factor(bodies));
-        hertzian(move |peak| peak.indentation * (1.0 - residual((peak.indentation / s).max(1.0))))
+        loading.limits.holds_until = if starts.is_some() { end * s } else { s };
+        loading.limits.widest = STATED_RADIUS;
+        let recovered = move |x: f64| x * (1.0 - residual((x / s).max(1.0)));
+        Rules::of(loading, hertzian(move |peak| recovered(peak.indentation)))
     }
 }

@@ -1,12 +1,8 @@
 //! Johnson (1985): rigid-plastic loading, Hertz rebound.
 
-use std::f64::consts::PI;
-
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, RecoveryRule, hertzian};
-
-use crate::math::functions::{pow, powi};
+use crate::law::published::{Loading, Rules, hertzian};
 
 /// The impact of Johnson, with its closed-form restitution.
 ///
@@ -31,25 +27,11 @@ pub struct Johnson {
     pub dynamic_pressure: Option<f64>,
 }
 
-/// Closed-form e.
-pub fn restitution(effective_modulus: f64, dynamic_pressure: f64, mass: f64, radius: f64, speed: f64) -> f64 {
-    let coefficient = 0.3 * pow(PI, 1.25) * pow(4f64, 0.75);
-    let energy = mass * speed * speed / (2.0 * dynamic_pressure * powi(radius, 3));
-    (coefficient * dynamic_pressure / effective_modulus * pow(energy, -0.25)).sqrt()
-}
-
 impl ContactLaw for Johnson {
-    fn about(&self) -> &'static About {
-        About::of("johnson")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+    fn rules(&self, bodies: &Bodies) -> Rules {
         let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_strength);
         let slope = bodies.slope_of_pressure(2.0, pressure);
-        Some(Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt()))
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
-        hertzian(|peak| peak.force / peak.radius)
+        let loading = Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt());
+        Rules::of(loading, hertzian(|peak| peak.force / peak.radius))
     }
 }

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::law::UnloadingShape;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::jumps::Jumps;
-use crate::law::published::{Loading, Recovered, RecoveryRule};
+use crate::law::published::{Loading, PeakState, Recovered, Rules};
 use crate::math::functions::pow;
 
 /// The law of Kogut and Etsion.
@@ -52,19 +52,9 @@ const PIECES: [(f64, f64); 2] = [(1.03, 1.425), (1.40, 1.263)];
 /// Where the printed pieces begin.
 const LIMITS: [f64; 3] = [1.0, 6.0, 110.0];
 
-impl KogutEtsion {
-    fn factor(&self, bodies: &Bodies) -> f64 {
-        self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.poissons_ratio))
-    }
-}
-
 impl ContactLaw for KogutEtsion {
-    fn about(&self) -> &'static About {
-        About::of("kogut_etsion")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let factor = self.factor(bodies);
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let factor = self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.poissons_ratio));
         let s = bodies.yield_at(factor);
         // f = 2π R H δ in units of ω_c and its force
         let plastic = 3.0 * HARDNESS / factor;
@@ -104,18 +94,14 @@ impl ContactLaw for KogutEtsion {
             };
             (area * s).sqrt()
         });
-        loading.stated = Some((0.0, LIMITS[2] * s));
-        loading.holds_until = if is_whole { f64::INFINITY } else { s };
-        Some(loading)
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let s = bodies.yield_at(self.factor(bodies));
-        Arc::new(move |peak| {
+        loading.limits.stated = Some((0.0, LIMITS[2] * s));
+        loading.limits.holds_until = if is_whole { f64::INFINITY } else { s };
+        let recovery = move |peak: PeakState| {
             let m = (peak.indentation / s).max(1.0);
             let residual = (1.0 - pow(m, -0.28)) * (1.0 - pow(m, -0.69));
             let shape = UnloadingShape::Power(1.5 * pow(m, -0.0331));
             Recovered { elastic_approach: peak.indentation * (1.0 - residual), shape }
-        })
+        };
+        Rules::of(loading, Arc::new(recovery))
     }
 }

@@ -1,10 +1,10 @@
 //! Kogut and Komvopoulos (2004): indentation of an elastic-perfectly plastic half-space by a rigid sphere.
 
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::jumps::{Jumps, crossing};
 use crate::law::plm::Plm;
-use crate::law::published::{Loading, RecoveryRule};
+use crate::law::published::{Loading, Rules};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -44,8 +44,8 @@ const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
 
 /// Parameters δ_Y/R, E*/σ_Y, and the force unit σ_Y π R δ_Y/F_Y.
-static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>, None);
-static FULLY: Formula = Formula::new(fully::<f64>, fully::<Jet>, Some(fully_integral));
+static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>);
+static FULLY: Formula = Formula::new(fully::<f64>, fully::<Jet>);
 
 /// r'²/(R δ_Y) = 2x − x² δ_Y/R.
 fn cut<N: Number>([depth, ..]: &Parameters, x: N) -> N {
@@ -68,26 +68,12 @@ fn fully<N: Number>(parameters: &Parameters, x: N) -> N {
     cut(parameters, x) * (2.9 * parameters[2])
 }
 
-fn fully_integral([depth, _, unit]: &Parameters, x: f64) -> f64 {
-    2.9 * unit * x * x * (1.0 - depth * x / 3.0)
-}
-
-impl KogutKomvopoulos {
-    fn parameters(bodies: &Bodies) -> Parameters {
-        let ratio = bodies.yield_radius_ratio();
-        // F_Y = (2/3) π C σ_Y R δ_Y
-        [ratio * ratio, 1.0 / bodies.yield_strain(), 1.5 / bodies.yield_point.factor]
-    }
-}
-
 impl ContactLaw for KogutKomvopoulos {
-    fn about(&self) -> &'static About {
-        About::of("kogut_komvopoulos")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let parameters = Self::parameters(bodies);
-        let [depth, stiffness, _] = parameters;
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let (ratio, stiffness) = (bodies.yield_radius_ratio(), 1.0 / bodies.yield_strain());
+        let depth = ratio * ratio;
+        // F_Y = (2/3) π C σ_Y R δ_Y
+        let parameters = [depth, stiffness, 1.5 / bodies.yield_point.factor];
         // x where s has this value: s² = (E*/σ_Y)² (δ_Y/R) x/(2 − x δ_Y/R)
         let reaches = |s: f64| {
             let per = s * s / (stiffness * stiffness * depth);
@@ -116,18 +102,11 @@ impl ContactLaw for KogutKomvopoulos {
             }
         }
         let mut loading = Loading::new(curve, yields, move |x, _| {
-            if x <= yields {
-                return x.sqrt();
-            }
             let square = cut(&parameters, x.min(end));
             let ratio = if x <= plastic { 2.193 - 0.394 * ln(strain(&parameters, x)) } else { 1.0 };
             (square / ratio).sqrt()
         });
-        loading.holds_until = if starts.is_some() { end } else { yields };
-        Some(loading)
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        Plm::default().recovery(bodies)
+        loading.limits.holds_until = if starts.is_some() { end } else { yields };
+        Rules::of(loading, Plm::default().rules(bodies).recovery)
     }
 }

@@ -1,9 +1,9 @@
 //! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
 
 use super::thornton;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, RecoveryRule, hertzian};
+use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{cbrt, ln, powi};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -43,52 +43,28 @@ impl Default for MaLiu {
 }
 
 /// x (c_1 + c_2 ln x) + c_3.
-static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>, Some(mixed_integral));
+static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>);
 
 fn mixed<N: Number>([c1, c2, c3]: &Parameters, x: N) -> N {
     x * (x.ln() * *c2 + *c1) + *c3
 }
 
-fn mixed_integral([c1, c2, c3]: &Parameters, x: f64) -> f64 {
-    x * (0.5 * x * (c1 + c2 * (ln(x) - 0.5)) + c3)
-}
-
-impl MaLiu {
-    /// The mixed piece and the slope of full plasticity.
-    fn mixed(&self, bodies: &Bodies) -> (Smooth, f64) {
+impl ContactLaw for MaLiu {
+    fn rules(&self, bodies: &Bodies) -> Rules {
         let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
-        let c2 = (slope - 1.5) / ln(self.transition_ratio);
+        let end = self.transition_ratio;
+        let c2 = (slope - 1.5) / ln(end);
         let c1 = 1.5 - c2;
-        (Smooth::new(&MIXED, [c1, c2, 1.0 - c1]), slope)
-    }
-
-    /// ε = (f²/(R_e/R))^(1/3) of a force.
-    fn elastic_approach(&self, bodies: &Bodies) -> impl Fn(f64) -> f64 + Send + Sync + use<> {
-        let (mixed, _) = self.mixed(bodies);
-        let plastic = mixed.value(0.0, self.transition_ratio);
-        move |force| {
+        let mixed = Smooth::new(&MIXED, [c1, c2, 1.0 - c1]);
+        let plastic = mixed.value(0.0, end);
+        // ε = (f²/(R_e/R))^(1/3)
+        let elastic_approach = move |force: f64| {
             let at = force.min(plastic);
             thornton::elastic_approach(at) * powi(cbrt(force / at), 2)
-        }
-    }
-}
-
-impl ContactLaw for MaLiu {
-    fn about(&self) -> &'static About {
-        About::of("ma_liu")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let (mixed, slope) = self.mixed(bodies);
-        let end = self.transition_ratio;
+        };
         let curve = Curve::hertz().then_smooth(1.0, mixed, end, 0.0).then_straight(end, slope);
         // the radius of the Hertz contact at the start of unloading
-        let elastic_approach = self.elastic_approach(bodies);
-        Some(Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force)))
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let elastic_approach = self.elastic_approach(bodies);
-        hertzian(move |peak| elastic_approach(peak.force))
+        let loading = Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force));
+        Rules::of(loading, hertzian(move |peak| elastic_approach(peak.force)))
     }
 }

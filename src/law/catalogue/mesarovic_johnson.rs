@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::law::UnloadingShape;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, Recovered, RecoveryRule};
+use crate::law::published::{Loading, PeakState, Recovered, Rules};
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///
@@ -43,25 +43,18 @@ impl Default for MesarovicJohnson {
 }
 
 impl ContactLaw for MesarovicJohnson {
-    fn about(&self) -> &'static About {
-        About::of("mesarovic_johnson")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+    fn rules(&self, bodies: &Bodies) -> Rules {
         let factor = self.area_factor;
-        let slope = bodies.slope_of_pressure(factor, 6.0);
-        let mut loading = Loading::new(Curve::straight(slope), 0.0, move |x, _| (2.0 * factor * x).sqrt());
+        let curve = Curve::straight(bodies.slope_of_pressure(factor, 6.0));
+        let mut loading = Loading::new(curve, 0.0, move |x, _| (2.0 * factor * x).sqrt());
         // a/a_Y of E* a/(σ_Y R) = 50
         let plastic = 50.0 * bodies.yield_strain() / bodies.yield_radius_ratio();
-        loading.stated = Some((plastic * plastic / (2.0 * factor), f64::INFINITY));
-        Some(loading)
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
-        Arc::new(|peak| Recovered {
+        loading.limits.stated = Some((plastic * plastic / (2.0 * factor), f64::INFINITY));
+        let recovery = |peak: PeakState| Recovered {
             // 2F/(πE* a) in units of δ_Y; 3F/(4E* a) is f/(a/a_Y)
             elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.radius,
             shape: UnloadingShape::UniformPressure,
-        })
+        };
+        Rules::of(loading, Arc::new(recovery))
     }
 }

@@ -1,8 +1,8 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, RecoveryRule, hertzian};
+use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -47,39 +47,24 @@ impl Default for Stronge {
 const FULLY_PLASTIC: f64 = 84.0;
 
 /// s^1.5 (2x/s − 1)(1 + ln(2x/s − 1)/(3ϑ)), parameters s = δ_y/δ_Y and 3ϑ.
-static MIDDLE: Formula = Formula::new(middle::<f64>, middle::<Jet>, Some(middle_integral));
+static MIDDLE: Formula = Formula::new(middle::<f64>, middle::<Jet>);
 
 fn middle<N: Number>([s, three_theta, _]: &Parameters, x: N) -> N {
     let area = x * (2.0 / s) + -1.0;
     area * (area.ln() * (1.0 / three_theta) + 1.0) * (s * s.sqrt())
 }
 
-/// ∫ z (1 + ln z/(3ϑ)) dz s/2 · s^1.5.
-fn middle_integral([s, three_theta, _]: &Parameters, x: f64) -> f64 {
-    let z = 2.0 * x / s - 1.0;
-    let half_square = 0.5 * z * z;
-    s * s * s.sqrt() * 0.5 * (half_square + half_square * (ln(z) - 0.5) / three_theta)
-}
-
 impl ContactLaw for Stronge {
-    fn about(&self) -> &'static About {
-        About::of("stronge")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
+    fn rules(&self, bodies: &Bodies) -> Rules {
         let theta = self.yield_pressure_ratio;
         let s = bodies.yield_at(1.5 * theta);
         let pressure = 1.0 + ln(2.0 * FULLY_PLASTIC - 1.0) / (3.0 * theta);
         let curve = Curve::hertz()
             .then_smooth(s, Smooth::new(&MIDDLE, [s, 3.0 * theta, 0.0]), FULLY_PLASTIC * s, 0.5 * s)
             .then_straight(FULLY_PLASTIC * s, 2.0 * s.sqrt() * pressure);
-        Some(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()))
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let s = bodies.yield_at(1.5 * self.yield_pressure_ratio);
         let unit = s * s.sqrt();
         let factor = s * pow(self.unloading_factor, 0.25);
-        hertzian(move |peak| factor * (peak.force / unit).sqrt())
+        let recovery = hertzian(move |peak| factor * (peak.force / unit).sqrt());
+        Rules::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)
     }
 }

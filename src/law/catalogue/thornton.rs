@@ -1,12 +1,8 @@
 //! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
 
-use std::f64::consts::PI;
-
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, RecoveryRule, hertzian};
-
-use crate::math::functions::{pow, powi};
+use crate::law::published::{Loading, Rules, hertzian};
 
 /// The law of Thornton.
 ///
@@ -34,45 +30,17 @@ pub struct Thornton {
     pub yield_pressure: Option<f64>,
 }
 
-/// Closed-form e at q = V_y/V ≤ 1.
-pub fn restitution(yield_speed_over_speed: f64) -> f64 {
-    let q = yield_speed_over_speed;
-    let square = q * q;
-    (1.2 * 3f64.sqrt()).sqrt() * (1.0 - square / 6.0).sqrt() * pow(q / (q + 2.0 * (1.2 - 0.2 * square).sqrt()), 0.25)
-}
-
-/// V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2) \[m/s\].
-pub fn yield_speed(effective_modulus: f64, radius: f64, mass: f64, yield_pressure: f64) -> f64 {
-    let per_modulus = PI / (2.0 * effective_modulus);
-    per_modulus * per_modulus * (8.0 * PI * powi(radius, 3) / (15.0 * mass)).sqrt() * pow(yield_pressure, 2.5)
-}
-
 /// ε/δ_y of Hertz-type unloading with Thornton's R_p, at f = F_m/F_y: (f² R/R_p)^(1/3) = f √(3/(2f + 1)).
 pub(super) fn elastic_approach(force: f64) -> f64 {
     force * (3.0 / (2.0 * force + 1.0)).sqrt()
 }
 
-impl Thornton {
-    /// δ_y/δ_Y.
-    fn yield_at(self, bodies: &Bodies) -> f64 {
-        self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_strength))
-    }
-}
-
 impl ContactLaw for Thornton {
-    fn about(&self) -> &'static About {
-        About::of("thornton")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let yields = self.yield_at(bodies);
-        let curve = Curve::hertz().then_tangent(yields);
-        Some(Loading::new(curve, yields, |x, _| x.sqrt()))
-    }
-
-    fn recovery(&self, bodies: &Bodies) -> RecoveryRule {
-        let yields = self.yield_at(bodies);
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        // δ_y/δ_Y
+        let yields = self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_strength));
         let unit = yields * yields.sqrt();
-        hertzian(move |peak| yields * elastic_approach(peak.force / unit))
+        let loading = Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
+        Rules::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))
     }
 }

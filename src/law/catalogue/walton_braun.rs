@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::law::UnloadingShape;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, Recovered, RecoveryRule};
+use crate::law::published::{Loading, Recovered, Rules};
 
 /// The hysteretic spring.
 ///
@@ -37,18 +37,12 @@ impl Default for WaltonBraun {
 }
 
 impl ContactLaw for WaltonBraun {
-    fn about(&self) -> &'static About {
-        About::of("walton_braun")
-    }
-
-    fn loading(&self, _: &Bodies) -> Option<Loading> {
-        let curve = Curve::straight(self.loading_stiffness);
+    fn rules(&self, _: &Bodies) -> Rules {
+        let mut loading = Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt());
         // a spring has no geometry
-        Some(Loading { widest: f64::INFINITY, ..Loading::new(curve, 0.0, |x, _| x.sqrt()) })
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+        loading.limits.widest = f64::INFINITY;
         let k2 = self.loading_stiffness / self.stiffness_ratio;
-        Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape: UnloadingShape::Power(1.0) })
+        let shape = UnloadingShape::Power(1.0);
+        Rules::of(loading, Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape }))
     }
 }

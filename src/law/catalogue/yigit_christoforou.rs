@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::law::UnloadingShape;
-use crate::law::contact_law::{About, Bodies, ContactLaw};
+use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::published::{Loading, Recovered, RecoveryRule};
+use crate::law::published::{Loading, PeakState, Recovered, Rules};
 use crate::math::functions::cbrt;
 
 /// The law of Yigit and Christoforou.
@@ -35,24 +35,10 @@ pub struct YigitChristoforou {
     pub yield_factor: Option<f64>,
 }
 
-impl YigitChristoforou {
-    fn yield_at(self, bodies: &Bodies) -> f64 {
-        bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()))
-    }
-}
-
 impl ContactLaw for YigitChristoforou {
-    fn about(&self) -> &'static About {
-        About::of("yigit_christoforou")
-    }
-
-    fn loading(&self, bodies: &Bodies) -> Option<Loading> {
-        let yields = self.yield_at(bodies);
-        Some(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()))
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
-        Arc::new(|peak| {
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let yields = bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()));
+        let recovery = Arc::new(|peak: PeakState| {
             let x = peak.indentation;
             // where there is no such depth, twice the indentation: more than any law may give back
             let hertz = x * x.sqrt();
@@ -66,6 +52,7 @@ impl ContactLaw for YigitChristoforou {
                 2.0 * x
             };
             Recovered { elastic_approach, shape: UnloadingShape::ShiftedHertz }
-        })
+        });
+        Rules::of(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
     }
 }

@@ -8,8 +8,9 @@ use thiserror::Error;
 
 use super::contact_radius::RadiusTable;
 use super::lines::{ElasticLine, LineSlopes};
+use super::rule::PlmRule;
 use crate::law::curve::Curve;
-use crate::law::{ElasticApproach, Law, UnloadingExponent};
+use crate::law::{Law, UnloadingExponent};
 use crate::material::Pair;
 
 /// Where a set of coefficients comes from.
@@ -185,10 +186,16 @@ impl PlmCoefficients {
 
     /// The law for a pair whose half-space yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
+        let (loading, rule) = self.halves(pair, yield_radius_ratio, exponent);
+        Law::plm(loading, rule)
+    }
+
+    /// The same as its two halves.
+    pub(super) fn halves(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> (Curve, PlmRule) {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
-        let loading = self.force.curve(kappa_squared);
-        let elastic = ElasticApproach::Line(ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio));
-        Law { loading, elastic, radius: self.contact_radius.of(kappa_squared, yield_radius_ratio), exponent }
+        let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);
+        let radius = self.contact_radius.of(kappa_squared, yield_radius_ratio);
+        (self.force.curve(kappa_squared), PlmRule { line, hardening: None, radius, exponent })
     }
 
     /// The slopes and knots of the polyline of the elastic approach.

@@ -15,6 +15,8 @@
 //! 1.4 % and 3.8 %; contact radius 1.5 % and 3.5 %. Not covered: softening, yield plateaus, strain rate, kinematic hardening,
 //! a sphere that yields. That a hardened dent reloads like any other is assumed.
 
+use std::iter::successors;
+
 use super::lines::LineSlopes;
 use crate::law::curve::Curve;
 use crate::math::functions::{ln, pow};
@@ -159,22 +161,13 @@ fn points(knots: &[f64], end: f64) -> Vec<f64> {
     let mut points = Vec::with_capacity(128);
     for pair in knots.windows(2) {
         let whole = pair[1] / pair[0];
-        let parts = (ln(whole) / LN_RATIO).ceil();
-        let ratio = pow(whole, 1.0 / parts);
-        let mut x = pair[0] * ratio;
+        let ratio = pow(whole, 1.0 / (ln(whole) / LN_RATIO).ceil());
         // half a step before the end, so that rounding neither adds nor loses a point
-        while x * ratio.sqrt() < pair[1] {
-            points.push(x);
-            x *= ratio;
-        }
+        let is_between = |x: &f64| x * ratio.sqrt() < pair[1];
+        points.extend(successors(Some(pair[0] * ratio), |x| Some(x * ratio)).take_while(is_between));
         points.push(pair[1]);
     }
-    let mut x = knots.last().map_or(end, |last| RATIO * last);
-    loop {
-        points.push(x);
-        if x >= end {
-            return points;
-        }
-        x *= RATIO;
-    }
+    let first = knots.last().map_or(end, |last| RATIO * last);
+    points.extend(successors(Some(first), |x| (*x < end).then_some(x * RATIO)));
+    points
 }

@@ -14,32 +14,22 @@ pub struct LineSlopes {
 }
 
 impl LineSlopes {
-    /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on.
+    /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on. A knot of the finite geometry below A = 1
+    /// applies from A = 1.
     fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = LinePiece> {
+        let plastic_from = self.plastic_from;
+        let geometry = move || self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor));
+        let between =
+            move |low: f64, high: f64| geometry().map(|(from, _)| from).filter(move |from| low < *from && *from < high);
+        let plastic = (plastic_from > 1.0).then_some(plastic_from);
+        let knots = std::iter::once(1.0).chain(between(1.0, plastic_from)).chain(plastic);
         let (mut radius, mut approach, mut slope) = (1.0, 1.0, 0.0);
-        // the finite-geometry knots up to here
-        let mut passed = 0;
-        let mut next_knot = Some(1.0);
-        std::iter::from_fn(move || {
-            let next: f64 = next_knot?;
-            // a knot below A = 1 applies from A = 1
-            let beyond = loop {
-                match self.geometry.get(passed).map(|(from, _)| from / yield_radius_ratio) {
-                    Some(from) if from <= next => passed += 1,
-                    beyond => break beyond,
-                }
-            };
+        knots.chain(between(plastic_from, f64::INFINITY)).map(move |next| {
             approach += slope * (next - radius);
-            let is_plastic = next >= self.plastic_from;
-            let base = if is_plastic { self.plastic } else { self.first };
-            slope = self.geometry[..passed].iter().fold(base, |slope, (_, factor)| slope * factor);
+            let base = if next >= plastic_from { self.plastic } else { self.first };
+            slope = geometry().filter(|(from, _)| *from <= next).fold(base, |slope, (_, factor)| slope * factor);
             radius = next;
-            next_knot = if is_plastic {
-                beyond
-            } else {
-                Some(beyond.map_or(self.plastic_from, |from| from.min(self.plastic_from)))
-            };
-            Some(LinePiece { force: radius * approach, slope, offset: approach - slope * radius })
+            LinePiece { force: radius * approach, slope, offset: approach - slope * radius }
         })
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg};
 
-use crate::math::functions::{asin, cos, exp, ln, pow, sin, sin_cos};
+use crate::math::functions::{asin, cos, exp, ln, pow, sin};
 
 /// What a formula needs of its argument.
 #[allow(clippy::return_self_not_must_use)]
@@ -15,33 +15,39 @@ pub trait Number:
     + Add<f64, Output = Self>
     + Mul<f64, Output = Self>
 {
+    /// g of it, from g, g' and g'' at a value.
+    fn map(self, g: impl Fn(f64) -> [f64; 3]) -> Self;
+
     /// x^p, x > 0.
-    fn powf(self, exponent: f64) -> Self;
-    fn exp(self) -> Self;
-    fn ln(self) -> Self;
-    fn sin(self) -> Self;
-    fn cos(self) -> Self;
-    fn asin(self) -> Self;
+    fn powf(self, p: f64) -> Self {
+        self.map(|x| {
+            let (power, inverse) = (pow(x, p), 1.0 / x);
+            [power, p * power * inverse, p * (p - 1.0) * power * inverse * inverse]
+        })
+    }
+    fn exp(self) -> Self {
+        self.map(|x| [exp(x); 3])
+    }
+    fn ln(self) -> Self {
+        self.map(|x| [ln(x), 1.0 / x, -1.0 / (x * x)])
+    }
+    fn sin(self) -> Self {
+        self.map(|x| [sin(x), cos(x), -sin(x)])
+    }
+    fn cos(self) -> Self {
+        self.map(|x| [cos(x), -sin(x), -cos(x)])
+    }
+    fn asin(self) -> Self {
+        self.map(|x| {
+            let slope = 1.0 / ((1.0 - x) * (1.0 + x)).sqrt();
+            [asin(x), slope, x * slope * slope * slope]
+        })
+    }
 }
 
 impl Number for f64 {
-    fn powf(self, exponent: f64) -> Self {
-        pow(self, exponent)
-    }
-    fn exp(self) -> Self {
-        exp(self)
-    }
-    fn ln(self) -> Self {
-        ln(self)
-    }
-    fn sin(self) -> Self {
-        sin(self)
-    }
-    fn cos(self) -> Self {
-        cos(self)
-    }
-    fn asin(self) -> Self {
-        asin(self)
+    fn map(self, g: impl Fn(f64) -> [f64; 3]) -> Self {
+        g(self)[0]
     }
 }
 
@@ -58,42 +64,16 @@ impl Jet {
     pub fn variable(value: f64) -> Self {
         Self { value, slope: 1.0, curvature: 0.0 }
     }
+}
 
-    /// g(f) by the chain rule, from g, g' and g'' at f.
-    fn chain(self, value: f64, slope: f64, curvature: f64) -> Self {
+impl Number for Jet {
+    fn map(self, g: impl Fn(f64) -> [f64; 3]) -> Self {
+        let [value, slope, curvature] = g(self.value);
         Self {
             value,
             slope: slope * self.slope,
             curvature: curvature * self.slope * self.slope + slope * self.curvature,
         }
-    }
-}
-
-impl Number for Jet {
-    fn powf(self, exponent: f64) -> Self {
-        let power = pow(self.value, exponent);
-        let slope = exponent * power / self.value;
-        self.chain(power, slope, (exponent - 1.0) * slope / self.value)
-    }
-    fn exp(self) -> Self {
-        let power = exp(self.value);
-        self.chain(power, power, power)
-    }
-    fn ln(self) -> Self {
-        let inverse = 1.0 / self.value;
-        self.chain(ln(self.value), inverse, -inverse * inverse)
-    }
-    fn sin(self) -> Self {
-        let (sin, cos) = sin_cos(self.value);
-        self.chain(sin, cos, -sin)
-    }
-    fn cos(self) -> Self {
-        let (sin, cos) = sin_cos(self.value);
-        self.chain(cos, -sin, -cos)
-    }
-    fn asin(self) -> Self {
-        let slope = 1.0 / ((1.0 - self.value) * (1.0 + self.value)).sqrt();
-        self.chain(asin(self.value), slope, self.value * slope * slope * slope)
     }
 }
 
@@ -123,8 +103,7 @@ impl Div for Jet {
     type Output = Self;
     #[allow(clippy::suspicious_arithmetic_impl)] // f/g = f × 1/g
     fn div(self, other: Self) -> Self {
-        let inverse = 1.0 / other.value;
-        self * other.chain(inverse, -inverse * inverse, 2.0 * inverse * inverse * inverse)
+        self * other.map(|x| [1.0 / x, -1.0 / (x * x), 2.0 / (x * x * x)])
     }
 }
 

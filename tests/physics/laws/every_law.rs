@@ -196,7 +196,8 @@ fn half_a_law_is_refused_and_not_taken_for_hertz() {
     let loading = Box::new(LawChoice::from_name("brake").unwrap());
     let unloading = Box::new(LawChoice::from_name("plm").unwrap());
     let combined = Combined { loading, unloading };
-    for (law, name) in [(&Brake as &dyn ContactLaw, "brake"), (&combined, "combined")] {
+    let name = "brake";
+    for law in [&Brake as &dyn ContactLaw, &combined] {
         let error = Contact::try_new(sphere, half_space, law).unwrap_err();
         assert_eq!(error, ImpactError::Law(OutsideLaw::Incomplete { name }));
         assert!(error.to_string().contains(name), "{error}");

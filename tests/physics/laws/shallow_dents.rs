@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use plm_impact::law::curve::Curve;
-use plm_impact::law::published::{Loading, RecoveryRule};
+use plm_impact::law::published::{Loading, PeakState, Rules};
 
 use super::parts;
 use crate::common::prelude::*;
@@ -13,31 +13,14 @@ use crate::common::prelude::*;
 #[derive(Debug)]
 struct Dented(f64);
 
-static ABOUT: About = About {
-    name: "dented",
-    title: "a dent at will",
-    source: "",
-    loading: "Hertz",
-    unloading: "the Hertz curve, moved",
-    validity: "",
-    confidence: "",
-};
-
 impl ContactLaw for Dented {
-    fn about(&self) -> &'static About {
-        &ABOUT
-    }
-
-    fn loading(&self, _: &Bodies) -> Option<Loading> {
-        Some(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()))
-    }
-
-    fn recovery(&self, _: &Bodies) -> RecoveryRule {
+    fn rules(&self, _: &Bodies) -> Rules {
         let recovered = 1.0 - self.0;
-        Arc::new(move |peak| Recovered {
+        let recovery = move |peak: PeakState| Recovered {
             elastic_approach: recovered * peak.indentation,
             shape: UnloadingShape::ShiftedHertz,
-        })
+        };
+        Rules::of(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
     }
 }
 

@@ -1,0 +1,74 @@
+//! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
+
+use super::contact_radius::ContactRadius;
+use super::hardening::Hardening;
+use super::lines::ElasticLine;
+use crate::law::published::Limits;
+use crate::law::unloading::{Peak, Unloading, UnloadingExponent, exponent_within, pressure_shape_exponent};
+
+/// How the PLM unloads beyond first yield.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlmRule {
+    /// The elastic approach over the force.
+    pub line: ElasticLine,
+    /// How a half-space that hardens changes it.
+    pub hardening: Option<Hardening>,
+    /// The contact radius.
+    pub radius: ContactRadius,
+    /// Which exponent the branch has.
+    pub exponent: UnloadingExponent,
+}
+
+impl PlmRule {
+    /// Where loading holds.
+    pub(crate) fn limits(&self) -> Limits {
+        Limits::of(1.0, if self.hardening.is_some() { 0.32 } else { 0.45 })
+    }
+
+    /// ε at a point (x, f) of the loading curve.
+    #[inline(always)]
+    pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match &self.hardening {
+            _ if x <= 1.0 => x,
+            None => self.line.at(force).min(x),
+            Some(hardening) => hardening.elastic_approach(x, force),
+        }
+    }
+
+    /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
+    #[inline(always)]
+    pub(crate) fn unloading(&self, peak: Peak, spent: f64) -> Unloading {
+        let asked = match self.exponent {
+            UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(&peak),
+            _ => 1.5,
+        };
+        Unloading::power(peak, exponent_within(spent, &peak, asked))
+    }
+
+    /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
+    #[inline(always)]
+    pub(super) fn pressure_shape(&self, peak: &Peak) -> f64 {
+        let equivalent = peak.force / peak.elastic_approach;
+        match &self.hardening {
+            None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
+            Some(hardening) => {
+                let shape = hardening.shape(peak.indentation, equivalent);
+                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
+            }
+        }
+    }
+
+    /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
+    pub(crate) fn contact_radius(&self, peak: &Peak) -> f64 {
+        let equivalent = peak.force / peak.elastic_approach;
+        let geometry = self.radius.geometry_at(equivalent);
+        match &self.hardening {
+            None => equivalent / (self.radius.ratio_at(equivalent) * geometry),
+            Some(hardening) => {
+                let shape = hardening.shape(peak.indentation, equivalent);
+                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
+            }
+        }
+    }
+}
