@@ -16,6 +16,7 @@ use crate::law::piece::Shape;
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time};
+use crate::math::smooth::Smooth;
 
 pub use with_forces::closes;
 pub(crate) use with_forces::way_to_peak;
@@ -97,7 +98,7 @@ const NEAR_KNOT: f64 = 1e-6;
 ///
 /// To the turning point of a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there:
 /// just behind a knot it is a difference of nearly equal numbers and has few digits.
-#[inline]
+#[inline(always)]
 fn time_on(curve: &Curve, index: usize, [from, distance]: [f64; 2], [entry, exit]: [f64; 2]) -> f64 {
     let piece = &curve.pieces()[index];
     match piece.shape {
@@ -111,22 +112,37 @@ fn time_on(curve: &Curve, index: usize, [from, distance]: [f64; 2], [entry, exit
             2.0 * arctangent(omega * distance / (entry + exit)) * by_root
         }
         Shape::Power { exponent, lead: 0.0, .. } => power_time(exponent, distance, entry, exit),
-        // the time from the zero of the power law, less the time from there to the start of the piece
         Shape::Power { exponent, lead, .. } => {
-            let before = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
-            let whole = (entry * entry + before).sqrt();
-            power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
+            let begun = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
+            late_time(exponent, [lead, distance], (entry * entry + begun).sqrt(), [entry, exit])
         }
-        Shape::Smooth(smooth) => {
-            // just behind a knot the time is that on the tangent at the knot
-            let is_near = entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start;
-            if exit == 0.0 && from == piece.start && is_near {
-                let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
-                return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
-            }
-            // on the panels of the piece, or on the piece where it has none, as on a spot that was loaded before
-            let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
-            on_panels.unwrap_or_else(|| smooth.time(piece.start, 0.0, distance, exit, ACCELERATION))
-        }
+        Shape::Smooth(smooth) => time_on_formula(curve, index, smooth, [from, distance], [entry, exit]),
     }
+}
+
+/// The time from the zero of a power law, where the speed is `whole`, less the time from there to the start of the piece.
+#[cold]
+fn late_time(exponent: f64, [lead, distance]: [f64; 2], whole: f64, [entry, exit]: [f64; 2]) -> f64 {
+    power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
+}
+
+/// Apart from the other pieces, whose time is a tenth longer with it among them.
+#[cold]
+fn time_on_formula(
+    curve: &Curve,
+    index: usize,
+    smooth: Smooth,
+    [from, distance]: [f64; 2],
+    [entry, exit]: [f64; 2],
+) -> f64 {
+    let piece = &curve.pieces()[index];
+    // just behind a knot the time is that on the tangent at the knot
+    let is_near = entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start;
+    if exit == 0.0 && from == piece.start && is_near {
+        let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
+        return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
+    }
+    // on the panels of the piece, or on the piece where it has none, as on a spot that was loaded before
+    let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
+    on_panels.unwrap_or_else(|| smooth.time(piece.start, 0.0, distance, exit, ACCELERATION))
 }

@@ -25,11 +25,11 @@ use crate::law::piece::{Piece, Shape};
 use crate::math::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
-pub fn integrate(
+pub fn integrate<I: Integrator>(
     law: &Law,
     q: f64,
     forces: &ScaledForces,
-    integrator: &mut dyn Integrator,
+    integrator: &mut I,
     mut recorder: Option<&mut Recorder>,
 ) -> Result<Outcome, IntegrationError> {
     let distance = way_to_peak(law, 0.4 * q * q, forces);

@@ -98,6 +98,23 @@ pub(super) fn free_time(
 /// Tolerance of the run that fills the trace of a closed form.
 const FINEST: f64 = 1e-14;
 
+/// What a run is of: the law, q = v/V, the forces; and the samples of its trace with the contact time, where it is known.
+type Run<'a> = (&'a Law, f64, &'a ScaledForces, Option<usize>, Option<f64>);
+
+/// An impact along the legs of its course, with its trace.
+fn along<I: Integrator>(
+    (law, q, forces, samples, duration): Run<'_>,
+    mut integrator: I,
+) -> Result<Computed, IntegrationError> {
+    let mut recorder = Recorder::default();
+    let outcome = course::integrate(law, q, forces, &mut integrator, samples.map(|_| &mut recorder))?;
+    let trace = |samples| {
+        let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
+        recorder.points(law, &outcome.unloading, forces.drag, times)
+    };
+    Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
+}
+
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
 /// [`Method::ClosedForm`] without one, rk8 computes it. With `samples` it comes with a trace of that many points evenly spaced
 /// over the contact, first touch and separation among them, and a point for every other event.
@@ -111,22 +128,16 @@ pub fn run(
 ) -> Result<Computed, IntegrationError> {
     // the same times by every method, where the contact time is known
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
-    let times = |samples: usize, outcome: &Outcome| even_times(samples, duration.unwrap_or(outcome.contact_time));
-    let along = |integrator: &mut dyn Integrator| -> Result<Computed, IntegrationError> {
-        let mut recorder = Recorder::default();
-        let outcome = course::integrate(law, q, forces, integrator, samples.map(|_| &mut recorder))?;
-        let trace = |samples| recorder.points(law, &outcome.unloading, forces.drag, times(samples, &outcome));
-        Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
-    };
+    let course = (law, q, forces, samples, duration);
     let tolerance = solver.tolerance;
     match (solver.method.chosen(forces, exact.is_some(), samples.is_some()), exact) {
         (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
         (Method::ClosedForm, _) if forces.is_none() => {
-            Ok(Computed { work: Work::default(), ..along(&mut Rk8::new(FINEST))? })
+            Ok(Computed { work: Work::default(), ..along(course, Rk8::new(FINEST))? })
         }
-        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(&mut Rk8::new(tolerance)),
-        (Method::Dopri5, _) => along(&mut Library::new(Scheme::Dopri5, tolerance)),
-        (Method::Dop853, _) => along(&mut Library::new(Scheme::Dop853, tolerance)),
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(course, Rk8::new(tolerance)),
+        (Method::Dopri5, _) => along(course, Library::new(Scheme::Dopri5, tolerance)),
+        (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, tolerance)),
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
             let step = free_time(law, q, forces, exact)? / f64::from(steps);
@@ -134,7 +145,7 @@ pub fn run(
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
             let mut computed = verlet::march(law, q, forces, step, most)?;
             if let (Some(samples), Some(fixed)) = (samples, &computed.fixed_steps) {
-                let times = times(samples, &computed.outcome);
+                let times = even_times(samples, duration.unwrap_or(computed.outcome.contact_time));
                 computed.points = verlet::trace(law, q, forces, &computed.outcome, fixed, times);
             }
             Ok(computed)
