@@ -229,7 +229,7 @@ fn progress_is_shown_on_a_terminal_alone() {
     let desk = Desk::with("");
     desk.ends(&["init", "repeat"], 0);
     // impacts of milliseconds each
-    let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=12000 --set repeat.impacts=200 \
+    let slow = "run repeat.toml --set solver.method=verlet --set solver.steps_per_contact=40000 --set repeat.impacts=200 \
                 --set output.samples=2 --pictures none";
     let piped = shell(&desk, &format!("plm-impact {slow}"));
     assert_eq!(piped.status.code(), Some(0), "{}", text(&piped.stderr));
