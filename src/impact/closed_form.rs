@@ -126,7 +126,8 @@ fn late_time(exponent: f64, [lead, distance]: [f64; 2], whole: f64, [entry, exit
     power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
 }
 
-/// Apart from the other pieces, whose time is a tenth longer with it among them.
+/// Time on a formula. It is a function of its own because `time_on` takes a tenth longer on the other pieces if it holds this
+/// code too.
 #[cold]
 fn time_on_formula(
     curve: &Curve,

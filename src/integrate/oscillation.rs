@@ -70,8 +70,9 @@ impl Oscillation {
     pub fn land(self, path: &Path, state: &mut State, track: Option<&mut Vec<Segment>>) -> Arrival {
         let end = path.leg.end();
         let turning = self.vanishes(1.0, 0.0);
-        let (landing, time) = if self.start.distance + (self.moved(turning).0 - self.y) < end {
-            *state = State { speed: 0.0, ..self.state(turning, None) };
+        let turned = self.state(turning, None);
+        let (landing, time) = if turned.distance < end {
+            *state = State { speed: 0.0, ..turned };
             (Landing::Turning, turning)
         } else {
             let ahead = |time| {
@@ -85,13 +86,12 @@ impl Oscillation {
             *state = self.state(time, Some(end));
             (Landing::End, time)
         };
-        // the contact force b y + c u grows at the rate (b − c c_contact) u − c_contact b y
-        let all = 2.0 * self.decay;
-        let (of_speed, of_place) = (self.slope - self.in_contact * all, -self.in_contact * self.slope);
-        let grows = of_speed * self.start.speed + of_place * self.y > 0.0;
-        let crest = if grows { self.vanishes(of_speed, of_place) } else { 0.0 };
+        // damping adds c_contact u to the contact force, which then grows at the rate (b − c c_contact) u − c_contact b y
+        let (of_speed, of_place) = (self.slope - 2.0 * self.decay * self.in_contact, -self.in_contact * self.slope);
+        let crests = self.in_contact > 0.0 && of_speed * self.start.speed + of_place * self.y > 0.0;
+        let crest = crests.then(|| self.vanishes(of_speed, of_place)).filter(|crest| *crest < time);
         let mut largest_force = path.larger_force(&self.start, state);
-        if crest < time {
+        if let Some(crest) = crest {
             let (y, u) = self.moved(crest);
             largest_force = max_or_nan(largest_force, self.slope * y + self.in_contact * u);
         }
